@@ -1,0 +1,20 @@
+#pragma once
+
+// Index types that do not mix. An id is a position in one of a Mesh's arrays; `index(id)` is its number.
+
+#include <cstdint>
+
+namespace rimline {
+
+enum class VertexId : std::uint32_t {};
+enum class FaceId : std::uint32_t {};
+enum class EdgeId : std::uint32_t {};
+
+constexpr FaceId k_no_face{0xffffffffu};
+constexpr EdgeId k_no_edge{0xffffffffu};
+
+constexpr std::uint32_t index(VertexId id) noexcept { return static_cast<std::uint32_t>(id); }
+constexpr std::uint32_t index(FaceId id) noexcept { return static_cast<std::uint32_t>(id); }
+constexpr std::uint32_t index(EdgeId id) noexcept { return static_cast<std::uint32_t>(id); }
+
+}  // namespace rimline

@@ -1,0 +1,269 @@
+#include "silhouette/mesh/mesh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace rimline {
+
+namespace {
+
+constexpr std::size_t k_max_faces = std::size_t{1} << 30;
+
+// A position's bits, with -0 taken as 0, so that equal positions have equal keys.
+struct PositionKey {
+    std::uint32_t x, y, z;
+    bool operator==(const PositionKey&) const = default;
+};
+
+PositionKey key_of(glm::vec3 p) {
+    return {std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
+            std::bit_cast<std::uint32_t>(p.z + 0.0f)};
+}
+
+std::size_t hash_of(const PositionKey& key) {
+    std::uint64_t h = (std::uint64_t{key.x} << 32 | key.y) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 32;
+    h = (h + key.z) * 0xd6e8feb86659fd93u;
+    return static_cast<std::size_t>(h ^ h >> 29);
+}
+
+// For each position, the first index with an equal position. Open addressing at half load.
+std::vector<std::uint32_t> first_equal_position(const std::vector<glm::vec3>& positions) {
+    constexpr std::uint32_t k_free = 0xffffffffu;
+    const std::size_t capacity = std::bit_ceil(positions.size() * 2 + 1);
+    std::vector<std::uint32_t> table(capacity, k_free);
+    std::vector<std::uint32_t> first(positions.size());
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        const PositionKey key = key_of(positions[i]);
+        std::size_t slot = hash_of(key) & (capacity - 1);
+        while (table[slot] != k_free && key_of(positions[table[slot]]) != key)
+            slot = (slot + 1) & (capacity - 1);
+        if (table[slot] == k_free) table[slot] = i;
+        first[i] = table[slot];
+    }
+    return first;
+}
+
+// One side of one triangle.
+struct HalfEdge {
+    std::uint32_t far_vertex;  // The greater of its two vertices; the lesser names the bucket.
+    std::uint32_t face;
+    std::uint8_t corner;    // It runs from this corner to the next.
+    bool ascending;         // It runs from the lesser vertex to the greater.
+};
+
+// Half-edges by lesser vertex, then greater, then face.
+struct SortedHalfEdges {
+    std::vector<std::uint32_t> begin;  // By lesser vertex.
+    std::vector<HalfEdge> half_edges;
+};
+
+bool has_equal_corners(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32_t vertex_count) {
+    SortedHalfEdges sorted;
+    sorted.begin.assign(vertex_count + 1, 0);
+    const auto for_each = [&](auto&& visit) {
+        for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+            if (has_equal_corners(triangles[f])) continue;
+            for (std::uint8_t c = 0; c < 3; ++c)
+                visit(f, c, index(triangles[f][c]), index(triangles[f][(c + 1) % 3]));
+        }
+    };
+    for_each([&](std::uint32_t, std::uint8_t, std::uint32_t a, std::uint32_t b) {
+        ++sorted.begin[std::min(a, b) + 1];
+    });
+    std::partial_sum(sorted.begin.begin(), sorted.begin.end(), sorted.begin.begin());
+    sorted.half_edges.resize(sorted.begin.back());
+    std::vector<std::uint32_t> next(sorted.begin.begin(), sorted.begin.end() - 1);
+    for_each([&](std::uint32_t f, std::uint8_t c, std::uint32_t a, std::uint32_t b) {
+        sorted.half_edges[next[std::min(a, b)]++] = {std::max(a, b), f, c, a < b};
+    });
+    // Faces were visited in order, so a stable order within equal far vertices is by face.
+    for (std::uint32_t v = 0; v < vertex_count; ++v)
+        std::sort(sorted.half_edges.begin() + sorted.begin[v],
+                  sorted.half_edges.begin() + sorted.begin[v + 1],
+                  [](const HalfEdge& a, const HalfEdge& b) {
+                      return a.far_vertex != b.far_vertex ? a.far_vertex < b.far_vertex
+                                                          : a.face < b.face;
+                  });
+    return sorted;
+}
+
+EdgeClass classify(std::span<const HalfEdge> sides) {
+    if (sides.size() == 1) return EdgeClass::border;
+    if (sides.size() > 2) return EdgeClass::nonmanifold;
+    return sides[0].ascending == sides[1].ascending ? EdgeClass::inconsistent : EdgeClass::regular;
+}
+
+// Visits every edge as (lesser vertex, its half-edges).
+template <typename Visit>
+void for_each_edge(const SortedHalfEdges& sorted, Visit&& visit) {
+    const std::span<const HalfEdge> all = sorted.half_edges;
+    for (std::uint32_t v = 0; v + 1 < sorted.begin.size(); ++v) {
+        for (std::size_t i = sorted.begin[v]; i < sorted.begin[v + 1];) {
+            std::size_t end = i + 1;
+            while (end < sorted.begin[v + 1] && all[end].far_vertex == all[i].far_vertex) ++end;
+            visit(v, all.subspan(i, end - i));
+            i = end;
+        }
+    }
+}
+
+// Union-find over faces, with path halving.
+class FaceSets {
+public:
+    explicit FaceSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    /// True when two sets became one.
+    bool join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return false;
+        parent_[std::max(a, b)] = std::min(a, b);
+        return true;
+    }
+
+private:
+    std::uint32_t root(std::uint32_t f) {
+        while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
+        return f;
+    }
+    std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+Mesh::Mesh(const MeshSource& source) : up_(source.up) {
+    if (source.triangles.size() > k_max_faces || source.positions.size() > 0xfffffff0u)
+        throw Error(ErrorCode::too_large, "the mesh has more than 2^30 triangles or 2^32 vertices");
+    weld(source);
+    planes_.reserve(triangles_.size());
+    for (const Triangle& t : triangles_) {
+        // Equal corners give a zero cross product exactly.
+        planes_.push_back(supporting_plane(
+            {positions_[index(t[0])], positions_[index(t[1])], positions_[index(t[2])]}));
+        if (!planes_.back().has_normal()) ++degenerate_face_count_;
+    }
+    build_edges();
+    measure();
+}
+
+void Mesh::weld(const MeshSource& source) {
+    file_vertex_count_ = size32(source.positions.size());
+    for (const glm::vec3& p : source.positions)
+        RIMLINE_CHECK(std::abs(p.x) <= k_max_coordinate && std::abs(p.y) <= k_max_coordinate &&
+                      std::abs(p.z) <= k_max_coordinate);
+    const std::vector<std::uint32_t> first = first_equal_position(source.positions);
+    constexpr std::uint32_t k_unused = 0xffffffffu;
+    std::vector<std::uint32_t> vertex_of(source.positions.size(), k_unused);
+    for (const auto& triangle : source.triangles)
+        for (const std::uint32_t corner : triangle) {
+            RIMLINE_CHECK(corner < source.positions.size());
+            vertex_of[first[corner]] = 0;
+        }
+    for (std::uint32_t i = 0; i < vertex_of.size(); ++i) {
+        if (vertex_of[i] == k_unused) continue;
+        vertex_of[i] = size32(positions_.size());
+        positions_.push_back(source.positions[i]);
+        file_vertex_.push_back(i);
+    }
+    triangles_.reserve(source.triangles.size());
+    for (const auto& t : source.triangles)
+        triangles_.push_back({VertexId{vertex_of[first[t[0]]]}, VertexId{vertex_of[first[t[1]]]},
+                              VertexId{vertex_of[first[t[2]]]}});
+}
+
+void Mesh::build_edges() {
+    face_edges_.assign(triangles_.size(), {k_no_edge, k_no_edge, k_no_edge});
+    const SortedHalfEdges sorted = sort_half_edges(triangles_, vertex_count());
+
+    std::array<std::uint32_t, 4> class_size{};
+    std::uint32_t nonmanifold_face_count = 0;
+    for_each_edge(sorted, [&](std::uint32_t, std::span<const HalfEdge> sides) {
+        const EdgeClass c = classify(sides);
+        ++class_size[static_cast<std::size_t>(c)];
+        if (c == EdgeClass::nonmanifold) nonmanifold_face_count += size32(sides.size());
+    });
+    std::partial_sum(class_size.begin(), class_size.end(), class_begin_.begin() + 1);
+
+    edges_.resize(class_begin_.back());
+    nonmanifold_begin_.reserve(class_size[static_cast<std::size_t>(EdgeClass::nonmanifold)] + 1);
+    nonmanifold_begin_.push_back(0);
+    nonmanifold_faces_.reserve(nonmanifold_face_count);
+
+    std::uint32_t joined_faces = 0;
+    std::uint32_t faces_with_edges = 0;
+    for (const Triangle& t : triangles_) faces_with_edges += !has_equal_corners(t);
+    FaceSets sets(triangles_.size());
+    bool all_even = true;
+    std::array<std::uint32_t, 4> next{class_begin_[0], class_begin_[1], class_begin_[2],
+                                      class_begin_[3]};
+    for_each_edge(sorted, [&](std::uint32_t v, std::span<const HalfEdge> sides) {
+        const EdgeClass c = classify(sides);
+        const std::uint32_t e = next[static_cast<std::size_t>(c)]++;
+        const VertexId lesser{v};
+        const VertexId greater{sides[0].far_vertex};
+        edges_[e].vertices = {sides[0].ascending ? lesser : greater,
+                              sides[0].ascending ? greater : lesser};
+        edges_[e].faces = {FaceId{sides[0].face},
+                           sides.size() == 2 ? FaceId{sides[1].face} : k_no_face};
+        for (const HalfEdge& side : sides) {
+            face_edges_[side.face][side.corner] = EdgeId{e};
+            joined_faces += sets.join(sides[0].face, side.face);
+        }
+        if (c == EdgeClass::nonmanifold) {
+            for (const HalfEdge& side : sides) nonmanifold_faces_.push_back(FaceId{side.face});
+            nonmanifold_begin_.push_back(size32(nonmanifold_faces_.size()));
+        }
+        all_even = all_even && sides.size() % 2 == 0;
+    });
+    component_count_ = faces_with_edges - joined_faces;
+    closed_ = all_even && faces_with_edges > 0;
+}
+
+void Mesh::measure() {
+    if (positions_.empty()) return;
+    bounds_ = {positions_[0], positions_[0]};
+    for (const glm::vec3& p : positions_) {
+        bounds_.low = glm::min(bounds_.low, p);
+        bounds_.high = glm::max(bounds_.high, p);
+    }
+    for (const glm::vec3& p : positions_)
+        radius_ = std::max(radius_, glm::distance(glm::dvec3(p), center()));
+}
+
+glm::dvec3 Mesh::center() const noexcept {
+    return 0.5 * (glm::dvec3(bounds_.low) + glm::dvec3(bounds_.high));
+}
+
+bool Mesh::is_oriented() const noexcept {
+    return edges_of_class(EdgeClass::inconsistent).size() == 0;
+}
+
+EdgeClass Mesh::edge_class(EdgeId edge) const noexcept {
+    const std::uint32_t e = index(edge);
+    if (e < class_begin_[1]) return EdgeClass::regular;
+    if (e < class_begin_[2]) return EdgeClass::inconsistent;
+    return e < class_begin_[3] ? EdgeClass::nonmanifold : EdgeClass::border;
+}
+
+std::span<const FaceId> Mesh::faces_of(EdgeId edge) const noexcept {
+    switch (edge_class(edge)) {
+        case EdgeClass::nonmanifold: {
+            const std::uint32_t i = index(edge) - class_begin_[2];
+            return std::span(nonmanifold_faces_)
+                .subspan(nonmanifold_begin_[i], nonmanifold_begin_[i + 1] - nonmanifold_begin_[i]);
+        }
+        case EdgeClass::border: return std::span(edges_[index(edge)].faces).first(1);
+        default: return edges_[index(edge)].faces;
+    }
+}
+
+}  // namespace rimline
