@@ -1,0 +1,199 @@
+#include "engine/device.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/face_bits_pass.h"
+
+namespace rimline {
+
+namespace {
+
+// The features that judge_device() asks for, chained for a query or for vkCreateDevice.
+struct FeatureChain {
+    VkPhysicalDeviceVulkan13Features v13{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceVulkan12Features v12{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, .pNext = &v13};
+    VkPhysicalDeviceFeatures2 v10{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
+                                  .pNext = &v12};
+    FeatureChain() = default;
+    FeatureChain(const FeatureChain&) = delete;
+    FeatureChain& operator=(const FeatureChain&) = delete;
+};
+
+std::vector<VkPhysicalDevice> physical_devices(const VulkanInstance& instance) {
+    std::uint32_t count = 0;
+    // A loader without drivers answers with an error here; that is a machine without devices.
+    if (vkEnumeratePhysicalDevices(instance.handle(), &count, nullptr) != VK_SUCCESS) return {};
+    std::vector<VkPhysicalDevice> devices(count);
+    vk_check(vkEnumeratePhysicalDevices(instance.handle(), &count, devices.data()),
+             "vkEnumeratePhysicalDevices");
+    devices.resize(count);
+    return devices;
+}
+
+constexpr VkQueueFlags k_queue_flags = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+
+// The first family for graphics and compute, or the number of families.
+std::uint32_t find_queue_family(VkPhysicalDevice device, std::uint32_t& family_count) {
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &family_count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(family_count);
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &family_count, families.data());
+    const auto found =
+        std::find_if(families.begin(), families.end(), [](const VkQueueFamilyProperties& family) {
+            return (family.queueFlags & k_queue_flags) == k_queue_flags;
+        });
+    return static_cast<std::uint32_t>(found - families.begin());
+}
+
+VkFormat find_depth_stencil_format(VkPhysicalDevice device) {
+    constexpr VkFormatFeatureFlags k_needed =
+        VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+    for (const VkFormat format : {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT}) {
+        VkFormatProperties properties;
+        vkGetPhysicalDeviceFormatProperties(device, format, &properties);
+        if ((properties.optimalTilingFeatures & k_needed) == k_needed) return format;
+    }
+    return VK_FORMAT_UNDEFINED;
+}
+
+std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits) {
+    const VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
+                                      limits.framebufferDepthSampleCounts &
+                                      limits.framebufferStencilSampleCounts;
+    return (counts & VK_SAMPLE_COUNT_4_BIT) != 0 ? 4 : (counts & VK_SAMPLE_COUNT_2_BIT) != 0 ? 2 : 1;
+}
+
+DeviceFacts describe(VkPhysicalDevice device) {
+    VkPhysicalDeviceVulkan12Properties v12{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    vkGetPhysicalDeviceProperties(device, &properties.properties);
+    DeviceFacts facts{.name = properties.properties.deviceName,
+                      .driver = {},
+                      .type = properties.properties.deviceType,
+                      .api_version = properties.properties.apiVersion};
+    // Older devices do not know the structures below; their version says enough.
+    if (facts.api_version < VK_API_VERSION_1_3) return facts;
+
+    properties.pNext = &v12;
+    vkGetPhysicalDeviceProperties2(device, &properties);
+    FeatureChain features;
+    vkGetPhysicalDeviceFeatures2(device, &features.v10);
+    std::uint32_t family_count = 0;
+    const std::uint32_t family = find_queue_family(device, family_count);
+    facts.driver = std::string(v12.driverName) + " " + v12.driverInfo;
+    facts.geometry_shader = features.v10.features.geometryShader == VK_TRUE;
+    facts.depth_clamp = features.v10.features.depthClamp == VK_TRUE;
+    facts.buffer_device_address = features.v12.bufferDeviceAddress == VK_TRUE;
+    facts.scalar_block_layout = features.v12.scalarBlockLayout == VK_TRUE;
+    facts.timeline_semaphore = features.v12.timelineSemaphore == VK_TRUE;
+    facts.dynamic_rendering = features.v13.dynamicRendering == VK_TRUE;
+    facts.synchronization2 = features.v13.synchronization2 == VK_TRUE;
+    facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
+    facts.graphics_and_compute_queue = family < family_count;
+    facts.samples = common_samples(properties.properties.limits);
+    facts.depth_stencil_format = find_depth_stencil_format(device) != VK_FORMAT_UNDEFINED;
+    return facts;
+}
+
+}  // namespace
+
+std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance) {
+    std::vector<DeviceFacts> facts;
+    for (const VkPhysicalDevice device : physical_devices(instance)) facts.push_back(describe(device));
+    return facts;
+}
+
+DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice device, VkQueue queue,
+                                  std::uint32_t queue_family) {
+    DeviceContext context{.physical_device = physical_device,
+                          .device = device,
+                          .queue = queue,
+                          .queue_family = queue_family,
+                          .depth_stencil_format = find_depth_stencil_format(physical_device)};
+    vkGetPhysicalDeviceMemoryProperties(physical_device, &context.memory);
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(physical_device, &properties);
+    context.limits = properties.limits;
+    context.samples = common_samples(properties.limits);
+    return context;
+}
+
+Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
+    const std::vector<DeviceFacts> all = describe_devices(instance);
+    const DeviceChoice choice = choose_device(all, request);
+    const VkPhysicalDevice physical = physical_devices(instance).at(choice.index);
+    facts_ = all[choice.index];
+
+    std::uint32_t family_count = 0;
+    const std::uint32_t family = find_queue_family(physical, family_count);
+    const float priority = 1.0f;
+    const VkDeviceQueueCreateInfo queue_info{
+        .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+        .queueFamilyIndex = family,
+        .queueCount = 1,
+        .pQueuePriorities = &priority};
+    FeatureChain features;
+    features.v10.features.geometryShader = VK_TRUE;
+    features.v10.features.depthClamp = VK_TRUE;
+    features.v12.bufferDeviceAddress = VK_TRUE;
+    features.v12.scalarBlockLayout = VK_TRUE;
+    features.v12.timelineSemaphore = VK_TRUE;
+    features.v13.dynamicRendering = VK_TRUE;
+    features.v13.maintenance4 = VK_TRUE;  // glslang writes LocalSizeId.
+    features.v13.synchronization2 = VK_TRUE;
+    const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                  .pNext = &features.v10,
+                                  .queueCreateInfoCount = 1,
+                                  .pQueueCreateInfos = &queue_info};
+    VkDevice device = VK_NULL_HANDLE;
+    vk_check(vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
+    VkQueue queue = VK_NULL_HANDLE;
+    vkGetDeviceQueue(device, family, 0, &queue);
+    context_ = make_device_context(physical, device, queue, family);
+    try {
+        face_bits_agree_ = test_face_bits(context_);
+    } catch (...) {
+        vkDestroyDevice(device, nullptr);
+        throw;
+    }
+}
+
+Device::~Device() {
+    vkDeviceWaitIdle(context_.device);
+    vkDestroyDevice(context_.device, nullptr);
+}
+
+void run_commands(const DeviceContext& context, const std::function<void(VkCommandBuffer)>& record) {
+    const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                            .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
+                                            .queueFamilyIndex = context.queue_family};
+    VkCommandPool pool_handle = VK_NULL_HANDLE;
+    vk_check(vkCreateCommandPool(context.device, &pool_info, nullptr, &pool_handle),
+             "vkCreateCommandPool");
+    const OwnedCommandPool pool(context.device, pool_handle);
+    const VkCommandBufferAllocateInfo allocate{
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+        .commandPool = pool,
+        .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+        .commandBufferCount = 1};
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    vk_check(vkAllocateCommandBuffers(context.device, &allocate, &commands),
+             "vkAllocateCommandBuffers");
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+    record(commands);
+    vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+    const VkCommandBufferSubmitInfo submitted{
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = commands};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &submitted};
+    vk_check(vkQueueSubmit2(context.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
+    vk_check(vkQueueWaitIdle(context.queue), "vkQueueWaitIdle");
+}
+
+}  // namespace rimline

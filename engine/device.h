@@ -1,0 +1,62 @@
+#pragma once
+
+// A logical device with the one queue everything runs on.
+
+#include <vulkan/vulkan.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/device_choice.h"
+#include "engine/vulkan_instance.h"
+#include "engine/vulkan_handle.h"
+
+namespace rimline {
+
+/// What the passes need of a device: ours or a caller's. The caller keeps everything alive, and has
+/// enabled what judge_device() asks for.
+struct DeviceContext {
+    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queue_family = 0;
+    VkPhysicalDeviceMemoryProperties memory{};
+    VkPhysicalDeviceLimits limits{};
+    VkFormat depth_stencil_format = VK_FORMAT_UNDEFINED;
+    std::uint32_t samples = 1;  ///< Greatest sample count, at most 4, of all attachments.
+};
+
+/// Every physical device of an instance, usable or not, in Vulkan's order.
+std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance);
+
+/// Reads a context from handles a caller made.
+DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice device, VkQueue queue,
+                                  std::uint32_t queue_family);
+
+class Device {
+public:
+    /// Chooses, opens and tests a device. `instance` must outlive it.
+    /// Throws Error{no_device} when none fits `request` (device_choice.h) or can be opened.
+    explicit Device(const VulkanInstance& instance, const DeviceRequest& request = {});
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    const DeviceContext& context() const noexcept { return context_; }
+    const DeviceFacts& facts() const noexcept { return facts_; }
+
+    /// Whether the device's face bits agreed with the CPU's on the known-answer test when it was
+    /// opened. Bits that are drawn with come from the CPU either way.
+    bool face_bits_agree() const noexcept { return face_bits_agree_; }
+
+private:
+    DeviceContext context_;
+    DeviceFacts facts_;
+    bool face_bits_agree_ = false;
+};
+
+/// Records commands, submits them, and waits until they are done. For setting up, not for frames.
+void run_commands(const DeviceContext& context, const std::function<void(VkCommandBuffer)>& record);
+
+}  // namespace rimline

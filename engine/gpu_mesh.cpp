@@ -1,0 +1,58 @@
+#include "engine/gpu_mesh.h"
+
+#include <vector>
+
+#include "shaders/layout.h"
+#include "silhouette/mesh/corner_normals.h"
+
+namespace rimline {
+
+namespace {
+
+static_assert(sizeof(Triangle) == sizeof(gpu::TriangleRecord));
+
+std::vector<gpu::EdgeRecord> edge_records(const Mesh& mesh) {
+    std::vector<gpu::EdgeRecord> records;
+    records.reserve(mesh.edge_count());
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+        const Edge& edge = mesh.edge(EdgeId{e});
+        const bool regular = mesh.edge_class(EdgeId{e}) == EdgeClass::regular;
+        records.push_back({index(edge.vertices[0]), index(edge.vertices[1]), index(edge.faces[0]),
+                           index(regular ? edge.faces[1] : k_no_face)});
+    }
+    return records;
+}
+
+// Each face's own record of each of its edges that is not regular, as the face runs it.
+std::vector<gpu::EdgeRecord> loose_edge_records(const Mesh& mesh) {
+    std::vector<gpu::EdgeRecord> records;
+    for (std::uint32_t e = mesh.edges_of_class(EdgeClass::regular).last; e < mesh.edge_count(); ++e)
+        for (const FaceId face : mesh.faces_of(EdgeId{e})) {
+            const Triangle& triangle = mesh.triangles()[index(face)];
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                if (mesh.edges_of(face)[corner] == EdgeId{e})
+                    records.push_back({index(triangle[corner]), index(triangle[(corner + 1) % 3]),
+                                       index(face), index(k_no_face)});
+        }
+    return records;
+}
+
+}  // namespace
+
+GpuMesh::GpuMesh(const DeviceContext& context, const Mesh& mesh, float crease_angle_rad)
+    : face_count_(mesh.face_count()),
+      border_count_(mesh.edges_of_class(EdgeClass::border).size()),
+      border_offset_bytes_(sizeof(gpu::EdgeRecord) *
+                           std::uint64_t{mesh.edges_of_class(EdgeClass::border).first}),
+      positions_(upload_buffer(context, mesh.positions(), "positions")),
+      triangles_(upload_buffer(context, mesh.triangles(), "triangles")) {
+    const std::vector<glm::vec3> normals = rimline::corner_normals(mesh, crease_angle_rad);
+    corner_normals_ = upload_buffer(context, std::span<const glm::vec3>(normals), "normals");
+    const std::vector<gpu::EdgeRecord> edges = edge_records(mesh);
+    edges_ = upload_buffer(context, std::span<const gpu::EdgeRecord>(edges), "edges");
+    const std::vector<gpu::EdgeRecord> loose = loose_edge_records(mesh);
+    loose_count_ = static_cast<std::uint32_t>(loose.size());
+    loose_edges_ = upload_buffer(context, std::span<const gpu::EdgeRecord>(loose), "loose edges");
+}
+
+}  // namespace rimline

@@ -1,0 +1,173 @@
+#include "engine/memory.h"
+
+#include <algorithm>
+
+namespace rimline {
+
+namespace {
+
+std::string megabytes(VkDeviceSize size) { return std::to_string((size + 0xfffff) >> 20) + " MiB"; }
+
+OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& requirements,
+                     VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed,
+                     bool addressable, const char* what) {
+    const auto find = [&](VkMemoryPropertyFlags flags) {
+        std::uint32_t type = 0;
+        while (type < context.memory.memoryTypeCount &&
+               ((requirements.memoryTypeBits >> type & 1u) == 0 ||
+                (context.memory.memoryTypes[type].propertyFlags & flags) != flags))
+            ++type;
+        return type;
+    };
+    std::uint32_t type = find(wanted | needed);
+    if (type == context.memory.memoryTypeCount) type = find(needed);
+    if (type == context.memory.memoryTypeCount)
+        throw Error(ErrorCode::no_device, std::string("the device has no memory for ") + what);
+    const VkDeviceSize heap =
+        context.memory.memoryHeaps[context.memory.memoryTypes[type].heapIndex].size;
+    if (requirements.size > heap)
+        throw Error(ErrorCode::too_large, std::string(what) + " needs " +
+                                              megabytes(requirements.size) +
+                                              ", more than the device's memory of " + megabytes(heap));
+
+    const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                          .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
+    const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                    .pNext = addressable ? &flags : nullptr,
+                                    .allocationSize = requirements.size,
+                                    .memoryTypeIndex = type};
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    const VkResult result = vkAllocateMemory(context.device, &info, nullptr, &memory);
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
+        throw Error(ErrorCode::too_large, "no memory left for " + std::string(what) + " (" +
+                                              megabytes(requirements.size) + ")");
+    vk_check(result, "vkAllocateMemory");
+    return {context.device, memory};
+}
+
+VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
+    switch (place) {
+        case BufferPlace::device: return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+        case BufferPlace::upload: return VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+        case BufferPlace::readback: return VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place, const char* what)
+    : size_(std::max<VkDeviceSize>(size, 4)) {
+    const VkBufferCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .size = size_,
+        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                 VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT};
+    VkBuffer handle = VK_NULL_HANDLE;
+    vk_check(vkCreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer");
+    buffer_ = {context.device, handle};
+    VkMemoryRequirements requirements;
+    vkGetBufferMemoryRequirements(context.device, handle, &requirements);
+    const VkMemoryPropertyFlags needed =
+        place == BufferPlace::device
+            ? 0
+            : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    memory_ = allocate(context, requirements, wanted_properties(place), needed, true, what);
+    vk_check(vkBindBufferMemory(context.device, handle, memory_, 0), "vkBindBufferMemory");
+    if (place != BufferPlace::device) {
+        void* mapped = nullptr;
+        vk_check(vkMapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory");
+        mapped_ = static_cast<std::byte*>(mapped);
+    }
+    const VkBufferDeviceAddressInfo address{
+        .sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO, .buffer = handle};
+    address_ = vkGetBufferDeviceAddress(context.device, &address);
+}
+
+Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,
+                     const char* what) {
+    Buffer buffer(context, data.size(), BufferPlace::device, what);
+    if (data.empty()) return buffer;
+    const Buffer staging(context, data.size(), BufferPlace::upload, what);
+    std::memcpy(staging.mapped(), data.data(), data.size());
+    run_commands(context, [&](VkCommandBuffer commands) {
+        const VkBufferCopy region{.size = data.size()};
+        vkCmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
+    });
+    return buffer;
+}
+
+void read_buffer(const DeviceContext& context, const Buffer& buffer, std::span<std::byte> data) {
+    RIMLINE_CHECK(data.size() <= buffer.size());
+    if (data.empty()) return;
+    const Buffer staging(context, data.size(), BufferPlace::readback, "reading back");
+    run_commands(context, [&](VkCommandBuffer commands) {
+        const VkBufferCopy region{.size = data.size()};
+        vkCmdCopyBuffer(commands, buffer.handle(), staging.handle(), 1, &region);
+        const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                                       .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
+                                       .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                       .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
+                                       .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
+        const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                          .memoryBarrierCount = 1,
+                                          .pMemoryBarriers = &to_host};
+        vkCmdPipelineBarrier2(commands, &dependency);
+    });
+    std::memcpy(data.data(), staging.mapped(), data.size());
+}
+
+VkImageAspectFlags Image::aspects() const noexcept {
+    switch (description_.format) {
+        case VK_FORMAT_D32_SFLOAT_S8_UINT:
+        case VK_FORMAT_D24_UNORM_S8_UINT:
+            return VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+        default: return VK_IMAGE_ASPECT_COLOR_BIT;
+    }
+}
+
+Image::Image(const DeviceContext& context, const ImageDescription& description, const char* what)
+    : description_(description) {
+    const std::uint32_t limit = context.limits.maxImageDimension2D;
+    if (description.extent.width > limit || description.extent.height > limit)
+        throw Error(ErrorCode::too_large,
+                    std::string(what) + " of " + std::to_string(description.extent.width) + "x" +
+                        std::to_string(description.extent.height) +
+                        " exceeds the device's maxImageDimension2D of " + std::to_string(limit));
+    const VkImageCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .imageType = VK_IMAGE_TYPE_2D,
+        .format = description.format,
+        .extent = {description.extent.width, description.extent.height, 1},
+        .mipLevels = 1,
+        .arrayLayers = 1,
+        .samples = static_cast<VkSampleCountFlagBits>(description.samples),
+        .tiling = VK_IMAGE_TILING_OPTIMAL,
+        .usage = description.usage};
+    VkImage handle = VK_NULL_HANDLE;
+    vk_check(vkCreateImage(context.device, &info, nullptr, &handle), "vkCreateImage");
+    image_ = {context.device, handle};
+    VkMemoryRequirements requirements;
+    vkGetImageMemoryRequirements(context.device, handle, &requirements);
+    memory_ =
+        allocate(context, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, false, what);
+    vk_check(vkBindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory");
+
+    const auto view_of = [&](VkImageAspectFlags aspects) {
+        const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                         .image = handle,
+                                         .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                         .format = description.format,
+                                         .subresourceRange = {aspects, 0, 1, 0, 1}};
+        VkImageView view_handle = VK_NULL_HANDLE;
+        vk_check(vkCreateImageView(context.device, &view, nullptr, &view_handle),
+                 "vkCreateImageView");
+        return OwnedImageView(context.device, view_handle);
+    };
+    attachment_view_ = view_of(aspects());
+    if ((description.usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0)
+        sampled_view_ = view_of(description.sampled_aspect);
+}
+
+}  // namespace rimline

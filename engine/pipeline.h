@@ -1,0 +1,63 @@
+#pragma once
+
+// Pipelines for dynamic rendering, described by what differs between our passes.
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+
+#include "engine/device.h"
+#include "engine/vulkan_handle.h"
+
+namespace rimline {
+
+using SpirvCode = std::span<const std::uint32_t>;
+
+/// Push constants of `size_bytes` for `stages`, and one descriptor set where `set_layout` is given.
+OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint32_t size_bytes,
+                                         VkShaderStageFlags stages,
+                                         VkDescriptorSetLayout set_layout = VK_NULL_HANDLE);
+
+OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
+                                    VkPipelineLayout layout);
+
+enum class Blend {
+    replace,
+    add,
+    maximum,
+    none_written,  ///< The pass writes no color.
+};
+
+enum class StencilUse {
+    off,
+    count,  ///< Operations on depth fail, set dynamically; always passes.
+    zero,   ///< Passes where the stencil is zero, writes nothing.
+};
+
+/// Formats and samples of the attachments a pipeline draws into.
+struct AttachmentFormats {
+    VkFormat color = VK_FORMAT_UNDEFINED;
+    VkFormat depth_stencil = VK_FORMAT_UNDEFINED;
+    std::uint32_t samples = 1;
+};
+
+/// Viewport and scissor are dynamic; nothing is culled; counter-clockwise on the screen is front.
+struct GraphicsPipelineDescription {
+    SpirvCode vertex;
+    SpirvCode geometry;  ///< Empty: none.
+    SpirvCode fragment;  ///< Empty: none.
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    AttachmentFormats formats;
+    Blend blend = Blend::replace;
+    VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
+    bool depth_write = false;
+    bool depth_clamp = false;
+    StencilUse stencil = StencilUse::off;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+};
+
+OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
+                                     const GraphicsPipelineDescription& description);
+
+}  // namespace rimline

@@ -1,0 +1,165 @@
+#include "engine/render_targets.h"
+
+#include "engine/barrier.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr StageAccess k_nothing{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0};
+constexpr StageAccess k_drawing{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
+                                    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+                                    VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+                                VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT |
+                                    VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+                                    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+                                    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
+constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+
+void begin_rendering(VkCommandBuffer commands, VkExtent2D extent,
+                     const VkRenderingAttachmentInfo& color,
+                     const VkRenderingAttachmentInfo* depth_stencil = nullptr) {
+    const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                               .renderArea = {{0, 0}, extent},
+                               .layerCount = 1,
+                               .colorAttachmentCount = 1,
+                               .pColorAttachments = &color,
+                               .pDepthAttachment = depth_stencil,
+                               .pStencilAttachment = depth_stencil};
+    vkCmdBeginRendering(commands, &info);
+    const VkViewport viewport{.width = static_cast<float>(extent.width),
+                              .height = static_cast<float>(extent.height),
+                              .minDepth = 0.0f,
+                              .maxDepth = 1.0f};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    const VkRect2D scissor{{0, 0}, extent};
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+VkRenderingAttachmentInfo color_attachment(const Image& image, VkAttachmentLoadOp load) {
+    return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+            .imageView = image.attachment_view(),
+            .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+            .loadOp = load,
+            .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+            .clearValue = {}};
+}
+
+}  // namespace
+
+RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
+                             std::uint32_t samples)
+    : size_(size), scale_(scale), samples_(samples) {
+    RIMLINE_CHECK(size.width > 0 && size.height > 0 && scale > 0);
+    const VkExtent2D extent = pass_extent();
+    constexpr VkImageUsageFlags k_drawn_and_read =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    surfaces_ = Image(context, {k_surface_format, extent, k_drawn_and_read}, "the picture");
+    depth_ = Image(context,
+                   {.format = context.depth_stencil_format,
+                    .extent = extent,
+                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                    .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
+                   "the picture's depth");
+    if (is_multisampled()) {
+        multisampled_surfaces_ = Image(
+            context, {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples},
+            "the picture's samples");
+        multisampled_depth_ =
+            Image(context,
+                  {context.depth_stencil_format, extent,
+                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
+                  "the depth of the picture's samples");
+    }
+    lines_ = Image(context, {k_coverage_format, extent, k_drawn_and_read}, "the picture's lines");
+    picture_ = Image(context,
+                     {k_picture_format, size,
+                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+                     "the picture");
+    readback_ = Buffer(context, VkDeviceSize{4} * size.width * size.height, BufferPlace::readback,
+                       "the picture");
+}
+
+void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float background[4]) const {
+    VkRenderingAttachmentInfo color =
+        color_attachment(is_multisampled() ? multisampled_surfaces_ : surfaces_,
+                         VK_ATTACHMENT_LOAD_OP_CLEAR);
+    color.clearValue.color = {{background[0], background[1], background[2], background[3]}};
+    VkRenderingAttachmentInfo depth{
+        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+        .imageView = (is_multisampled() ? multisampled_depth_ : depth_).attachment_view(),
+        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+        .clearValue = {.depthStencil = {0.0f, 0}}};
+    if (is_multisampled()) {
+        color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+        color.resolveImageView = surfaces_.attachment_view();
+        color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        depth.resolveMode = VK_RESOLVE_MODE_SAMPLE_ZERO_BIT;
+        depth.resolveImageView = depth_.attachment_view();
+        depth.resolveImageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    }
+    begin_rendering(commands, pass_extent(), color, &depth);
+}
+
+void RenderTargets::begin_lines(VkCommandBuffer commands) const {
+    begin_rendering(commands, pass_extent(),
+                    color_attachment(lines_, VK_ATTACHMENT_LOAD_OP_CLEAR));
+}
+
+void RenderTargets::begin_picture(VkCommandBuffer commands) const {
+    begin_rendering(commands, size_, color_attachment(picture_, VK_ATTACHMENT_LOAD_OP_DONT_CARE));
+}
+
+void RenderTargets::record_before_surfaces(VkCommandBuffer commands) const {
+    constexpr VkImageLayout k_fresh = VK_IMAGE_LAYOUT_UNDEFINED;
+    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    constexpr VkImageLayout k_depth = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    if (is_multisampled())
+        record_barrier(commands, k_nothing, k_drawing,
+                       {{surfaces_, k_fresh, k_color},
+                        {depth_, k_fresh, k_depth},
+                        {multisampled_surfaces_, k_fresh, k_color},
+                        {multisampled_depth_, k_fresh, k_depth},
+                        {lines_, k_fresh, k_color},
+                        {picture_, k_fresh, k_color}});
+    else
+        record_barrier(commands, k_nothing, k_drawing,
+                       {{surfaces_, k_fresh, k_color},
+                        {depth_, k_fresh, k_depth},
+                        {lines_, k_fresh, k_color},
+                        {picture_, k_fresh, k_color}});
+}
+
+void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
+    record_barrier(commands, k_drawing, k_sampling,
+                   {{depth_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+                     VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
+}
+
+void RenderTargets::record_before_picture(VkCommandBuffer commands) const {
+    record_barrier(commands, k_drawing, k_sampling,
+                   {{surfaces_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+                    {lines_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
+}
+
+void RenderTargets::record_readback(VkCommandBuffer commands) const {
+    record_barrier(commands, k_drawing, k_copying,
+                   {{picture_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
+    const VkBufferImageCopy region{
+        .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+        .imageExtent = {size_.width, size_.height, 1}};
+    vkCmdCopyImageToBuffer(commands, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           readback_.handle(), 1, &region);
+    record_barrier(commands,
+                   {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                   {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+}
+
+}  // namespace rimline

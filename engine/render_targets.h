@@ -1,0 +1,64 @@
+#pragma once
+
+// The images of one picture size.
+//
+//     surfaces (color, depth + stencil; several samples) --resolved--> surfaces, depth (one sample)
+//     lines (coverage) is drawn against depth; composite averages scale x scale texels to a pixel.
+
+#include <vulkan/vulkan.h>
+
+#include "engine/memory.h"
+#include "engine/pipeline.h"
+
+namespace rimline {
+
+constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat k_coverage_format = VK_FORMAT_R8G8_UNORM;
+constexpr VkFormat k_picture_format = VK_FORMAT_R8G8B8A8_UNORM;
+
+class RenderTargets {
+public:
+    /// `scale` samples along each side of a pixel, each with `samples` samples of its own.
+    /// Throws Error{too_large} naming the limit.
+    RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
+                  std::uint32_t samples);
+
+    VkExtent2D size() const noexcept { return size_; }
+    /// The size the surface and line passes draw.
+    VkExtent2D pass_extent() const noexcept {
+        return {size_.width * scale_, size_.height * scale_};
+    }
+    std::uint32_t scale() const noexcept { return scale_; }
+
+    const Image& surfaces() const noexcept { return surfaces_; }
+    const Image& depth() const noexcept { return depth_; }
+    const Image& lines() const noexcept { return lines_; }
+    const Image& picture() const noexcept { return picture_; }
+    const Buffer& readback() const noexcept { return readback_; }
+
+    /// Scopes of dynamic rendering; each clears what it draws into.
+    void begin_surfaces(VkCommandBuffer commands, const float background[4]) const;
+    void begin_lines(VkCommandBuffer commands) const;
+    void begin_picture(VkCommandBuffer commands) const;
+
+    /// Layout changes between the scopes, for all images at once.
+    void record_before_surfaces(VkCommandBuffer commands) const;
+    void record_before_lines(VkCommandBuffer commands) const;
+    void record_before_picture(VkCommandBuffer commands) const;
+    /// Copies the picture to the readback buffer, visible to the host when the commands are done.
+    void record_readback(VkCommandBuffer commands) const;
+
+private:
+    bool is_multisampled() const noexcept { return samples_ > 1; }
+
+    VkExtent2D size_;
+    std::uint32_t scale_;
+    std::uint32_t samples_;
+    Image surfaces_, depth_;                            // One sample.
+    Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
+    Image lines_;
+    Image picture_;
+    Buffer readback_;
+};
+
+}  // namespace rimline

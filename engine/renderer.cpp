@@ -1,0 +1,353 @@
+#include "engine/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+namespace rimline {
+
+namespace {
+
+// A light's volumes in an orthographic view reach this many times as far as their edges (point light)
+// or scene radii (directional light); both lie behind everything there is.
+constexpr float k_finite_extrusion_times = 65536.0f;
+constexpr double k_finite_extrusion_radii = 8.0;
+
+// How far behind its surface a line may lie, of its distance from the viewer or of the scene's depth:
+// a hundred times the rounding of depth, a hundredth of a pixel on a usual picture.
+constexpr float k_depth_slack = 1e-5f;
+
+AttachmentFormats surface_formats(const DeviceContext& context, std::uint32_t samples) {
+    return {k_surface_format, context.depth_stencil_format, samples};
+}
+
+RendererOptions fitted(const DeviceContext& context, RendererOptions options) {
+    options.samples = std::min(options.samples, context.samples);
+    return options;
+}
+
+OwnedSemaphore make_timeline(const DeviceContext& context) {
+    const VkSemaphoreTypeCreateInfo type{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
+                                         .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE};
+    const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO,
+                                     .pNext = &type};
+    VkSemaphore semaphore = VK_NULL_HANDLE;
+    vk_check(vkCreateSemaphore(context.device, &info, nullptr, &semaphore), "vkCreateSemaphore");
+    return {context.device, semaphore};
+}
+
+OwnedCommandPool make_command_pool(const DeviceContext& context) {
+    const VkCommandPoolCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+        .queueFamilyIndex = context.queue_family};
+    VkCommandPool pool = VK_NULL_HANDLE;
+    vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
+    return {context.device, pool};
+}
+
+// Points of the world in an instance's own coordinates.
+glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& world) {
+    return glm::transpose(instance.rotation) * (world - instance.translation);
+}
+glm::dvec3 direction_in_object(const SceneInstance& instance, const glm::dvec3& world) {
+    return glm::transpose(instance.rotation) * world;
+}
+
+HomogeneousPoint camera_point(const SceneInstance& instance, const Camera& camera) {
+    if (!camera.is_orthographic())
+        return HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, camera.eye)));
+    return HomogeneousPoint::direction(glm::vec3(
+        direction_in_object(instance, glm::normalize(camera.eye - camera.target))));
+}
+
+HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) {
+    if (!light.directional)
+        return HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, light.vector)));
+    return HomogeneousPoint::direction(
+        glm::vec3(direction_in_object(instance, glm::normalize(light.vector))));
+}
+
+gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
+    const VkExtent2D extent = targets.pass_extent();
+    const SceneBounds bounds = bounds_of(scene);
+    const Projection projection =
+        make_projection(scene.camera, double(extent.width) / extent.height, bounds.center,
+                        bounds.radius);
+    const bool orthographic = scene.camera.is_orthographic();
+    return {.clip_scale = glm::vec2(projection.scale),
+            .clip_z = glm::vec2(projection.z),
+            .clip_w = glm::vec2(projection.w),
+            .viewport = {float(extent.width), float(extent.height)},
+            .line_radius = 0.5f * scene.line_width_px * float(targets.scale()),
+            .depth_slack = orthographic ? 0.0f : k_depth_slack,
+            .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
+            .style = static_cast<std::uint32_t>(scene.style),
+            .background = scene.palette.background,
+            .ink = scene.palette.ink,
+            .shade = scene.palette.shade};
+}
+
+gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& mesh,
+                                const Camera& camera, VkDeviceAddress slots) {
+    // The camera's silhouette point and the position that vertices are taken relative to are one and
+    // the same float.
+    const HomogeneousPoint eye =
+        HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, camera.eye)));
+    return {.positions = mesh.positions(),
+            .triangles = mesh.triangles(),
+            .corner_normals = mesh.corner_normals(),
+            .edges = mesh.edges(),
+            .loose_edges = mesh.loose_edges(),
+            .borders = mesh.borders(),
+            .slots = slots,
+            .eye_from_object = glm::mat3(camera_from_world(camera) * instance.rotation),
+            .camera = eye.xyz(),
+            .color = instance.color,
+            .fade_radius = float(instance.fade_radius),
+            .fade_center = glm::vec3(point_in_object(instance, instance.fade_center)),
+            .padding = 0};
+}
+
+}  // namespace
+
+Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
+    : context_(context),
+      options_(fitted(context, options)),
+      scatter_(context),
+      surface_pass_(context, surface_formats(context, options_.samples)),
+      shadow_pass_(context, surface_formats(context, options_.samples)),
+      line_pass_(context, k_coverage_format),
+      composite_pass_(context, k_picture_format),
+      timeline_(make_timeline(context)),
+      command_pool_(make_command_pool(context)),
+      frames_(k_frames_in_flight) {
+    for (Frame& frame : frames_) {
+        const VkCommandBufferAllocateInfo info{
+            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+            .commandPool = command_pool_,
+            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+            .commandBufferCount = 1};
+        vk_check(vkAllocateCommandBuffers(context.device, &info, &frame.commands),
+                 "vkAllocateCommandBuffers");
+    }
+}
+
+Renderer::~Renderer() { vkQueueWaitIdle(context_.queue); }
+
+void Renderer::wait_for(std::uint64_t timeline_value) const {
+    const VkSemaphore semaphore = timeline_;
+    const VkSemaphoreWaitInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
+                                   .semaphoreCount = 1,
+                                   .pSemaphores = &semaphore,
+                                   .pValues = &timeline_value};
+    vk_check(vkWaitSemaphores(context_.device, &info, UINT64_MAX), "vkWaitSemaphores");
+}
+
+void Renderer::prepare_instances(const Scene& scene) {
+    bool same = instances_.size() == scene.instances.size();
+    for (std::size_t i = 0; same && i < instances_.size(); ++i)
+        same = instances_[i].octree == scene.instances[i].octree &&
+               instances_[i].lights.size() == scene.lights.size();
+    if (same) return;
+    // Frames in flight may still read what is replaced.
+    wait_for(frame_number_);
+    instances_.clear();
+    for (const SceneInstance& instance : scene.instances) {
+        const Mesh& mesh = instance.octree->mesh();
+        std::unique_ptr<GpuMesh>& gpu_mesh = meshes_[&mesh];
+        if (!gpu_mesh)
+            gpu_mesh = std::make_unique<GpuMesh>(context_, mesh, options_.crease_angle_rad);
+        InstanceState state{.octree = instance.octree, .mesh = gpu_mesh.get()};
+        state.lights.resize(scene.lights.size());
+        instances_.push_back(std::move(state));
+    }
+}
+
+void Renderer::follow(std::unique_ptr<Tracked>& tracked, const HoughOctree& octree,
+                      const HomogeneousPoint& point, std::uint32_t ring_slot) {
+    bool sent = false;
+    if (!tracked) {
+        tracked = std::make_unique<Tracked>(
+            Tracked{SilhouetteTracker(octree, point),
+                    ChangeStream(context_, octree.mesh(), k_frames_in_flight)});
+        tracked->stream.begin_frame(ring_slot);
+    } else {
+        tracked->stream.begin_frame(ring_slot);
+        sent = tracked->stream.apply(tracked->tracker.move_to(point));
+    }
+    if (!sent)
+        tracked->stream.resend(tracked->tracker.sequence(), tracked->tracker.silhouette(),
+                               tracked->tracker.face_words());
+    report_.bytes_streamed += tracked->stream.bytes_streamed();
+    report_.bytes_full += tracked->stream.bytes_full();
+}
+
+DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32_t ring_slot) {
+    const std::size_t light_count = scene.lights.size();
+    const std::uint64_t instances_at = sizeof(gpu::FrameData) + 4;  // Addresses need multiples of 8.
+    static_assert((sizeof(gpu::FrameData) + 4) % 8 == 0 && sizeof(gpu::InstanceData) % 8 == 0);
+    const std::uint64_t lights_at =
+        instances_at + sizeof(gpu::InstanceData) * scene.instances.size();
+    const std::uint64_t size =
+        lights_at + sizeof(gpu::LightData) * scene.instances.size() * light_count;
+    if (frame.data.size() < size) frame.data = Buffer(context_, size, BufferPlace::upload, "frame data");
+    const auto put = [&](std::uint64_t offset, const auto& value) {
+        std::memcpy(frame.data.mapped() + offset, &value, sizeof value);
+        return frame.data.address() + offset;
+    };
+
+    DrawList list{.frame = put(0, frame_data(scene, *targets_)),
+                  .light_count = light_count,
+                  .shadows = scene.shadows,
+                  .instances = {}};
+    const double scene_radius = bounds_of(scene).radius;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const SceneInstance& instance = scene.instances[i];
+        InstanceState& state = instances_[i];
+        DrawnInstance drawn{.data = 0,
+                            .face_count = state.mesh->face_count(),
+                            .border_count = state.mesh->border_count(),
+                            .loose_count = state.mesh->loose_count(),
+                            .has_lines = scene.lines && instance.has_lines,
+                            .silhouette = {},
+                            .lights = {}};
+        VkDeviceAddress slots = 0;
+        if (drawn.has_lines) {
+            follow(state.camera, *instance.octree, camera_point(instance, scene.camera), ring_slot);
+            slots = state.camera->stream.slots().address();
+            drawn.silhouette = {state.camera->stream.arguments().handle()};
+            report_.silhouette += state.camera->stream.silhouette_size() + drawn.border_count;
+        }
+        drawn.data = put(instances_at + i * sizeof(gpu::InstanceData),
+                         instance_data(instance, *state.mesh, scene.camera, slots));
+        for (std::size_t l = 0; l < light_count; ++l) {
+            const HomogeneousPoint point = light_point(instance, scene.lights[l]);
+            gpu::LightData light{.slots = 0,
+                                 .face_words = 0,
+                                 .light = {point.x, point.y, point.z, point.w},
+                                 .color = glm::vec3(1.0f / float(light_count)),
+                                 .extrusion = 0.0f};
+            if (scene.camera.is_orthographic())
+                light.extrusion = point.is_direction() ? float(k_finite_extrusion_radii * scene_radius)
+                                                       : k_finite_extrusion_times;
+            DrawnLight drawn_light{
+                .casts_shadow = scene.shadows && instance.casts_shadows,
+                .ends_in_one_point = point.is_direction() && light.extrusion == 0.0f};
+            if (drawn_light.casts_shadow) {
+                follow(state.lights[l], *instance.octree, point, ring_slot);
+                const ChangeStream& stream = state.lights[l]->stream;
+                light.slots = stream.slots().address();
+                light.face_words = stream.face_words().address();
+                drawn_light.sides = {stream.arguments().handle()};
+                report_.shadow_edges += stream.silhouette_size() + drawn.loose_count;
+            }
+            drawn_light.data =
+                put(lights_at + (i * light_count + l) * sizeof(gpu::LightData), light);
+            drawn.lights.push_back(drawn_light);
+        }
+        list.instances.push_back(std::move(drawn));
+    }
+    return list;
+}
+
+void Renderer::record(const Scene& scene, const DrawList& list, VkCommandBuffer commands) const {
+    ChangeStream::record_before(commands);
+    for (const InstanceState& state : instances_) {
+        if (state.camera) state.camera->stream.record(commands, scatter_);
+        for (const auto& light : state.lights)
+            if (light) light->stream.record(commands, scatter_);
+    }
+    ChangeStream::record_after(commands);
+
+    const VkExtent2D extent = targets_->pass_extent();
+    targets_->record_before_surfaces(commands);
+    const glm::vec4 background(scene.palette.background, 1.0f);
+    targets_->begin_surfaces(commands, &background[0]);
+    surface_pass_.record_unlit(commands, list);
+    for (std::size_t light = 0; light < list.light_count; ++light) {
+        if (list.shadows) shadow_pass_.record(commands, list, light, extent);
+        surface_pass_.record_lit(commands, list, light);
+    }
+    vkCmdEndRendering(commands);
+
+    targets_->record_before_lines(commands);
+    targets_->begin_lines(commands);
+    if (scene.lines) line_pass_.record(commands, list);
+    vkCmdEndRendering(commands);
+
+    targets_->record_before_picture(commands);
+    targets_->begin_picture(commands);
+    composite_pass_.record(commands, glm::vec4(scene.palette.ink, scene.hidden_line_strength),
+                           targets_->scale());
+    vkCmdEndRendering(commands);
+    targets_->record_readback(commands);
+}
+
+Picture Renderer::render(const Scene& scene, std::uint32_t width, std::uint32_t height) {
+    const auto started = std::chrono::steady_clock::now();
+    report_ = {};
+    if (!targets_ || targets_->size().width != width || targets_->size().height != height) {
+        wait_for(frame_number_);
+        targets_.reset();  // Free before making anew.
+        targets_ = std::make_unique<RenderTargets>(context_, VkExtent2D{width, height},
+                                                   options_.scale, options_.samples);
+        line_pass_.set_surface_depth(targets_->depth());
+        composite_pass_.set_images(targets_->surfaces(), targets_->lines());
+    }
+    prepare_instances(scene);
+
+    const auto ring_slot = static_cast<std::uint32_t>((frame_number_ + 1) % k_frames_in_flight);
+    Frame& frame = frames_[ring_slot];
+    wait_for(frame.finished_at);
+    const DrawList list = build_draw_list(scene, frame, ring_slot);
+
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(vkBeginCommandBuffer(frame.commands, &begin), "vkBeginCommandBuffer");
+    record(scene, list, frame.commands);
+    vk_check(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
+
+    const VkCommandBufferSubmitInfo commands{
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = frame.commands};
+    const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                       .semaphore = timeline_,
+                                       .value = frame_number_ + 1,
+                                       .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &commands,
+                               .signalSemaphoreInfoCount = 1,
+                               .pSignalSemaphoreInfos = &signal};
+    vk_check(vkQueueSubmit2(context_.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
+    frame.finished_at = ++frame_number_;
+    wait_for(frame_number_);
+
+    Picture picture{width, height, {}};
+    const auto* pixels = reinterpret_cast<const std::uint8_t*>(targets_->readback().mapped());
+    picture.rgba.assign(pixels, pixels + std::size_t{4} * width * height);
+    report_.frame_ms = std::chrono::duration<double, std::milli>(
+                           std::chrono::steady_clock::now() - started).count();
+    return picture;
+}
+
+const Renderer::Tracked* Renderer::find(std::size_t instance,
+                                        std::optional<std::size_t> light) const {
+    const InstanceState& state = instances_.at(instance);
+    return light ? state.lights.at(*light).get() : state.camera.get();
+}
+
+const SilhouetteTracker* Renderer::tracker(std::size_t instance,
+                                           std::optional<std::size_t> light) const {
+    const Tracked* tracked = find(instance, light);
+    return tracked ? &tracked->tracker : nullptr;
+}
+
+const ChangeStream* Renderer::stream(std::size_t instance, std::optional<std::size_t> light) const {
+    const Tracked* tracked = find(instance, light);
+    return tracked ? &tracked->stream : nullptr;
+}
+
+}  // namespace rimline

@@ -1,0 +1,32 @@
+#pragma once
+
+// The descriptor set of a pass that reads finished images in its fragment shader: binding i is image i.
+
+#include <vulkan/vulkan.h>
+
+#include <initializer_list>
+
+#include "engine/memory.h"
+
+namespace rimline {
+
+class SampledImages {
+public:
+    SampledImages(const DeviceContext& context, std::uint32_t count);
+
+    /// Points the bindings at `images`, which will be in SHADER_READ_ONLY_OPTIMAL or, for depth,
+    /// DEPTH_STENCIL_READ_ONLY_OPTIMAL. Not while a frame that reads the set is in flight.
+    void set(std::initializer_list<const Image*> images);
+
+    VkDescriptorSetLayout layout() const noexcept { return layout_; }
+    VkDescriptorSet get() const noexcept { return set_; }
+
+private:
+    VkDevice device_;
+    OwnedSampler sampler_;
+    OwnedDescriptorSetLayout layout_;
+    OwnedDescriptorPool pool_;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+};
+
+}  // namespace rimline

@@ -1,0 +1,109 @@
+#include "engine/view_defaults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+namespace rimline {
+
+namespace {
+
+// A right-handed pair perpendicular to `up`: the first is the first coordinate axis in that plane.
+struct GroundAxes {
+    glm::dvec3 first, second;
+};
+
+GroundAxes ground_axes(const glm::dvec3& up) {
+    const glm::dvec3 n = glm::normalize(up);
+    const glm::dvec3 x(1, 0, 0);
+    const glm::dvec3 seed = std::abs(n.x) < 0.9 ? x : glm::dvec3(0, 1, 0);
+    const glm::dvec3 first = glm::normalize(seed - n * glm::dot(seed, n));
+    return {first, glm::cross(n, first)};
+}
+
+}  // namespace
+
+glm::dvec3 default_view_direction(const glm::dvec3& up) {
+    const auto [first, second] = ground_axes(up);
+    // For y up, `second` points to -z: the viewer stands in front, at +z.
+    return glm::normalize(0.55 * first - 1.0 * second + 0.45 * glm::normalize(up));
+}
+
+Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer, double aspect) {
+    constexpr double k_margin = 1.06;
+    const double radius = mesh.radius() > 0.0 ? mesh.radius() : 1.0;
+    camera.target = mesh.center();
+    camera.eye = camera.target + glm::normalize(towards_viewer) * radius;
+    const glm::dmat3 axes = camera_from_world(camera);
+    const glm::dvec3 back = glm::normalize(towards_viewer);
+    if (camera.is_orthographic()) {
+        camera.eye = camera.target + back * (3.0 * radius);
+        return camera;
+    }
+    const glm::dvec2 tangent =
+        std::tan(0.5 * glm::radians(camera.fov_y_deg)) * glm::dvec2(aspect, 1.0) / k_margin;
+    // Each vertex bounds the eye's place along x and y on both sides: the eye must lie at least
+    // |x - eye.x| / tangent behind it. Both sides together give the middle and the distance.
+    glm::dvec2 high(-std::numeric_limits<double>::max());
+    glm::dvec2 low(-std::numeric_limits<double>::max());
+    for (const glm::vec3& position : mesh.positions()) {
+        const glm::dvec3 p = axes * (glm::dvec3(position) - mesh.center());
+        high = glm::max(high, glm::dvec2(p) + p.z * tangent);
+        low = glm::max(low, -glm::dvec2(p) + p.z * tangent);
+    }
+    const glm::dvec2 middle = 0.5 * (high - low);
+    const glm::dvec2 distance = 0.5 * (high + low) / tangent;
+    const double back_off = std::max({distance.x, distance.y, 1e-3 * radius});
+    const glm::dvec3 right(axes[0][0], axes[1][0], axes[2][0]);
+    const glm::dvec3 upward(axes[0][1], axes[1][1], axes[2][1]);
+    camera.target = mesh.center() + middle.x * right + middle.y * upward;
+    camera.eye = camera.target + back_off * back;
+    return camera;
+}
+
+Light default_sun(const Camera& camera) {
+    const glm::dmat3 axes = camera_from_world(camera);
+    const glm::dvec3 right(axes[0][0], axes[1][0], axes[2][0]);
+    const glm::dvec3 back(axes[0][2], axes[1][2], axes[2][2]);
+    const glm::dvec3 up = glm::normalize(camera.up);
+    return {.vector = glm::normalize(-0.75 * right + 1.1 * up + 0.55 * back), .directional = true};
+}
+
+MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius) {
+    const glm::dvec3 n = glm::normalize(up);
+    double lowest = std::numeric_limits<double>::max();
+    for (const glm::vec3& position : mesh.positions())
+        lowest = std::min(lowest, glm::dot(glm::dvec3(position) - mesh.center(), n));
+    if (mesh.positions().empty()) lowest = 0.0;
+    // A hair lower, so that a flat base does not share its plane.
+    const glm::dvec3 middle = mesh.center() + n * (lowest - 5e-4 * mesh.radius());
+    const auto [first, second] = ground_axes(up);
+    MeshSource ground;
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+        ground.positions.emplace_back(middle + radius * (corner.x * first + corner.y * second));
+    ground.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return ground;
+}
+
+Palette default_palette(Style style, const glm::vec3& background) {
+    switch (style) {
+        case Style::ink: return {background, {0.012f, 0.012f, 0.016f}, {0.50f, 0.51f, 0.55f}};
+        case Style::toon: return {background, {0.012f, 0.010f, 0.014f}, {0.30f, 0.33f, 0.46f}};
+        case Style::mask: return {background, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+    }
+    return {};
+}
+
+glm::vec3 default_surface_color(Style style, const glm::vec3& background) {
+    switch (style) {
+        case Style::ink: return background;
+        case Style::toon: return {0.78f, 0.36f, 0.18f};
+        case Style::mask: return {1.0f, 1.0f, 1.0f};
+    }
+    return background;
+}
+
+}  // namespace rimline

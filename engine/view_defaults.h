@@ -1,0 +1,28 @@
+#pragma once
+
+// A camera and a light for who gives none, and what the styles look like.
+
+#include "engine/scene.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline {
+
+/// Fits the mesh into a picture seen from `towards_viewer`: the target and the distance are chosen so
+/// that every used vertex lies inside the picture with a margin of 6%. A fixed `eye` or `target` is
+/// left as it is. O(vertices). `camera` brings field of view or height, and up.
+Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer, double aspect);
+
+/// The default three-quarter view: from the front, the right and above, for this up axis.
+glm::dvec3 default_view_direction(const glm::dvec3& up);
+
+/// A sun from over the viewer's left shoulder.
+Light default_sun(const Camera& camera);
+
+/// A ground under a mesh: two triangles, wide enough to fade out (SceneInstance::fade_radius) before
+/// they end.
+MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius);
+
+Palette default_palette(Style style, const glm::vec3& background);
+glm::vec3 default_surface_color(Style style, const glm::vec3& background);
+
+}  // namespace rimline

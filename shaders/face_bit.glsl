@@ -1,0 +1,24 @@
+#ifndef RIMLINE_SHADERS_FACE_BIT_GLSL
+#define RIMLINE_SHADERS_FACE_BIT_GLSL
+
+// The face bit of silhouette/mesh/plane.h, the same expression in the same order, without contraction.
+// Use it in compute stages only, in modules that declare rounding to nearest even (below): vertex and
+// geometry stages may flush subnormals, and other stages give the bit no promise on rounding.
+
+#extension GL_EXT_spirv_intrinsics : require
+
+// RoundingModeRTE for 32-bit floats.
+spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4467], 4462, 32);
+
+// plane is (n, d); p is (p, 1) or (v, 0).
+bool is_front(vec4 plane, vec4 p) {
+    precise float x = plane.x * p.x;
+    precise float y = plane.y * p.y;
+    precise float z = plane.z * p.z;
+    precise float xy = x + y;
+    precise float side = xy + z;
+    precise float distance = p.w * plane.w;
+    return side > distance;
+}
+
+#endif

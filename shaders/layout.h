@@ -1,0 +1,142 @@
+#ifndef RIMLINE_SHADERS_LAYOUT_H
+#define RIMLINE_SHADERS_LAYOUT_H
+
+// What C++ and GLSL both read, written down once. Everything is in scalar layout, addresses first, so
+// that both languages place every member alike; the asserts at the end hold C++ to it.
+//
+// Buffers are reached by address: there are no descriptors but for the pictures a pass samples, and no
+// limit on a buffer's size but the device's memory.
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#define RIMLINE_ADDRESS(type) std::uint64_t
+namespace rimline::gpu {
+using uint = std::uint32_t;
+using glm::mat3;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+#else
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+#define RIMLINE_ADDRESS(type) type
+#endif
+
+// An edge as it is cast and drawn. f0 runs it from v0 to v1. In the list of all edges f1 is the face
+// on the other side where exactly two faces run it in opposite directions, else k_no_face: such an edge
+// casts through the loose list, one record for each of its faces, with f1 = k_no_face.
+struct EdgeRecord {
+    uint v0;
+    uint v1;
+    uint f0;
+    uint f1;
+};
+
+// A scattered write of a change set: target[place] = value.
+struct PlacedWrite {
+    uint place;
+    uint value;
+};
+
+struct TriangleRecord {
+    uint v0;
+    uint v1;
+    uint v2;
+};
+
+// VkDrawIndirectCommand.
+struct DrawArguments {
+    uint vertex_count;
+    uint instance_count;
+    uint first_vertex;
+    uint first_instance;
+};
+
+#ifndef __cplusplus
+const uint k_no_face = 0xffffffffu;
+
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Positions { vec3 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Triangles { TriangleRecord at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CornerNormals { vec3 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer EdgeRecords { EdgeRecord at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Planes { vec4 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Slots { uint at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceWords { uint at[]; };
+#endif
+
+// One for each picture. Colors are linear light.
+struct FrameData {
+    vec2 clip_scale;    // clip.xy = clip_scale * eye.xy
+    vec2 clip_z;        // clip.z = clip_z.x * eye.z + clip_z.y * w
+    vec2 clip_w;        // clip.w = clip_w.x * eye.z + clip_w.y * w
+    vec2 viewport;      // Width and height in samples of the pass, in pixels.
+    float line_radius;  // Half of a line's width, in pixels of the pass.
+    float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
+    float depth_slack_absolute;  // ... and absolute.
+    uint style;         // A RIMLINE_STYLE_ value.
+    vec3 background;
+    vec3 ink;
+    vec3 shade;         // What shadow leaves of a surface's color.
+};
+
+#define RIMLINE_STYLE_INK 0
+#define RIMLINE_STYLE_TOON 1
+#define RIMLINE_STYLE_MASK 2
+
+// One for each instance. Passes work in the mesh's own coordinates: positions are taken relative to
+// the camera there before anything else, so that models far from the origin keep their precision.
+struct InstanceData {
+    RIMLINE_ADDRESS(Positions) positions;
+    RIMLINE_ADDRESS(Triangles) triangles;
+    RIMLINE_ADDRESS(CornerNormals) corner_normals;
+    RIMLINE_ADDRESS(EdgeRecords) edges;
+    RIMLINE_ADDRESS(EdgeRecords) loose_edges;
+    RIMLINE_ADDRESS(EdgeRecords) borders;
+    RIMLINE_ADDRESS(Slots) slots;  // The camera's silhouette.
+    mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
+    vec3 camera;           // The camera's position.
+    vec3 color;
+    float fade_radius;     // Over 0: the surface fades into the background towards this distance ...
+    vec3 fade_center;      // ... from here.
+    uint padding;
+};
+
+// One for each pair of instance and light.
+struct LightData {
+    RIMLINE_ADDRESS(Slots) slots;
+    RIMLINE_ADDRESS(FaceWords) face_words;
+    vec4 light;       // Homogeneous, in the mesh's coordinates.
+    vec3 color;       // Its share of a fully lit surface.
+    float extrusion;  // 0: volumes reach infinity. Else how far (directional light) or how many times as
+                      // far as the edge (point light), for orthographic views, which infinity is not in.
+};
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameRef { FrameData data; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer InstanceRef { InstanceData data; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer LightRef { LightData data; };
+#endif
+
+// Push constants of every drawing pass.
+struct DrawConstants {
+    RIMLINE_ADDRESS(FrameRef) frame;
+    RIMLINE_ADDRESS(InstanceRef) instance;
+    RIMLINE_ADDRESS(LightRef) light;  // 0 where there is none.
+    uint choice;                      // What the pass's shader says.
+    uint padding;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(EdgeRecord) == 16 && sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
+static_assert(sizeof(FrameData) == 4 * 21);
+static_assert(sizeof(InstanceData) == 7 * 8 + 4 * (9 + 3 + 3 + 1 + 3 + 1));
+static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
+static_assert(sizeof(DrawConstants) == 32);
+}  // namespace rimline::gpu
+#endif
+
+#endif

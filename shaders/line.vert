@@ -1,0 +1,5 @@
+#version 460
+
+// Nothing: the geometry stage reads the edge itself.
+
+void main() {}
