@@ -8,6 +8,15 @@ namespace {
 
 std::string megabytes(VkDeviceSize size) { return std::to_string((size + 0xfffff) >> 20) + " MiB"; }
 
+bool is_out_of_memory(VkResult result) {
+    return result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
+}
+
+[[noreturn]] void fail_out_of_memory(VkDeviceSize size, const char* what) {
+    throw Error(ErrorCode::too_large,
+                "the device has no memory left for " + std::string(what) + " of " + megabytes(size));
+}
+
 OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& requirements,
                      VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed,
                      bool addressable, const char* what) {
@@ -38,9 +47,7 @@ OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& r
                                     .memoryTypeIndex = type};
     VkDeviceMemory memory = VK_NULL_HANDLE;
     const VkResult result = vkAllocateMemory(context.device, &info, nullptr, &memory);
-    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
-        throw Error(ErrorCode::too_large, "no memory left for " + std::string(what) + " (" +
-                                              megabytes(requirements.size) + ")");
+    if (is_out_of_memory(result)) fail_out_of_memory(requirements.size, what);
     vk_check(result, "vkAllocateMemory");
     return {context.device, memory};
 }
@@ -65,7 +72,9 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT};
     VkBuffer handle = VK_NULL_HANDLE;
-    vk_check(vkCreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer");
+    const VkResult result = vkCreateBuffer(context.device, &info, nullptr, &handle);
+    if (is_out_of_memory(result)) fail_out_of_memory(size_, what);
+    vk_check(result, "vkCreateBuffer");
     buffer_ = {context.device, handle};
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(context.device, handle, &requirements);

@@ -22,6 +22,8 @@ namespace {
 
 constexpr const char* k_default_model = "shape:scene";
 constexpr const char* k_default_output = "rimline.png";
+// From where the built-in scene looks best.
+constexpr glm::dvec3 k_scene_view(0.22, 0.45, 1.0);
 // Of a ground, in the model's radii: where it has faded out, and where it ends.
 constexpr double k_ground_fade = 7.0;
 constexpr double k_ground_end = 8.0;
@@ -131,7 +133,8 @@ private:
                 throw UsageError("--eye and --target are the same point");
             return camera;
         }
-        camera = fit_camera(camera, mesh, default_view_direction(up), aspect);
+        const bool own_scene = model_.model == k_default_model;
+        camera = fit_camera(camera, mesh, own_scene ? k_scene_view : default_view_direction(up), aspect);
         if (picture_.target) {
             camera.eye += glm::dvec3(*picture_.target) - camera.target;
             camera.target = glm::dvec3(*picture_.target);

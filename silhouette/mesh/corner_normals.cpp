@@ -1,0 +1,158 @@
+#include "silhouette/mesh/corner_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "silhouette/error.h"
+
+namespace rimline {
+
+namespace {
+
+glm::vec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz}; }
+
+// Each face's own normal. A degenerate face takes that of the nearest face, counted in edges, that
+// has one, so that smoothness passes through slivers; +y where there is none.
+std::vector<glm::vec3> face_normals(const Mesh& mesh) {
+    std::vector<glm::vec3> normals(mesh.face_count());
+    std::vector<FaceId> wave;  // Faces whose degenerate neighbours still lack a normal.
+    std::vector<bool> known(mesh.face_count());
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        known[f] = mesh.planes()[f].has_normal();
+        normals[f] = known[f] ? normal_of(mesh.planes()[f]) : glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+    if (mesh.degenerate_face_count() == 0) return normals;
+
+    const auto for_each_neighbor = [&](std::uint32_t f, auto&& visit) {
+        for (const EdgeId edge : mesh.edges_of(FaceId{f})) {
+            if (edge == k_no_edge || mesh.edge_class(edge) != EdgeClass::regular) continue;
+            const auto& faces = mesh.edge(edge).faces;
+            visit(index(faces[0]) == f ? index(faces[1]) : index(faces[0]));
+        }
+    };
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        if (known[f]) continue;
+        for_each_neighbor(f, [&](std::uint32_t neighbor) {
+            if (mesh.planes()[neighbor].has_normal()) wave.push_back(FaceId{neighbor});
+        });
+    }
+    for (std::size_t next = 0; next < wave.size(); ++next) {
+        const std::uint32_t f = index(wave[next]);
+        for_each_neighbor(f, [&](std::uint32_t neighbor) {
+            if (known[neighbor]) return;
+            known[neighbor] = true;
+            normals[neighbor] = normals[f];
+            wave.push_back(FaceId{neighbor});
+        });
+    }
+    return normals;
+}
+
+// Whether two unit normals are at most an angle in [0, pi] apart, without an inverse cosine.
+class BendTest {
+public:
+    explicit BendTest(double angle_rad)
+        : any_(angle_rad >= std::numbers::pi - k_slack),
+          cos_(std::cos(angle_rad + k_slack)),
+          sin_(std::sin(angle_rad + k_slack)) {}
+
+    bool within(const glm::dvec3& a, const glm::dvec3& b) const {
+        if (any_) return true;
+        const double cos = glm::dot(a, b);
+        const glm::dvec3 c = glm::cross(a, b);
+        const double sin = std::sqrt(glm::dot(c, c));
+        // The sine of (limit - bend); both lie in [0, pi), so its sign is the difference's, except
+        // that opposite normals, bent by pi, may give 0.
+        return sin_ * cos - cos_ * sin >= 0.0 && !(cos < 0.0 && sin == 0.0);
+    }
+
+private:
+    // Normals are rounded to float: coplanar faces seem bent by as much as 2^-22.
+    static constexpr double k_slack = 0x1p-20;
+    bool any_;
+    double cos_, sin_;
+};
+
+// Corners, numbered 3 * face + corner, in groups that share a normal.
+class CornerGroups {
+public:
+    explicit CornerGroups(std::uint32_t corner_count) : parent_(corner_count) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+    /// Replaces the tree by group numbers, 0, 1, 2, ..., and gives their count. No join after that.
+    std::uint32_t number() {
+        std::uint32_t count = 0;
+        // A parent is never greater than its child, so its group is known before.
+        for (std::uint32_t c = 0; c < parent_.size(); ++c)
+            parent_[c] = parent_[c] == c ? count++ : parent_[parent_[c]];
+        return count;
+    }
+    std::uint32_t group(std::uint32_t corner) const { return parent_[corner]; }
+
+private:
+    std::uint32_t root(std::uint32_t c) {
+        while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
+        return c;
+    }
+    std::vector<std::uint32_t> parent_;
+};
+
+std::uint32_t corner_at(const Mesh& mesh, FaceId face, VertexId vertex) {
+    const Triangle& t = mesh.triangles()[index(face)];
+    return 3 * index(face) + (t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2);
+}
+
+CornerGroups group_corners(const Mesh& mesh, std::span<const glm::vec3> normals, double crease) {
+    CornerGroups groups(3 * mesh.face_count());
+    const BendTest bend(crease);
+    const Mesh::EdgeRange regular = mesh.edges_of_class(EdgeClass::regular);
+    for (std::uint32_t e = regular.first; e < regular.last; ++e) {
+        const auto& [vertices, faces] = mesh.edges()[e];
+        if (!bend.within(normals[index(faces[0])], normals[index(faces[1])])) continue;
+        for (const VertexId vertex : vertices)
+            groups.join(corner_at(mesh, faces[0], vertex), corner_at(mesh, faces[1], vertex));
+    }
+    return groups;
+}
+
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 c = glm::cross(a, b);
+    return std::atan2(std::sqrt(glm::dot(c, c)), glm::dot(a, b));
+}
+
+}  // namespace
+
+std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad) {
+    RIMLINE_CHECK(crease_angle_rad >= 0.0f);
+    const std::vector<glm::vec3> own = face_normals(mesh);
+    CornerGroups groups = group_corners(mesh, own, crease_angle_rad);
+    std::vector<glm::dvec3> sums(groups.number(), glm::dvec3(0.0));
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        if (!mesh.planes()[f].has_normal()) continue;
+        std::array<glm::dvec3, 3> p;
+        for (std::uint32_t c = 0; c < 3; ++c)
+            p[c] = mesh.positions()[index(mesh.triangles()[f][c])];
+        for (std::uint32_t c = 0; c < 3; ++c)
+            sums[groups.group(3 * f + c)] +=
+                angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]) * glm::dvec3(own[f]);
+    }
+    std::vector<glm::vec3> normals(3 * std::size_t{mesh.face_count()});
+    for (std::uint32_t corner = 0; corner < normals.size(); ++corner) {
+        const glm::dvec3& sum = sums[groups.group(corner)];
+        const double length = std::sqrt(glm::dot(sum, sum));
+        // Below this the group's normals cancel and what is left is rounding.
+        normals[corner] = length > 1e-6 ? glm::vec3(sum / length) : own[corner / 3];
+    }
+    return normals;
+}
+
+}  // namespace rimline

@@ -1,0 +1,138 @@
+#include "silhouette/mesh/shapes/loop_subdivision.h"
+
+#include <string>
+#include <vector>
+
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr std::uint64_t k_max_faces = std::uint64_t{1} << 28;
+constexpr std::uint32_t k_checkpoint_interval = 1u << 16;
+
+bool is_crease(EdgeClass edge_class) {
+    return edge_class == EdgeClass::border || edge_class == EdgeClass::nonmanifold;
+}
+
+// The neighbours of a vertex: all of them, and those along creases.
+struct Neighborhood {
+    glm::dvec3 sum{0.0};
+    glm::dvec3 crease_sum{0.0};
+    std::uint32_t count = 0;
+    std::uint32_t crease_count = 0;
+};
+
+// Weights are exact or correctly rounded multiples of the input and sums are in double: scaling by a
+// power of two scales the result exactly.
+glm::dvec3 moved(const glm::dvec3& v, const Neighborhood& around) {
+    if (around.crease_count == 2) return 0.75 * v + 0.125 * around.crease_sum;
+    if (around.crease_count > 2 || around.count == 0) return v;
+    // A single crease that ends here pins nothing.
+    const double n = around.count;
+    const double n_beta = around.count == 3 ? 0.5625 : 0.375;
+    return (1.0 - n_beta) * v + n_beta * (around.sum / n);
+}
+
+VertexId opposite_corner(const Triangle& t, const Edge& edge) {
+    for (const VertexId v : t)
+        if (v != edge.vertices[0] && v != edge.vertices[1]) return v;
+    return t[0];  // Not reached: triangles with equal corners have no edges.
+}
+
+/// One step. `checkpoint` is called now and then with the step's finished share.
+template <typename Checkpoint>
+MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
+    const std::uint32_t vertex_count = mesh.vertex_count();
+    const auto position = [&](VertexId v) { return glm::dvec3(mesh.positions()[index(v)]); };
+    const auto pause = [&](std::uint32_t i, std::uint32_t count, double from, double share) {
+        if (i % k_checkpoint_interval == 0) checkpoint(from + share * i / count);
+    };
+
+    MeshSource refined;
+    refined.up = mesh.up();
+    // The vertices, then one for each edge: vertex_count + e.
+    refined.positions.resize(std::size_t{vertex_count} + mesh.edge_count());
+    std::vector<Neighborhood> around(vertex_count);
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+        pause(e, mesh.edge_count(), 0.0, 0.6);
+        const Edge& edge = mesh.edges()[e];
+        const bool crease = is_crease(mesh.edge_class(EdgeId{e}));
+        const glm::dvec3 a = position(edge.vertices[0]);
+        const glm::dvec3 b = position(edge.vertices[1]);
+        for (std::uint32_t end = 0; end < 2; ++end) {
+            Neighborhood& hood = around[index(edge.vertices[end])];
+            const glm::dvec3& neighbor = end == 0 ? b : a;
+            hood.sum += neighbor;
+            ++hood.count;
+            if (!crease) continue;
+            hood.crease_sum += neighbor;
+            ++hood.crease_count;
+        }
+        glm::dvec3 middle = 0.5 * (a + b);
+        if (!crease) {
+            const glm::dvec3 c =
+                position(opposite_corner(mesh.triangles()[index(edge.faces[0])], edge));
+            const glm::dvec3 d =
+                position(opposite_corner(mesh.triangles()[index(edge.faces[1])], edge));
+            middle = 0.375 * (a + b) + 0.125 * (c + d);
+        }
+        refined.positions[std::size_t{vertex_count} + e] = glm::vec3(middle);
+    }
+    for (std::uint32_t v = 0; v < vertex_count; ++v)
+        refined.positions[v] = glm::vec3(moved(position(VertexId{v}), around[v]));
+
+    refined.triangles.reserve(4 * std::size_t{mesh.face_count()});
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        pause(f, mesh.face_count(), 0.6, 0.4);
+        const auto [a, b, c] = mesh.triangles()[f];
+        const auto [ab, bc, ca] = mesh.edges_of(FaceId{f});
+        if (ab == k_no_edge) {
+            // Nothing to split, and no neighbour: four of it keep the count.
+            refined.triangles.insert(refined.triangles.end(), 4, {index(a), index(b), index(c)});
+            continue;
+        }
+        const std::uint32_t on_ab = vertex_count + index(ab);
+        const std::uint32_t on_bc = vertex_count + index(bc);
+        const std::uint32_t on_ca = vertex_count + index(ca);
+        refined.triangles.push_back({index(a), on_ab, on_ca});
+        refined.triangles.push_back({on_ab, index(b), on_bc});
+        refined.triangles.push_back({on_ca, on_bc, index(c)});
+        refined.triangles.push_back({on_ab, on_bc, on_ca});
+    }
+    return refined;
+}
+
+}  // namespace
+
+MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const LongCall& call) {
+    if (steps == 0) return source;
+    const std::uint64_t faces = source.triangles.size();
+    if (faces > 0 && (steps > 14 || (faces << 2 * steps) > k_max_faces))
+        throw Error(ErrorCode::too_large, std::to_string(faces) + " faces refined " +
+                                              std::to_string(steps) +
+                                              " times would be more than 268435456");
+    if (faces == 0) return refine(Mesh(source), [](double) {});
+
+    // Each step is four times the work of the one before.
+    double total = 0.0;
+    for (std::uint32_t step = 0; step < steps; ++step)
+        total += double(std::uint64_t{1} << 2 * step);
+    MeshSource refined;
+    double done = 0.0;
+    for (std::uint32_t step = 0; step < steps; ++step) {
+        const double work = double(std::uint64_t{1} << 2 * step) / total;
+        call.checkpoint(done);
+        const Mesh mesh(step == 0 ? source : refined);
+        constexpr double k_mesh_share = 0.7;
+        refined = refine(mesh, [&](double share) {
+            call.checkpoint(done + work * (k_mesh_share + (1.0 - k_mesh_share) * share));
+        });
+        done += work;
+    }
+    call.checkpoint(1.0);
+    return refined;
+}
+
+}  // namespace rimline

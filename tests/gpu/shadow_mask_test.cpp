@@ -1,0 +1,445 @@
+// Stencil shadow volumes against rays: every pixel of the mask style, of meshes, cameras and lights of
+// every kind that volumes are known to break on.
+//
+// A pixel may differ from the rays only where the rays themselves give its value within a pixel: next
+// to the edge of a shadow or of a surface, where the rasteriser's grid of places within a pixel decides.
+// How near that was found is printed with how many pixels there were.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/renderer.h"
+#include "engine/view_defaults.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/gpu/gpu_fixture.h"
+#include "tests/gpu/ray_reference.h"
+#include "tests/mesh/random.h"
+
+using namespace rimline;
+using namespace rimline::tests;
+
+namespace {
+
+constexpr std::uint32_t k_size = 256;
+constexpr int k_nothing = -1;  // A pixel without a surface; others are the number of lights there.
+
+// Of the pixels with a surface, over all draws of a case.
+constexpr double k_greatest_differing_share = 2e-4;
+
+struct Model {
+    explicit Model(const MeshSource& source) : mesh(source), octree(mesh) {}
+    Mesh mesh;
+    HoughOctree octree;
+};
+
+Light sun(const glm::dvec3& direction) { return {.vector = direction, .directional = true}; }
+Light lamp(const glm::dvec3& position) { return {.vector = position, .directional = false}; }
+
+Camera looking(const glm::dvec3& eye, const glm::dvec3& target, double ortho_height = 0.0) {
+    return {.eye = eye, .target = target, .ortho_height = ortho_height};
+}
+
+// About an axis, by an angle.
+glm::dmat3 turned(const glm::dvec3& axis, double angle_rad) {
+    const glm::dvec3 a = glm::normalize(axis);
+    const double c = std::cos(angle_rad);
+    const double s = std::sin(angle_rad);
+    const auto column = [&](const glm::dvec3& v) {
+        return c * v + s * glm::cross(a, v) + (1.0 - c) * glm::dot(a, v) * a;
+    };
+    return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};
+}
+
+// A number of lights for each pixel, read back from the colors of the mask style.
+std::vector<int> lights_in(const Picture& picture, std::size_t light_count) {
+    std::vector<int> lights;
+    for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
+        const std::uint8_t red = picture.rgba[at];
+        if (red != picture.rgba[at + 2]) {
+            lights.push_back(k_nothing);
+            continue;
+        }
+        const double encoded = red / 255.0;
+        const double linear = encoded <= 0.04045 ? encoded / 12.92
+                                                 : std::pow((encoded + 0.055) / 1.055, 2.4);
+        lights.push_back(static_cast<int>(std::lround(linear * double(light_count))));
+    }
+    return lights;
+}
+
+int lights_by_rays(const RayReference& rays, glm::dvec2 place) {
+    const Ray ray = rays.camera_ray(place, glm::dvec2(k_size));
+    const std::optional<SurfacePoint> surface = rays.first_surface(ray);
+    return surface ? static_cast<int>(rays.lights_at(*surface, ray)) : k_nothing;
+}
+
+// How far from `place`, in pixels, rays first give `value`; infinity when not within one pixel.
+double distance_to_value(const RayReference& rays, glm::dvec2 place, int value) {
+    constexpr int k_directions = 24;
+    for (const double radius : {1.0 / 256, 1.0 / 64, 1.0 / 16, 0.125, 0.25, 0.5, 0.75, 1.0})
+        for (int k = 0; k < k_directions; ++k) {
+            const double angle = 2.0 * glm::pi<double>() * k / k_directions;
+            const glm::dvec2 offset(radius * std::cos(angle), radius * std::sin(angle));
+            if (lights_by_rays(rays, place + offset) == value) return radius;
+        }
+    return std::numeric_limits<double>::infinity();
+}
+
+// Pictures of what differs, for who asks by naming a folder for them: what was drawn, and in red what
+// the rays do not confirm.
+void save_picture(const std::string& name, Picture picture, const std::vector<std::size_t>& wrong) {
+    const char* folder = std::getenv("RIMLINE_TEST_PICTURES");
+    if (!folder) return;
+    for (const std::size_t at : wrong) {
+        picture.rgba[4 * at] = 255;
+        picture.rgba[4 * at + 1] = picture.rgba[4 * at + 2] = 0;
+    }
+    const std::vector<std::byte> png = encode_png(picture);
+    std::ofstream(std::string(folder) + "/" + name + ".png", std::ios::binary)
+        .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+}
+
+// Draws scenes with one renderer, as one program would, and compares each with rays.
+class Comparison {
+public:
+    Comparison(const Gpu& gpu, std::string name)
+        : name_(std::move(name)), renderer_(gpu.context(), {.samples = 1, .scale = 1}) {}
+
+    /// The shares of all draws so far; the last thing a case does.
+    void finish() {
+        const double share = differing_ / std::max(1.0, surface_);
+        std::printf("%s: %d draws, %.0f of %.0f pixels differ (%.4f%%), at most %.3f px off\n",
+                    name_.c_str(), draws_, differing_, surface_, 100.0 * share, farthest_);
+        CHECK(surface_ > 1000.0 * draws_);
+        CHECK(lit_ > 0.01 * surface_);
+        CHECK(lit_ < 0.99 * surface_);
+        CHECK(share <= k_greatest_differing_share);
+    }
+
+    const Model& keep(const MeshSource& source) { return models_.emplace_back(source); }
+
+    void draw(Scene scene) {
+        scene.style = Style::mask;
+        scene.palette = default_palette(Style::mask, {0.02f, 0.1f, 0.5f});
+        scene.lines = false;
+        const Picture picture = renderer_.render(scene, k_size, k_size);
+        const std::vector<int> drawn = lights_in(picture, scene.lights.size());
+        const RayReference rays(scene);
+        std::vector<std::size_t> wrong;
+        ++draws_;
+        for (std::size_t at = 0; at < drawn.size(); ++at) {
+            const glm::dvec2 place(double(at % k_size) + 0.5, double(at / k_size) + 0.5);
+            const int expected = lights_by_rays(rays, place);
+            surface_ += expected == k_nothing ? 0.0 : 1.0;
+            lit_ += expected > 0 ? 1.0 : 0.0;
+            if (drawn[at] == expected) continue;
+            differing_ += 1.0;
+            const double distance = distance_to_value(rays, place, drawn[at]);
+            if (distance <= 1.0)
+                farthest_ = std::max(farthest_, distance);
+            else
+                wrong.push_back(at);
+        }
+        save_picture(name_ + "_" + std::to_string(draws_), picture, wrong);
+        INFO(name_, ", draw ", draws_);
+        INFO("the first at x, y = ", wrong.empty() ? 0 : wrong[0] % k_size, ", ",
+             wrong.empty() ? 0 : wrong[0] / k_size);
+        CHECK(wrong.size() == 0);
+    }
+
+private:
+    std::string name_;
+    std::deque<Model> models_;
+    Renderer renderer_;
+    int draws_ = 0;
+    double surface_ = 0.0;
+    double lit_ = 0.0;
+    double differing_ = 0.0;
+    double farthest_ = 0.0;
+};
+
+SceneInstance instance_of(const Model& model, const glm::dmat3& rotation = glm::dmat3(1.0),
+                          const glm::dvec3& translation = glm::dvec3(0.0)) {
+    return {.octree = &model.octree, .rotation = rotation, .translation = translation};
+}
+
+SceneInstance ground_of(const Model& ground, bool casts_shadows = false) {
+    SceneInstance instance = instance_of(ground);
+    instance.casts_shadows = casts_shadows;
+    return instance;
+}
+
+MeshSource square(double half, double height) {
+    const auto h = static_cast<float>(half);
+    const auto y = static_cast<float>(height);
+    return {{{-h, y, -h}, {h, y, -h}, {h, y, h}, {-h, y, h}}, {{0, 2, 1}, {0, 3, 2}}};
+}
+
+// The faces of a shape whose middle has a positive height.
+MeshSource upper_half(MeshSource shape) {
+    std::erase_if(shape.triangles, [&](const std::array<std::uint32_t, 3>& t) {
+        return shape.positions[t[0]].y + shape.positions[t[1]].y + shape.positions[t[2]].y <= 0.0f;
+    });
+    return shape;
+}
+
+// A sheet with a half turn: not orientable, so that one of its edges' rows is inconsistent.
+MeshSource moebius_strip(std::uint32_t quads) {
+    MeshSource strip;
+    for (std::uint32_t q = 0; q < quads; ++q) {
+        const double turn = 2.0 * glm::pi<double>() * q / quads;
+        for (const double side : {-0.4, 0.4}) {
+            const double r = 1.0 + side * std::cos(0.5 * turn);
+            strip.positions.emplace_back(r * std::cos(turn), side * std::sin(0.5 * turn) + 0.6,
+                                         r * std::sin(turn));
+        }
+        const bool last = q + 1 == quads;
+        const std::uint32_t low = last ? 1 : 2 * q + 2;
+        const std::uint32_t high = last ? 0 : 2 * q + 3;
+        strip.triangles.push_back({2 * q, low, high});
+        strip.triangles.push_back({2 * q, high, 2 * q + 1});
+    }
+    return strip;
+}
+
+MeshSource triangle_soup(std::uint32_t count, std::uint64_t seed) {
+    Random random(seed);
+    MeshSource soup;
+    for (std::uint32_t f = 0; f < count; ++f) {
+        const glm::vec3 middle = random.in_cube() + glm::vec3(0.0f, 1.2f, 0.0f);
+        for (int corner = 0; corner < 3; ++corner)
+            soup.positions.push_back(middle + 0.5f * random.in_cube());
+        soup.triangles.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+    }
+    return soup;
+}
+
+MeshSource moved(MeshSource source, const glm::dvec3& by) {
+    for (glm::vec3& position : source.positions) position = glm::vec3(glm::dvec3(position) + by);
+    return source;
+}
+
+MeshSource turned_inside_out(MeshSource source) {
+    for (auto& triangle : source.triangles) std::swap(triangle[1], triangle[2]);
+    return source;
+}
+
+}  // namespace
+
+TEST_CASE("rays leave subnormal numbers as they are") {
+    const Model box(make_built_in_shape("box", 12));
+    const Scene scene{.instances = {instance_of(box)}, .camera = looking({3, 4, 5}, {})};
+    const RayReference rays(scene);
+    CHECK(lights_by_rays(rays, {0.5 * k_size, 0.5 * k_size}) == 0);
+    volatile float small = 0x1p-100f;
+    CHECK(small * 0x1p-30f != 0.0f);
+}
+
+TEST_CASE("box, torus and knot shade themselves and the ground as rays say") {
+    RIMLINE_OPEN_GPU(gpu);
+    Comparison comparison(*gpu, "shapes");
+    const Model& ground = comparison.keep(square(20.0, -1.6));
+    for (const char* name : {"box", "torus", "knot"}) {
+        const Model& model = comparison.keep(make_built_in_shape(name, 3000));
+        const glm::dmat3 rotation = turned({1, 2, -1}, 0.7);
+        for (const Light& light : {sun({0.7, 1.5, 0.4}), lamp({2.0, 3.0, -1.0})})
+            for (const double height : {0.0, 5.0}) {
+                Scene scene{.lights = {light}, .camera = looking({3, 2.5, 4}, {0, -0.6, 0}, height)};
+                scene.instances = {instance_of(model), ground_of(ground)};
+                comparison.draw(scene);
+                scene.instances = {instance_of(model, rotation, {0.3, 0.4, -0.2}),
+                                   instance_of(model, glm::dmat3(1.0), {-1.9, 0.2, 0.6}),
+                                   ground_of(ground, true)};
+                comparison.draw(scene);
+            }
+    }
+    comparison.finish();
+}
+
+TEST_CASE("a camera in shadow sees what rays see") {
+    RIMLINE_OPEN_GPU(gpu);
+    Comparison comparison(*gpu, "camera in shadow");
+    const Model& ground = comparison.keep(square(20.0, -1.6));
+    for (const char* name : {"box", "torus", "knot"}) {
+        const Model& model = comparison.keep(make_built_in_shape(name, 2000));
+        for (const Light& light : {sun({-0.8, 0.9, -0.5}), lamp({-3.0, 3.4, -1.8})}) {
+            Scene scene{.instances = {instance_of(model), ground_of(ground)}, .lights = {light}};
+            // Along the rays of light, behind the model.
+            scene.camera = looking({1.6, -1.3, 1.0}, {-1.0, -1.0, 0.4});
+            comparison.draw(scene);
+            scene.camera = looking({1.2, -1.1, 0.75}, {4.0, -1.7, 3.5});
+            comparison.draw(scene);
+        }
+    }
+    comparison.finish();
+}
+
+TEST_CASE("the near plane may lie in a volume, along its side, or in a surface") {
+    RIMLINE_OPEN_GPU(gpu);
+    Comparison comparison(*gpu, "near plane");
+    const Model& ground = comparison.keep(square(20.0, -1.6));
+    const Model& box = comparison.keep(make_built_in_shape("box", 12));
+    Scene scene{.instances = {instance_of(box), ground_of(ground, true)},
+                .lights = {sun({1.0, 1.0, 0.25})}};
+    // On the side through the edge from (-1, 1, -1) to (-1, 1, 1), a little in and a little out of it.
+    for (const double off : {0.0, 1e-3, -1e-3, 1e-5, -1e-5}) {
+        scene.camera = looking({-2.0 + off, 0.0, -0.2}, {-3.0, -1.6, 0.3});
+        comparison.draw(scene);
+        scene.camera = looking({-2.0 + off, 0.0, -0.2}, {-0.5, -1.0, -0.6});
+        comparison.draw(scene);
+    }
+    // The near plane is at 0.0001 scene radii: these stand closer to the ground and to the box.
+    scene.camera = looking({2.0, -1.599, 2.0}, {0.0, -1.1, 0.0});
+    comparison.draw(scene);
+    scene.camera = looking({1.0005, 0.2, 0.3}, {-1.0, -1.6, 3.0});
+    comparison.draw(scene);
+    // The light shines along the view, from before and from behind.
+    scene.lights = {sun({2.0, 1.0, 3.0})};
+    scene.camera = looking({4.0, 2.0, 6.0}, {0.1, -0.4, 0.0});
+    comparison.draw(scene);
+    scene.lights = {sun({-2.0, 1.0, -3.0})};
+    comparison.draw(scene);
+    comparison.finish();
+}
+
+TEST_CASE("a light may be close to what casts, and inside it") {
+    RIMLINE_OPEN_GPU(gpu);
+    Comparison comparison(*gpu, "light");
+    const Model& ground = comparison.keep(square(20.0, -1.6));
+    const Model& room = comparison.keep(moved(make_built_in_shape("box", 48), {0, 0, 0}));
+    for (const char* name : {"box", "torus", "knot"}) {
+        const Model& model = comparison.keep(make_built_in_shape(name, 2000));
+        Scene scene{.instances = {instance_of(model), ground_of(ground, true)},
+                    .camera = looking({3, 3.5, 4}, {0, -0.6, 0})};
+        // Close over a face, over an edge of the box, in the hole of the torus.
+        for (const glm::dvec3& light :
+             {glm::dvec3(0.93, 1.02, 0.4), {1.03, 1.01, -0.2}, {0.02, 0.01, -0.03}, {0, -1.2, 1.3}}) {
+            scene.lights = {lamp(light)};
+            comparison.draw(scene);
+        }
+    }
+    // A lamp in a room with something in it, seen from within and from without.
+    const Model& knot = comparison.keep(make_built_in_shape("knot", 1500));
+    Scene scene{.instances = {instance_of(room), instance_of(knot, turned({1, 0, 0}, 0.5),
+                                                            {0.0, 0.0, 0.0})},
+                .lights = {lamp({0.1, 0.85, -0.2})},
+                .camera = looking({0.9, 0.4, 0.95}, {-0.2, -0.3, -0.2})};
+    comparison.draw(scene);
+    scene.camera.eye = {4.0, 3.0, 5.0};
+    comparison.draw(scene);
+    comparison.finish();
+}
+
+TEST_CASE("open sheets, soup, and what has no outside shade as rays say") {
+    RIMLINE_OPEN_GPU(gpu);
+    Comparison comparison(*gpu, "open");
+    const Model& ground = comparison.keep(square(20.0, -1.6));
+    const std::vector<MeshSource> sources{
+        make_built_in_shape("terrain", 2000),
+        upper_half(make_built_in_shape("sphere", 2000)),
+        triangle_soup(120, 5),
+        moebius_strip(80),
+        turned_inside_out(make_built_in_shape("torus", 1500)),
+    };
+    for (const MeshSource& source : sources) {
+        const Model& model = comparison.keep(source);
+        for (const Light& light : {sun({0.7, 1.1, 0.4}), sun({-0.5, -1.0, 0.3}),
+                                   lamp({-1.5, 1.6, 1.2}), lamp({0.05, 0.3, 0.02})})
+            for (const glm::dvec3& eye : {glm::dvec3(3, 2.5, 4), {-1.5, -1.2, 3}}) {
+                Scene scene{.instances = {instance_of(model, turned({1, 0, 2}, 0.2)), ground_of(ground)},
+                            .lights = {light},
+                            .camera = looking(eye, {0, -0.3, 0})};
+                comparison.draw(scene);
+            }
+    }
+    comparison.finish();
+}
+
+TEST_CASE("two and three lights add up to what rays count") {
+    RIMLINE_OPEN_GPU(gpu);
+    Comparison comparison(*gpu, "lights");
+    const Model& ground = comparison.keep(square(20.0, -1.6));
+    const Model& knot = comparison.keep(make_built_in_shape("knot", 2000));
+    const Model& box = comparison.keep(make_built_in_shape("box", 12));
+    Scene scene{.instances = {instance_of(knot), instance_of(box, turned({0, 1, 0}, 0.5), {-2.2, 0, -1}),
+                              ground_of(ground)},
+                .lights = {sun({0.7, 1.5, 0.4}), lamp({-2.0, 3.0, 2.0})},
+                .camera = looking({3, 3.5, 4}, {-0.4, -0.6, 0})};
+    comparison.draw(scene);
+    scene.lights.push_back(sun({0.1, 1.0, -1.0}));
+    comparison.draw(scene);
+    scene.camera = looking({3, 3.5, 4}, {-0.4, -0.6, 0}, 5.0);
+    comparison.draw(scene);
+    comparison.finish();
+}
+
+TEST_CASE("a scene far from the origin shades as one at the origin") {
+    RIMLINE_OPEN_GPU(gpu);
+    Comparison comparison(*gpu, "far away");
+    // Multiples of 1/1024, as all the places below: floats of this size hold no others.
+    const glm::dvec3 far(1e4, -2e3, 5e3);
+    const Model& ground = comparison.keep(moved(square(20.0, -1.625), far));
+    const Model& box = comparison.keep(moved(make_built_in_shape("box", 12), far));
+    const Model& torus = comparison.keep(moved(make_built_in_shape("torus", 2000), far));
+    for (const Model* model : {&box, &torus})
+        for (const Light& light : {sun({0.7, 1.5, 0.4}), lamp(far + glm::dvec3(2.0, 3.0, -1.0))})
+            for (const double height : {0.0, 5.0}) {
+                Scene scene{.instances = {instance_of(*model), ground_of(ground, true)},
+                            .lights = {light},
+                            .camera = looking(far + glm::dvec3(3, 2.5, 4), far + glm::dvec3(0, -0.5, 0),
+                                              height)};
+                comparison.draw(scene);
+            }
+    // A mesh near its own origin, carried far by its instance.
+    const Model& near_torus = comparison.keep(make_built_in_shape("torus", 2000));
+    const Model& near_ground = comparison.keep(square(20.0, -1.625));
+    SceneInstance carried_ground = ground_of(near_ground);
+    carried_ground.translation = far;
+    Scene scene{.instances = {instance_of(near_torus, turned({1, 0, 1}, 0.5), far), carried_ground},
+                .lights = {lamp(far + glm::dvec3(2.0, 3.0, -1.0))},
+                .camera = looking(far + glm::dvec3(3, 2.5, 4), far + glm::dvec3(0, -0.5, 0))};
+    comparison.draw(scene);
+    comparison.finish();
+}
+
+TEST_CASE("random scenes, cameras and lights shade as rays say") {
+    RIMLINE_OPEN_GPU(gpu);
+    constexpr std::uint64_t k_seed = 20;
+    constexpr int k_draws = 60;
+    CAPTURE(k_seed);
+    Random random(k_seed);
+    Comparison comparison(*gpu, "random");
+    std::vector<const Model*> models;
+    for (const char* name : {"box", "torus", "knot", "spring", "sphere", "terrain", "scene"})
+        models.push_back(&comparison.keep(make_built_in_shape(name, 1000)));
+    models.push_back(&comparison.keep(moebius_strip(40)));
+    models.push_back(&comparison.keep(triangle_soup(40, k_seed)));
+    const Model& ground = comparison.keep(square(20.0, -1.6));
+    const auto within = [&](double radius) { return radius * glm::dvec3(random.in_cube()); };
+    for (int draw = 0; draw < k_draws; ++draw) {
+        Scene scene;
+        scene.instances.push_back(ground_of(ground, random.below(2) == 0));
+        for (std::uint32_t i = 1 + random.below(3); i > 0; --i)
+            scene.instances.push_back(instance_of(
+                *models[random.below(static_cast<std::uint32_t>(models.size()))],
+                turned(within(1.0), 3.0 * random.signed_unit()), within(1.5)));
+        for (std::uint32_t i = 1 + random.below(2); i > 0; --i)
+            scene.lights.push_back(random.below(2) == 0 ? sun(within(1.0) + glm::dvec3(0, 0.8, 0))
+                                                        : lamp(within(3.0) + glm::dvec3(0, 1.5, 0)));
+        scene.camera = looking(within(4.0) + glm::dvec3(0, 2.2, 0), within(1.0),
+                               random.below(3) == 0 ? 6.0 : 0.0);
+        comparison.draw(scene);
+    }
+    comparison.finish();
+}
