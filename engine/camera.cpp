@@ -14,7 +14,8 @@ glm::dmat3 camera_from_world(const Camera& camera) {
     const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
     glm::dvec3 right = glm::cross(camera.up, back);
     if (glm::length(right) < 1e-9 * glm::length(camera.up) || right == glm::dvec3(0.0))
-        right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1), back);
+        right =
+            glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1), back);
     right = glm::normalize(right);
     return glm::transpose(glm::dmat3(right, glm::cross(back, right), back));
 }

@@ -15,8 +15,8 @@ struct Camera {
     glm::dvec3 eye{0.0, 0.0, 1.0};
     glm::dvec3 target{0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
-    double fov_y_deg = 40.0;   ///< Vertical field of view of a perspective camera.
-    double ortho_height = 0.0; ///< Over 0: orthographic, and the picture is as high as this.
+    double fov_y_deg = 40.0;    ///< Vertical field of view of a perspective camera.
+    double ortho_height = 0.0;  ///< Over 0: orthographic, and the picture is as high as this.
 
     bool is_orthographic() const noexcept { return ortho_height > 0.0; }
 };

@@ -33,15 +33,13 @@ std::uint64_t slot_count_of(const Mesh& mesh) {
     return mesh.edges_of_class(EdgeClass::border).first;
 }
 
-constexpr StageAccess k_readers{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
-                                    VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
-                                    VK_PIPELINE_STAGE_2_GEOMETRY_SHADER_BIT |
-                                    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-                                VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT |
-                                    VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
-constexpr StageAccess k_writers{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
-                                VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
-                                    VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr StageAccess k_readers{
+    VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
+        VK_PIPELINE_STAGE_2_GEOMETRY_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+constexpr StageAccess k_writers{
+    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
+    VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 
 }  // namespace
 
@@ -130,10 +128,14 @@ void ChangeStream::record(VkCommandBuffer commands, const ScatterPass& pass) con
         const std::uint32_t slot_writes = batch.full ? 0 : batch.slot_count;
         const std::uint32_t word_writes = batch.full ? 0 : batch.word_count;
         const VkDeviceAddress data = ring_.address() + ring_offset();
-        const ScatterConstants constants{data + batch.slot_offset, data + batch.word_offset,
-                                         slots_.address(),         face_words_.address(),
-                                         arguments_.address(),     slot_writes,
-                                         word_writes,              batch.silhouette_size,
+        const ScatterConstants constants{data + batch.slot_offset,
+                                         data + batch.word_offset,
+                                         slots_.address(),
+                                         face_words_.address(),
+                                         arguments_.address(),
+                                         slot_writes,
+                                         word_writes,
+                                         batch.silhouette_size,
                                          0};
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass.pipeline_);
         vkCmdPushConstants(commands, pass.layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,

@@ -11,8 +11,8 @@ namespace {
 
 // The features that judge_device() asks for, chained for a query or for vkCreateDevice.
 struct FeatureChain {
-    VkPhysicalDeviceVulkan13Features v13{
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceVulkan13Features v13{.sType =
+                                             VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceVulkan12Features v12{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, .pNext = &v13};
     VkPhysicalDeviceFeatures2 v10{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
@@ -62,7 +62,9 @@ std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits) {
     const VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
                                       limits.framebufferDepthSampleCounts &
                                       limits.framebufferStencilSampleCounts;
-    return (counts & VK_SAMPLE_COUNT_4_BIT) != 0 ? 4 : (counts & VK_SAMPLE_COUNT_2_BIT) != 0 ? 2 : 1;
+    return (counts & VK_SAMPLE_COUNT_4_BIT) != 0   ? 4
+           : (counts & VK_SAMPLE_COUNT_2_BIT) != 0 ? 2
+                                                   : 1;
 }
 
 DeviceFacts describe(VkPhysicalDevice device) {
@@ -102,7 +104,8 @@ DeviceFacts describe(VkPhysicalDevice device) {
 
 std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance) {
     std::vector<DeviceFacts> facts;
-    for (const VkPhysicalDevice device : physical_devices(instance)) facts.push_back(describe(device));
+    for (const VkPhysicalDevice device : physical_devices(instance))
+        facts.push_back(describe(device));
     return facts;
 }
 
@@ -130,11 +133,10 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
     std::uint32_t family_count = 0;
     const std::uint32_t family = find_queue_family(physical, family_count);
     const float priority = 1.0f;
-    const VkDeviceQueueCreateInfo queue_info{
-        .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-        .queueFamilyIndex = family,
-        .queueCount = 1,
-        .pQueuePriorities = &priority};
+    const VkDeviceQueueCreateInfo queue_info{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                             .queueFamilyIndex = family,
+                                             .queueCount = 1,
+                                             .pQueuePriorities = &priority};
     FeatureChain features;
     features.v10.features.geometryShader = VK_TRUE;
     features.v10.features.depthClamp = VK_TRUE;
@@ -166,7 +168,8 @@ Device::~Device() {
     vkDestroyDevice(context_.device, nullptr);
 }
 
-void run_commands(const DeviceContext& context, const std::function<void(VkCommandBuffer)>& record) {
+void run_commands(const DeviceContext& context,
+                  const std::function<void(VkCommandBuffer)>& record) {
     const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                             .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
                                             .queueFamilyIndex = context.queue_family};
@@ -187,8 +190,8 @@ void run_commands(const DeviceContext& context, const std::function<void(VkComma
     vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
     record(commands);
     vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-    const VkCommandBufferSubmitInfo submitted{
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = commands};
+    const VkCommandBufferSubmitInfo submitted{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                              .commandBuffer = commands};
     const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
                                .commandBufferInfoCount = 1,
                                .pCommandBufferInfos = &submitted};

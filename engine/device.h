@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/device_choice.h"
-#include "engine/vulkan_instance.h"
 #include "engine/vulkan_handle.h"
+#include "engine/vulkan_instance.h"
 
 namespace rimline {
 

@@ -92,19 +92,23 @@ DeviceChoice choose_device(std::span<const DeviceFacts> devices, const DeviceReq
         const DeviceFacts& facts = devices[i];
         const DeviceVerdict verdict = judge_device(facts);
         std::string reason = facts.name + " (" + name_of(facts.type) + "): ";
-        if (best == i) reason += "chosen";
-        else if (!verdict.usable()) reason += "lacks " + joined(verdict.lacks, ", ");
-        else if (!fits(facts, i, request)) reason += "is not '" + request + "'";
-        else reason += "usable, but " + devices[*best].name + " comes first";
+        if (best == i)
+            reason += "chosen";
+        else if (!verdict.usable())
+            reason += "lacks " + joined(verdict.lacks, ", ");
+        else if (!fits(facts, i, request))
+            reason += "is not '" + request + "'";
+        else
+            reason += "usable, but " + devices[*best].name + " comes first";
         reasons.push_back(std::move(reason));
     }
     if (best) return {*best, std::move(reasons)};
     if (devices.empty())
         throw Error(ErrorCode::no_device,
                     "there is no Vulkan device: install a driver, mesa-vulkan-drivers for the CPU");
-    throw Error(ErrorCode::no_device,
-                "no Vulkan device " + (request.empty() ? "" : "fits '" + request + "' and ") +
-                    "can be used: " + joined(reasons, "; "));
+    throw Error(ErrorCode::no_device, "no Vulkan device " +
+                                          (request.empty() ? "" : "fits '" + request + "' and ") +
+                                          "can be used: " + joined(reasons, "; "));
 }
 
 }  // namespace rimline

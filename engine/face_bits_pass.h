@@ -21,7 +21,8 @@ public:
 
     /// The face bits of `planes` from `point`, packed as silhouette/mesh/face_bits.h says. Uploads,
     /// runs and reads back; waits.
-    std::vector<std::uint32_t> compute(std::span<const Plane> planes, const HomogeneousPoint& point);
+    std::vector<std::uint32_t> compute(std::span<const Plane> planes,
+                                       const HomogeneousPoint& point);
 
 private:
     DeviceContext context_;

@@ -13,13 +13,13 @@ bool is_out_of_memory(VkResult result) {
 }
 
 [[noreturn]] void fail_out_of_memory(VkDeviceSize size, const char* what) {
-    throw Error(ErrorCode::too_large,
-                "the device has no memory left for " + std::string(what) + " of " + megabytes(size));
+    throw Error(ErrorCode::too_large, "the device has no memory left for " + std::string(what) +
+                                          " of " + megabytes(size));
 }
 
 OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& requirements,
-                     VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed,
-                     bool addressable, const char* what) {
+                     VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed, bool addressable,
+                     const char* what) {
     const auto find = [&](VkMemoryPropertyFlags flags) {
         std::uint32_t type = 0;
         while (type < context.memory.memoryTypeCount &&
@@ -35,9 +35,9 @@ OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& r
     const VkDeviceSize heap =
         context.memory.memoryHeaps[context.memory.memoryTypes[type].heapIndex].size;
     if (requirements.size > heap)
-        throw Error(ErrorCode::too_large, std::string(what) + " needs " +
-                                              megabytes(requirements.size) +
-                                              ", more than the device's memory of " + megabytes(heap));
+        throw Error(ErrorCode::too_large,
+                    std::string(what) + " needs " + megabytes(requirements.size) +
+                        ", more than the device's memory of " + megabytes(heap));
 
     const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
                                           .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
@@ -89,8 +89,8 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
         vk_check(vkMapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory");
         mapped_ = static_cast<std::byte*>(mapped);
     }
-    const VkBufferDeviceAddressInfo address{
-        .sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO, .buffer = handle};
+    const VkBufferDeviceAddressInfo address{.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+                                            .buffer = handle};
     address_ = vkGetBufferDeviceAddress(context.device, &address);
 }
 
@@ -144,23 +144,21 @@ Image::Image(const DeviceContext& context, const ImageDescription& description, 
                     std::string(what) + " of " + std::to_string(description.extent.width) + "x" +
                         std::to_string(description.extent.height) +
                         " exceeds the device's maxImageDimension2D of " + std::to_string(limit));
-    const VkImageCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-        .imageType = VK_IMAGE_TYPE_2D,
-        .format = description.format,
-        .extent = {description.extent.width, description.extent.height, 1},
-        .mipLevels = 1,
-        .arrayLayers = 1,
-        .samples = static_cast<VkSampleCountFlagBits>(description.samples),
-        .tiling = VK_IMAGE_TILING_OPTIMAL,
-        .usage = description.usage};
+    const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                 .imageType = VK_IMAGE_TYPE_2D,
+                                 .format = description.format,
+                                 .extent = {description.extent.width, description.extent.height, 1},
+                                 .mipLevels = 1,
+                                 .arrayLayers = 1,
+                                 .samples = static_cast<VkSampleCountFlagBits>(description.samples),
+                                 .tiling = VK_IMAGE_TILING_OPTIMAL,
+                                 .usage = description.usage};
     VkImage handle = VK_NULL_HANDLE;
     vk_check(vkCreateImage(context.device, &info, nullptr, &handle), "vkCreateImage");
     image_ = {context.device, handle};
     VkMemoryRequirements requirements;
     vkGetImageMemoryRequirements(context.device, handle, &requirements);
-    memory_ =
-        allocate(context, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, false, what);
+    memory_ = allocate(context, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, false, what);
     vk_check(vkBindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory");
 
     const auto view_of = [&](VkImageAspectFlags aspects) {

@@ -43,12 +43,11 @@ OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint
                                          VkShaderStageFlags stages,
                                          VkDescriptorSetLayout set_layout) {
     const VkPushConstantRange range{.stageFlags = stages, .size = size_bytes};
-    const VkPipelineLayoutCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-        .setLayoutCount = set_layout != VK_NULL_HANDLE ? 1u : 0u,
-        .pSetLayouts = &set_layout,
-        .pushConstantRangeCount = 1,
-        .pPushConstantRanges = &range};
+    const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                          .setLayoutCount = set_layout != VK_NULL_HANDLE ? 1u : 0u,
+                                          .pSetLayouts = &set_layout,
+                                          .pushConstantRangeCount = 1,
+                                          .pPushConstantRanges = &range};
     VkPipelineLayout layout = VK_NULL_HANDLE;
     vk_check(vkCreatePipelineLayout(context.device, &info, nullptr, &layout),
              "vkCreatePipelineLayout");
@@ -58,10 +57,9 @@ OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint
 OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
                                     VkPipelineLayout layout) {
     const OwnedShaderModule module = make_module(context, code);
-    const VkComputePipelineCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-        .stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, module),
-        .layout = layout};
+    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                           .stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, module),
+                                           .layout = layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
     vk_check(vkCreateComputePipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
              "vkCreateComputePipelines");
@@ -101,14 +99,13 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = static_cast<VkSampleCountFlagBits>(description.formats.samples)};
     const bool zero = description.stencil == StencilUse::zero;
-    const VkStencilOpState stencil{
-        .failOp = VK_STENCIL_OP_KEEP,
-        .passOp = VK_STENCIL_OP_KEEP,
-        .depthFailOp = VK_STENCIL_OP_KEEP,
-        .compareOp = zero ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_ALWAYS,
-        .compareMask = 0xff,
-        .writeMask = zero ? 0u : 0xffu,
-        .reference = 0};
+    const VkStencilOpState stencil{.failOp = VK_STENCIL_OP_KEEP,
+                                   .passOp = VK_STENCIL_OP_KEEP,
+                                   .depthFailOp = VK_STENCIL_OP_KEEP,
+                                   .compareOp = zero ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_ALWAYS,
+                                   .compareMask = 0xff,
+                                   .writeMask = zero ? 0u : 0xffu,
+                                   .reference = 0};
     const VkPipelineDepthStencilStateCreateInfo depth_stencil{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = description.formats.depth_stencil != VK_FORMAT_UNDEFINED,
@@ -150,8 +147,9 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .pDynamicState = &dynamic,
         .layout = description.layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    vk_check(vkCreateGraphicsPipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-             "vkCreateGraphicsPipelines");
+    vk_check(
+        vkCreateGraphicsPipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+        "vkCreateGraphicsPipelines");
     return {context.device, pipeline};
 }
 

@@ -7,13 +7,12 @@ namespace rimline {
 namespace {
 
 constexpr StageAccess k_nothing{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0};
-constexpr StageAccess k_drawing{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
-                                    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
-                                    VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-                                VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT |
-                                    VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
-                                    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
-                                    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
+constexpr StageAccess k_drawing{
+    VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+        VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
 constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
@@ -57,21 +56,21 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
     constexpr VkImageUsageFlags k_drawn_and_read =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     surfaces_ = Image(context, {k_surface_format, extent, k_drawn_and_read}, "the picture");
-    depth_ = Image(context,
-                   {.format = context.depth_stencil_format,
-                    .extent = extent,
-                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-                    .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
-                   "the picture's depth");
+    depth_ =
+        Image(context,
+              {.format = context.depth_stencil_format,
+               .extent = extent,
+               .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+               .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
+              "the picture's depth");
     if (is_multisampled()) {
-        multisampled_surfaces_ = Image(
-            context, {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples},
-            "the picture's samples");
-        multisampled_depth_ =
-            Image(context,
-                  {context.depth_stencil_format, extent,
-                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
-                  "the depth of the picture's samples");
+        multisampled_surfaces_ =
+            Image(context, {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples},
+                  "the picture's samples");
+        multisampled_depth_ = Image(context,
+                                    {context.depth_stencil_format, extent,
+                                     VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
+                                    "the depth of the picture's samples");
     }
     lines_ = Image(context, {k_coverage_format, extent, k_drawn_and_read}, "the picture's lines");
     picture_ = Image(context,
@@ -83,9 +82,8 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
 }
 
 void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float background[4]) const {
-    VkRenderingAttachmentInfo color =
-        color_attachment(is_multisampled() ? multisampled_surfaces_ : surfaces_,
-                         VK_ATTACHMENT_LOAD_OP_CLEAR);
+    VkRenderingAttachmentInfo color = color_attachment(
+        is_multisampled() ? multisampled_surfaces_ : surfaces_, VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = {{background[0], background[1], background[2], background[3]}};
     VkRenderingAttachmentInfo depth{
         .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
@@ -106,8 +104,7 @@ void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float backgro
 }
 
 void RenderTargets::begin_lines(VkCommandBuffer commands) const {
-    begin_rendering(commands, pass_extent(),
-                    color_attachment(lines_, VK_ATTACHMENT_LOAD_OP_CLEAR));
+    begin_rendering(commands, pass_extent(), color_attachment(lines_, VK_ATTACHMENT_LOAD_OP_CLEAR));
 }
 
 void RenderTargets::begin_picture(VkCommandBuffer commands) const {
@@ -152,13 +149,11 @@ void RenderTargets::record_readback(VkCommandBuffer commands) const {
     record_barrier(commands, k_drawing, k_copying,
                    {{picture_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
-    const VkBufferImageCopy region{
-        .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-        .imageExtent = {size_.width, size_.height, 1}};
+    const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                   .imageExtent = {size_.width, size_.height, 1}};
     vkCmdCopyImageToBuffer(commands, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            readback_.handle(), 1, &region);
-    record_barrier(commands,
-                   {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+    record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                    {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }
 

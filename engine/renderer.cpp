@@ -39,10 +39,9 @@ OwnedSemaphore make_timeline(const DeviceContext& context) {
 }
 
 OwnedCommandPool make_command_pool(const DeviceContext& context) {
-    const VkCommandPoolCreateInfo info{
-        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-        .queueFamilyIndex = context.queue_family};
+    const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                       .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                       .queueFamilyIndex = context.queue_family};
     VkCommandPool pool = VK_NULL_HANDLE;
     vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
     return {context.device, pool};
@@ -59,8 +58,8 @@ glm::dvec3 direction_in_object(const SceneInstance& instance, const glm::dvec3& 
 HomogeneousPoint camera_point(const SceneInstance& instance, const Camera& camera) {
     if (!camera.is_orthographic())
         return HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, camera.eye)));
-    return HomogeneousPoint::direction(glm::vec3(
-        direction_in_object(instance, glm::normalize(camera.eye - camera.target))));
+    return HomogeneousPoint::direction(
+        glm::vec3(direction_in_object(instance, glm::normalize(camera.eye - camera.target))));
 }
 
 HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) {
@@ -73,9 +72,8 @@ HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) 
 gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
     const VkExtent2D extent = targets.pass_extent();
     const SceneBounds bounds = bounds_of(scene);
-    const Projection projection =
-        make_projection(scene.camera, double(extent.width) / extent.height, bounds.center,
-                        bounds.radius);
+    const Projection projection = make_projection(
+        scene.camera, double(extent.width) / extent.height, bounds.center, bounds.radius);
     const bool orthographic = scene.camera.is_orthographic();
     return {.clip_scale = glm::vec2(projection.scale),
             .clip_z = glm::vec2(projection.z),
@@ -187,13 +185,15 @@ void Renderer::follow(std::unique_ptr<Tracked>& tracked, const HoughOctree& octr
 
 DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32_t ring_slot) {
     const std::size_t light_count = scene.lights.size();
-    const std::uint64_t instances_at = sizeof(gpu::FrameData) + 4;  // Addresses need multiples of 8.
+    const std::uint64_t instances_at =
+        sizeof(gpu::FrameData) + 4;  // Addresses need multiples of 8.
     static_assert((sizeof(gpu::FrameData) + 4) % 8 == 0 && sizeof(gpu::InstanceData) % 8 == 0);
     const std::uint64_t lights_at =
         instances_at + sizeof(gpu::InstanceData) * scene.instances.size();
     const std::uint64_t size =
         lights_at + sizeof(gpu::LightData) * scene.instances.size() * light_count;
-    if (frame.data.size() < size) frame.data = Buffer(context_, size, BufferPlace::upload, "frame data");
+    if (frame.data.size() < size)
+        frame.data = Buffer(context_, size, BufferPlace::upload, "frame data");
     const auto put = [&](std::uint64_t offset, const auto& value) {
         std::memcpy(frame.data.mapped() + offset, &value, sizeof value);
         return frame.data.address() + offset;
@@ -231,8 +231,9 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32
                                  .color = glm::vec3(1.0f / float(light_count)),
                                  .extrusion = 0.0f};
             if (scene.camera.is_orthographic())
-                light.extrusion = point.is_direction() ? float(k_finite_extrusion_radii * scene_radius)
-                                                       : k_finite_extrusion_times;
+                light.extrusion = point.is_direction()
+                                      ? float(k_finite_extrusion_radii * scene_radius)
+                                      : k_finite_extrusion_times;
             DrawnLight drawn_light{
                 .casts_shadow = scene.shadows && instance.casts_shadows,
                 .ends_in_one_point = point.is_direction() && light.extrusion == 0.0f};
@@ -310,8 +311,8 @@ Picture Renderer::render(const Scene& scene, std::uint32_t width, std::uint32_t 
     record(scene, list, frame.commands);
     vk_check(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
 
-    const VkCommandBufferSubmitInfo commands{
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = frame.commands};
+    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                             .commandBuffer = frame.commands};
     const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
                                        .semaphore = timeline_,
                                        .value = frame_number_ + 1,
@@ -328,8 +329,9 @@ Picture Renderer::render(const Scene& scene, std::uint32_t width, std::uint32_t 
     Picture picture{width, height, {}};
     const auto* pixels = reinterpret_cast<const std::uint8_t*>(targets_->readback().mapped());
     picture.rgba.assign(pixels, pixels + std::size_t{4} * width * height);
-    report_.frame_ms = std::chrono::duration<double, std::milli>(
-                           std::chrono::steady_clock::now() - started).count();
+    report_.frame_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started)
+            .count();
     return picture;
 }
 

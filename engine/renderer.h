@@ -37,11 +37,11 @@ struct RendererOptions {
 
 /// What a frame took.
 struct FrameReport {
-    std::uint32_t silhouette = 0;     ///< The camera's silhouette edges and borders drawn as lines.
-    std::uint32_t shadow_edges = 0;   ///< Edges extruded, over all lights.
-    std::uint64_t bytes_streamed = 0; ///< What went to the GPU for silhouettes and face bits.
-    std::uint64_t bytes_full = 0;     ///< What sending them whole would have cost.
-    double frame_ms = 0.0;            ///< From moving the trackers to the finished picture, by the clock.
+    std::uint32_t silhouette = 0;    ///< The camera's silhouette edges and borders drawn as lines.
+    std::uint32_t shadow_edges = 0;  ///< Edges extruded, over all lights.
+    std::uint64_t bytes_streamed = 0;  ///< What went to the GPU for silhouettes and face bits.
+    std::uint64_t bytes_full = 0;      ///< What sending them whole would have cost.
+    double frame_ms = 0.0;  ///< From moving the trackers to the finished picture, by the clock.
 };
 
 class Renderer {

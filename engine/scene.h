@@ -18,7 +18,7 @@ struct SceneInstance {
     const HoughOctree* octree = nullptr;
     glm::dmat3 rotation{1.0};  ///< Orthonormal, without reflection.
     glm::dvec3 translation{0.0};
-    glm::vec3 color{1.0f};     ///< Linear light.
+    glm::vec3 color{1.0f};  ///< Linear light.
     bool has_lines = true;
     bool casts_shadows = true;
     /// Over 0: fades into the background towards this distance from fade_center (world), as a ground
@@ -55,7 +55,8 @@ struct Scene {
     bool shadows = true;
     bool lines = true;
     float line_width_px = 2.5f;
-    float hidden_line_strength = 0.0f;  ///< 0 leaves hidden lines out, 1 draws them as strong as others.
+    float hidden_line_strength =
+        0.0f;  ///< 0 leaves hidden lines out, 1 draws them as strong as others.
 };
 
 /// A sphere around all instances.

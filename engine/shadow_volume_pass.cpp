@@ -11,10 +11,10 @@ namespace {
 // A ray that leaves the picture behind the surface crosses as many back faces of a volume as front
 // faces, but for one more back face if it starts inside.
 void set_counting(VkCommandBuffer commands, bool turned_round) {
-    const VkStencilOp front = turned_round ? VK_STENCIL_OP_INCREMENT_AND_WRAP
-                                           : VK_STENCIL_OP_DECREMENT_AND_WRAP;
-    const VkStencilOp back = turned_round ? VK_STENCIL_OP_DECREMENT_AND_WRAP
-                                          : VK_STENCIL_OP_INCREMENT_AND_WRAP;
+    const VkStencilOp front =
+        turned_round ? VK_STENCIL_OP_INCREMENT_AND_WRAP : VK_STENCIL_OP_DECREMENT_AND_WRAP;
+    const VkStencilOp back =
+        turned_round ? VK_STENCIL_OP_DECREMENT_AND_WRAP : VK_STENCIL_OP_INCREMENT_AND_WRAP;
     vkCmdSetStencilOp(commands, VK_STENCIL_FACE_FRONT_BIT, VK_STENCIL_OP_KEEP, VK_STENCIL_OP_KEEP,
                       front, VK_COMPARE_OP_ALWAYS);
     vkCmdSetStencilOp(commands, VK_STENCIL_FACE_BACK_BIT, VK_STENCIL_OP_KEEP, VK_STENCIL_OP_KEEP,

@@ -32,7 +32,8 @@ glm::dvec3 default_view_direction(const glm::dvec3& up) {
     return glm::normalize(0.55 * first - 1.0 * second + 0.45 * glm::normalize(up));
 }
 
-Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer, double aspect) {
+Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer,
+                  double aspect) {
     constexpr double k_margin = 1.06;
     const double radius = mesh.radius() > 0.0 ? mesh.radius() : 1.0;
     camera.target = mesh.center();

@@ -48,16 +48,16 @@ struct VulkanInstance::Messages {
     }
 };
 
-VulkanInstance::VulkanInstance(const InstanceOptions& options) : messages_(std::make_unique<Messages>()) {
+VulkanInstance::VulkanInstance(const InstanceOptions& options)
+    : messages_(std::make_unique<Messages>()) {
     std::uint32_t version = VK_API_VERSION_1_0;
     vkEnumerateInstanceVersion(&version);
     if (version < VK_API_VERSION_1_3)
         throw Error(ErrorCode::no_device,
                     "the Vulkan loader is older than 1.3: install a newer libvulkan1");
     if (options.validate && !has_validation_layer())
-        throw Error(ErrorCode::no_device,
-                    std::string("the layer ") + k_validation_layer +
-                        " is not installed: install vulkan-validationlayers");
+        throw Error(ErrorCode::no_device, std::string("the layer ") + k_validation_layer +
+                                              " is not installed: install vulkan-validationlayers");
 
     const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
                                         .pApplicationName = "rimline",

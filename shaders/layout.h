@@ -59,13 +59,23 @@ struct DrawArguments {
 #ifndef __cplusplus
 const uint k_no_face = 0xffffffffu;
 
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Positions { vec3 at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Triangles { TriangleRecord at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CornerNormals { vec3 at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer EdgeRecords { EdgeRecord at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Positions {
+    vec3 at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Triangles {
+    TriangleRecord at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CornerNormals {
+    vec3 at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer EdgeRecords {
+    EdgeRecord at[];
+};
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Planes { vec4 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Slots { uint at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceWords { uint at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceWords {
+    uint at[];
+};
 #endif
 
 // One for each picture. Colors are linear light.
@@ -77,10 +87,10 @@ struct FrameData {
     float line_radius;  // Half of a line's width, in pixels of the pass.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
-    uint style;         // A RIMLINE_STYLE_ value.
+    uint style;                  // A RIMLINE_STYLE_ value.
     vec3 background;
     vec3 ink;
-    vec3 shade;         // What shadow leaves of a surface's color.
+    vec3 shade;  // What shadow leaves of a surface's color.
 };
 
 #define RIMLINE_STYLE_INK 0
@@ -100,8 +110,8 @@ struct InstanceData {
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
     vec3 color;
-    float fade_radius;     // Over 0: the surface fades into the background towards this distance ...
-    vec3 fade_center;      // ... from here.
+    float fade_radius;  // Over 0: the surface fades into the background towards this distance ...
+    vec3 fade_center;   // ... from here.
     uint padding;
 };
 
@@ -109,16 +119,23 @@ struct InstanceData {
 struct LightData {
     RIMLINE_ADDRESS(Slots) slots;
     RIMLINE_ADDRESS(FaceWords) face_words;
-    vec4 light;       // Homogeneous, in the mesh's coordinates.
-    vec3 color;       // Its share of a fully lit surface.
-    float extrusion;  // 0: volumes reach infinity. Else how far (directional light) or how many times as
-                      // far as the edge (point light), for orthographic views, which infinity is not in.
+    vec4 light;  // Homogeneous, in the mesh's coordinates.
+    vec3 color;  // Its share of a fully lit surface.
+    float
+        extrusion;  // 0: volumes reach infinity. Else how far (directional light) or how many times as
+        // far as the edge (point light), for orthographic views, which infinity is not in.
 };
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameRef { FrameData data; };
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer InstanceRef { InstanceData data; };
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer LightRef { LightData data; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameRef {
+    FrameData data;
+};
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer InstanceRef {
+    InstanceData data;
+};
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer LightRef {
+    LightData data;
+};
 #endif
 
 // Push constants of every drawing pass.

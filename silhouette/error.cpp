@@ -6,7 +6,8 @@
 namespace rimline {
 
 void check_failed(const char* condition, const char* file, int line) noexcept {
-    std::fprintf(stderr, "rimline: %s:%d: the caller broke the contract: %s\n", file, line, condition);
+    std::fprintf(stderr, "rimline: %s:%d: the caller broke the contract: %s\n", file, line,
+                 condition);
     std::abort();
 }
 

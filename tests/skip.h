@@ -5,10 +5,22 @@
 #include <cstdio>
 #include <string>
 
-/// Ends the running test case as skipped. `reason` names what is missing.
-#define RIMLINE_SKIP(reason)                                         \
-    do {                                                             \
-        std::printf("SKIPPED: %s\n", std::string(reason).c_str());   \
-        std::fflush(stdout);                                         \
-        return;                                                      \
+namespace rimline::tests {
+
+/// Whether a case of this program ended as skipped; test_main.cpp turns it into the exit status.
+inline bool case_skipped = false;
+
+/// The exit status by which CTest knows a skipped case.
+constexpr int k_skipped_status = 77;
+
+}  // namespace rimline::tests
+
+/// Ends the running test case as skipped; checks that failed before still count. `reason` names what
+/// is missing.
+#define RIMLINE_SKIP(reason)                                       \
+    do {                                                           \
+        std::printf("SKIPPED: %s\n", std::string(reason).c_str()); \
+        std::fflush(stdout);                                       \
+        rimline::tests::case_skipped = true;                       \
+        return;                                                    \
     } while (false)

@@ -134,7 +134,8 @@ private:
             return camera;
         }
         const bool own_scene = model_.model == k_default_model;
-        camera = fit_camera(camera, mesh, own_scene ? k_scene_view : default_view_direction(up), aspect);
+        camera =
+            fit_camera(camera, mesh, own_scene ? k_scene_view : default_view_direction(up), aspect);
         if (picture_.target) {
             camera.eye += glm::dvec3(*picture_.target) - camera.target;
             camera.target = glm::dvec3(*picture_.target);

@@ -57,9 +57,10 @@ struct ChangeSet {
     std::span<const FaceId> flipped;    ///< Faces that turned, each once.
     std::span<const EdgeId> added;      ///< Edges that joined the silhouette, each once.
     std::span<const EdgeId> removed;    ///< Edges that left it, each once.
-    std::span<const SlotWrite> slots;   ///< Final value of each slot in use that changed, each once.
-    std::span<const WordWrite> words;   ///< Final value of each word of face bits that changed, each once.
-    TraversalCounters counters;         ///< Work done.
+    std::span<const SlotWrite> slots;  ///< Final value of each slot in use that changed, each once.
+    std::span<const WordWrite>
+        words;                   ///< Final value of each word of face bits that changed, each once.
+    TraversalCounters counters;  ///< Work done.
 };
 
 }  // namespace rimline

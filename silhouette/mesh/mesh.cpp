@@ -51,8 +51,8 @@ std::vector<std::uint32_t> first_equal_position(const std::vector<glm::vec3>& po
 struct HalfEdge {
     std::uint32_t far_vertex;  // The greater of its two vertices; the lesser names the bucket.
     std::uint32_t face;
-    std::uint8_t corner;    // It runs from this corner to the next.
-    bool ascending;         // It runs from the lesser vertex to the greater.
+    std::uint8_t corner;  // It runs from this corner to the next.
+    bool ascending;       // It runs from the lesser vertex to the greater.
 };
 
 // Half-edges by lesser vertex, then greater, then face.
@@ -61,9 +61,7 @@ struct SortedHalfEdges {
     std::vector<HalfEdge> half_edges;
 };
 
-bool has_equal_corners(const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
+bool has_equal_corners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32_t vertex_count) {
     SortedHalfEdges sorted;

@@ -80,7 +80,9 @@ public:
     }
 
     /// The file's number of a vertex: of equal positions, the first in the file.
-    std::uint32_t file_vertex(VertexId vertex) const noexcept { return file_vertex_[index(vertex)]; }
+    std::uint32_t file_vertex(VertexId vertex) const noexcept {
+        return file_vertex_[index(vertex)];
+    }
     std::uint32_t file_vertex_count() const noexcept { return file_vertex_count_; }
     std::uint32_t degenerate_face_count() const noexcept { return degenerate_face_count_; }
     /// Sets of faces connected through edges.

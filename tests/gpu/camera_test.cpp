@@ -12,14 +12,18 @@ namespace {
 glm::dvec3 project(const Camera& camera, const Projection& projection, const glm::dvec3& point) {
     const glm::dvec3 eye = camera_from_world(camera) * (point - camera.eye);
     const double w = projection.w[0] * eye.z + projection.w[1];
-    return glm::dvec3(glm::dvec2(eye) * projection.scale, projection.z[0] * eye.z + projection.z[1]) /
+    return glm::dvec3(glm::dvec2(eye) * projection.scale,
+                      projection.z[0] * eye.z + projection.z[1]) /
            w;
 }
 
 TEST_CASE("the target lands in the middle, up is up and right is right") {
     for (const double ortho : {0.0, 5.0}) {
-        const Camera camera{.eye = {3, 4, 5}, .target = {1, 0, -1}, .up = {0, 1, 0},
-                            .fov_y_deg = 50, .ortho_height = ortho};
+        const Camera camera{.eye = {3, 4, 5},
+                            .target = {1, 0, -1},
+                            .up = {0, 1, 0},
+                            .fov_y_deg = 50,
+                            .ortho_height = ortho};
         const Projection projection = make_projection(camera, 1.5, {0, 0, 0}, 3.0);
         const glm::dvec3 middle = project(camera, projection, camera.target);
         CHECK(middle.x == doctest::Approx(0.0));
@@ -42,7 +46,8 @@ TEST_CASE("the edge of the field of view is the edge of the picture") {
     CHECK(project(flat, flat_projection, {4, 0, 0.5}).x == doctest::Approx(1.0));
 }
 
-TEST_CASE("depth is reversed: nearer is greater, infinity is zero, all of the scene is within 0 and 1") {
+TEST_CASE(
+    "depth is reversed: nearer is greater, infinity is zero, all of the scene is within 0 and 1") {
     const Camera camera{.eye = {0, 0, 5}, .target = {0, 0, 0}, .up = {0, 1, 0}};
     const Projection projection = make_projection(camera, 1.0, {0, 0, 0}, 1.0);
     CHECK(project(camera, projection, {0, 0, 1}).z > project(camera, projection, {0, 0, -1}).z);

@@ -25,7 +25,8 @@ GpuState read_state(const DeviceContext& context, const ChangeStream& stream,
     state.face_words.resize(word_count);
     read_buffer(context, stream.slots(), std::as_writable_bytes(std::span(state.slots)));
     read_buffer(context, stream.face_words(), std::as_writable_bytes(std::span(state.face_words)));
-    read_buffer(context, stream.arguments(), std::as_writable_bytes(std::span(&state.arguments, 1)));
+    read_buffer(context, stream.arguments(),
+                std::as_writable_bytes(std::span(&state.arguments, 1)));
     return state;
 }
 

@@ -26,13 +26,15 @@ TEST_CASE("what is uploaded can be read back") {
     RIMLINE_OPEN_GPU(gpu);
     std::vector<std::uint32_t> sent(100'001);
     for (std::uint32_t i = 0; i < sent.size(); ++i) sent[i] = i * 2654435761u;
-    const Buffer buffer = upload_buffer(gpu->context(), std::span<const std::uint32_t>(sent), "test");
+    const Buffer buffer =
+        upload_buffer(gpu->context(), std::span<const std::uint32_t>(sent), "test");
     std::vector<std::uint32_t> received(sent.size());
     read_buffer(gpu->context(), buffer, std::as_writable_bytes(std::span(received)));
     CHECK(received == sent);
 }
 
-TEST_CASE("a buffer beyond the device's memory and an image beyond its limit are errors that say so") {
+TEST_CASE(
+    "a buffer beyond the device's memory and an image beyond its limit are errors that say so") {
     RIMLINE_OPEN_GPU(gpu);
     CHECK_THROWS_WITH_AS(
         Buffer(gpu->context(), VkDeviceSize{1} << 46, BufferPlace::device, "a model"),

@@ -26,9 +26,7 @@ std::vector<HomogeneousPoint> points_of(const Mesh& mesh, std::uint32_t count, s
                 break;
             case 1: points.push_back(HomogeneousPoint::viewpoint(vertex())); break;
             case 2: points.push_back(HomogeneousPoint::direction(glm::vec3(v))); break;
-            default:
-                points.push_back(HomogeneousPoint::direction(vertex() - vertex()));
-                break;
+            default: points.push_back(HomogeneousPoint::direction(vertex() - vertex())); break;
         }
     }
     return points;
@@ -65,8 +63,8 @@ TEST_CASE("the GPU's face bits equal the CPU's on planes whose sides hang on the
     std::uint32_t fronts = 0;
     for (int i = 0; i < 20; ++i) {
         const HomogeneousPoint point = i % 2 == 0
-            ? HomogeneousPoint::viewpoint({unit(), unit(), unit()})
-            : HomogeneousPoint::direction({unit(), unit(), unit()});
+                                           ? HomogeneousPoint::viewpoint({unit(), unit(), unit()})
+                                           : HomogeneousPoint::direction({unit(), unit(), unit()});
         std::vector<Plane> planes;
         for (int f = 0; f < 50'000; ++f) {
             Plane plane{unit(), unit(), unit(), 0.0f};

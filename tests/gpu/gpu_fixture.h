@@ -56,7 +56,7 @@ private:
 }  // namespace rimline::tests
 
 /// Defines `gpu`, or ends the test case as skipped.
-#define RIMLINE_OPEN_GPU(gpu)                                                          \
-    std::string gpu##_reason;                                                          \
+#define RIMLINE_OPEN_GPU(gpu)                                                                 \
+    std::string gpu##_reason;                                                                 \
     const std::unique_ptr<rimline::tests::Gpu> gpu = rimline::tests::Gpu::open(gpu##_reason); \
     if (!gpu) RIMLINE_SKIP(gpu##_reason)

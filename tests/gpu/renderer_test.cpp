@@ -44,7 +44,8 @@ TEST_CASE("the same scene gives the same picture, and what it holds follows the 
     CHECK(renderer.report().bytes_streamed == 0);
     CHECK(first.rgba == second.rgba);
     // There is paper, ink, light and shadow in it.
-    CHECK(agreement(first, Picture{128, 128, std::vector<std::uint8_t>(first.rgba.size(), 0)}) < 0.5);
+    CHECK(agreement(first, Picture{128, 128, std::vector<std::uint8_t>(first.rgba.size(), 0)}) <
+          0.5);
 }
 
 TEST_CASE("a camera that moves frame by frame draws what a fresh renderer draws") {

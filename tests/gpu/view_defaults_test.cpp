@@ -28,8 +28,8 @@ TEST_CASE("a fitted perspective camera holds every vertex with the margin, and n
                 CAPTURE(name);
                 CAPTURE(aspect);
                 const Mesh mesh(make_built_in_shape(name, 2000));
-                const Camera camera =
-                    fit_camera({.up = up, .fov_y_deg = 35}, mesh, default_view_direction(up), aspect);
+                const Camera camera = fit_camera({.up = up, .fov_y_deg = 35}, mesh,
+                                                 default_view_direction(up), aspect);
                 const glm::dvec2 extent = extent_on_screen(camera, mesh, aspect);
                 CHECK(std::max(extent.x, extent.y) == doctest::Approx(1.0 / 1.06).epsilon(1e-6));
             }

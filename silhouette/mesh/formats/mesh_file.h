@@ -6,6 +6,11 @@
 // Nothing is guessed and nothing is dropped in silence: a file gives exactly what its bytes say or an
 // Error that names the file and the line or byte, and what is wrong there. No allocation is sized by a
 // count that the file's own length does not bear out. Polygons are triangulated (triangulate.h).
+//
+// Vertices are numbered as the file numbers them; STL: 3 * facet + corner; glTF: primitives in scene
+// order, once for each node that names them. Left aside, as they say nothing about where faces lie:
+// normals, colours, texture coordinates, materials, images, lines, and glTF's skins and morph targets,
+// which stay at rest.
 
 #include <filesystem>
 
@@ -20,9 +25,10 @@ enum class FaceRequirement {
     faces_or_points,  ///< A file of points only is welcome too.
 };
 
-/// Throws Error{bad_input}, Error{io} or Error{cancelled}; its message begins with the path and,
-/// where there is one, the place: "bunny.obj:17: ...", "igea.ply: byte 4096: ...".
-/// Cost: O(file), at most a few times its length in memory.
+/// Throws Error{bad_input}, Error{io}, Error{too_large} or Error{cancelled}; but for the last its
+/// message begins with the path and, where there is one, the place: "bunny.obj:17: ...",
+/// "igea.ply: byte 4096: ...", "duck.gltf: accessors[3].count: ...".
+/// Cost: O(file), at most a few times its length in memory; glTF instances count each time.
 MeshSource read_mesh_file(const std::filesystem::path& path,
                           FaceRequirement requirement = FaceRequirement::faces,
                           const LongCall& call = {});

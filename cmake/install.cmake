@@ -1,0 +1,27 @@
+# What `cmake --install` puts down beside the program: the libraries that were built, their headers
+# under include/rimline/, and the package that find_package(Rimline) reads. Included last, when all
+# targets are known.
+include(CMakePackageConfigHelpers)
+
+set(rimline_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Rimline)
+
+install(TARGETS rimline_silhouette EXPORT RimlineTargets)
+install(DIRECTORY silhouette DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
+    FILES_MATCHING PATTERN "*.h")
+set(RIMLINE_HAS_ENGINE OFF)
+if(TARGET rimline_engine)
+    set(RIMLINE_HAS_ENGINE ON)
+    install(TARGETS rimline_engine EXPORT RimlineTargets)
+    # The engine's headers name the layouts they share with the shaders.
+    install(DIRECTORY engine shaders DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
+        FILES_MATCHING PATTERN "*.h")
+endif()
+
+install(EXPORT RimlineTargets NAMESPACE rimline:: DESTINATION ${rimline_package_folder})
+configure_package_config_file(cmake/RimlineConfig.cmake.in ${PROJECT_BINARY_DIR}/RimlineConfig.cmake
+    INSTALL_DESTINATION ${rimline_package_folder})
+# Nothing is promised between 0.x versions.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/RimlineConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/RimlineConfig.cmake ${PROJECT_BINARY_DIR}/RimlineConfigVersion.cmake
+    DESTINATION ${rimline_package_folder})

@@ -1,0 +1,87 @@
+#pragma once
+
+// The strict scanner of the binary formats: values of a given type and byte order, none of them past
+// the end of the bytes.
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "silhouette/mesh/formats/source_file.h"
+
+namespace rimline {
+
+enum class ScalarType : std::uint8_t {
+    int8,
+    uint8,
+    int16,
+    uint16,
+    int32,
+    uint32,
+    float32,
+    float64
+};
+
+constexpr std::size_t size_bytes(ScalarType type) noexcept {
+    switch (type) {
+        case ScalarType::int8:
+        case ScalarType::uint8: return 1;
+        case ScalarType::int16:
+        case ScalarType::uint16: return 2;
+        case ScalarType::int32:
+        case ScalarType::uint32:
+        case ScalarType::float32: return 4;
+        case ScalarType::float64: return 8;
+    }
+    return 0;
+}
+
+/// The value at `bytes`, which hold all of it. Every scalar type's values are doubles exactly.
+double load_scalar(const char* bytes, ScalarType type, std::endian order) noexcept;
+
+class ByteScanner {
+public:
+    /// `name` and `bytes` must outlive the scanner, which starts at `offset`, within them.
+    ByteScanner(std::string_view name, std::string_view bytes, std::size_t offset,
+                std::endian order) noexcept
+        : name_(name), bytes_(bytes), at_(offset), order_(order) {}
+
+    /// The next value. `what` names it in errors.
+    double number(ScalarType type, const char* what) {
+        need(size_bytes(type), what);
+        const double value = load_scalar(bytes_.data() + at_, type, order_);
+        at_ += size_bytes(type);
+        return value;
+    }
+    /// The next value as a coordinate: finite and within k_max_coordinate.
+    float coordinate(ScalarType type, const char* what);
+    /// The next value as an integer, whatever its type.
+    std::int64_t integer(ScalarType type, const char* what);
+    /// Steps over `count` elements of `size` bytes.
+    void skip(std::uint64_t count, std::size_t size, const char* what) {
+        if (size != 0 && count > remaining() / size) fail_truncated(what);
+        at_ += static_cast<std::size_t>(count) * size;
+    }
+
+    std::size_t offset() const noexcept { return at_; }
+    std::size_t remaining() const noexcept { return bytes_.size() - at_; }
+    double share() const noexcept {
+        return bytes_.empty() ? 1.0 : static_cast<double>(at_) / static_cast<double>(bytes_.size());
+    }
+    [[noreturn]] void fail(const std::string& what) const { bad_byte(name_, at_, what); }
+
+private:
+    void need(std::size_t size, const char* what) const {
+        if (remaining() < size) fail_truncated(what);
+    }
+    [[noreturn]] void fail_truncated(const char* what) const;
+
+    std::string_view name_;
+    std::string_view bytes_;
+    std::size_t at_;
+    std::endian order_;
+};
+
+}  // namespace rimline

@@ -1,0 +1,373 @@
+// glTF 2 and GLB: gltf_scene.h makes sure of the document, tinygltf builds the model and decodes its
+// buffers, gltf_accessor.h reads the numbers, and the node tree is flattened here.
+//
+// A mesh that two nodes name is there twice. Transforms are applied in double and rounded once. One
+// that mirrors turns triangles inside out, so their corners are turned round again. Skins and morph
+// targets stay at rest. Primitives of points and lines give vertices only; a primitive without
+// positions gives nothing, as the format says.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <set>
+
+#include "silhouette/mesh/formats/byte_scanner.h"
+#include "silhouette/mesh/formats/gltf_accessor.h"
+#include "silhouette/mesh/formats/gltf_scene.h"
+#include "silhouette/mesh/formats/readers.h"
+#include "silhouette/mesh/formats/tinygltf.h"
+#include "silhouette/mesh/homogeneous_point.h"
+
+namespace rimline {
+
+namespace {
+
+// Instances multiply what a file holds; beyond these the machine would be out of memory first.
+constexpr std::size_t k_max_vertices = std::size_t{1} << 28;
+constexpr std::size_t k_max_triangles = std::size_t{1} << 28;
+
+// Where tinygltf gets its buffers from.
+struct Buffers {
+    const SourceFile& file;
+    const GltfScene& scene;
+    std::string_view binary_chunk;
+    std::uint64_t bytes_read = 0;
+
+    [[noreturn]] void fail(std::size_t i, const std::string& what) const {
+        bad_file(file.name, "buffers[" + std::to_string(i) + "]: " + what);
+    }
+
+    void check_uris() const {
+        std::set<std::string_view> seen;
+        for (std::size_t i = 0; i < scene.buffers.size(); ++i) {
+            const GltfBuffer& buffer = scene.buffers[i];
+            if (buffer.size_bytes == 0) fail(i, "byteLength is 0");
+            if (buffer.uri.starts_with("data:")) continue;
+            if (buffer.uri.empty() && (i != 0 || binary_chunk.data() == nullptr))
+                fail(i, "has no uri, and there is no binary chunk for it");
+            if (!seen.insert(buffer.uri).second) fail(i, "another buffer has the same uri");
+        }
+    }
+
+    // %20 and its kind.
+    std::string decoded(std::size_t i) const {
+        const std::string& uri = scene.buffers[i].uri;
+        const auto digit = [&](std::size_t at) {
+            const char c = at < uri.size() ? uri[at] : '\0';
+            if (c >= '0' && c <= '9') return c - '0';
+            if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+            if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+            fail(i, "uri " + excerpt(uri) + " has a bad escape");
+        };
+        std::string text;
+        for (std::size_t at = 0; at < uri.size(); ++at) {
+            if (uri[at] != '%') {
+                text += uri[at];
+                continue;
+            }
+            text += static_cast<char>(digit(at + 1) * 16 + digit(at + 2));
+            at += 2;
+        }
+        return text;
+    }
+
+    void read(std::size_t i, std::vector<unsigned char>& out) {
+        const GltfBuffer& buffer = scene.buffers[i];
+        SourceFile external;
+        std::string_view bytes = binary_chunk;
+        if (!buffer.uri.empty()) {
+            if (buffer.uri.size() > 4096) fail(i, "uri is longer than a path can be");
+            const std::filesystem::path relative = decoded(i);
+            const bool leaves = std::any_of(relative.begin(), relative.end(), [](const auto& part) {
+                return part == ".." || part.string().find('\0') != std::string::npos;
+            });
+            if (relative.is_absolute() || leaves || buffer.uri.find(':') != std::string::npos)
+                fail(i, "uri " + excerpt(buffer.uri) + " does not name a file beside this one");
+            try {
+                external = read_source_file(file.folder / relative, {});
+            } catch (const Error& e) {
+                throw Error(e.code(),
+                            file.name + ": buffers[" + std::to_string(i) + "]: " + e.what());
+            }
+            bytes = external.bytes;
+        }
+        if (bytes.size() < buffer.size_bytes)
+            fail(i, "byteLength is " + std::to_string(buffer.size_bytes) + " but " +
+                        (buffer.uri.empty() ? "the binary chunk" : excerpt(buffer.uri)) +
+                        " has only " + std::to_string(bytes.size()) + " bytes");
+        bytes_read += buffer.size_bytes;
+        bytes = bytes.substr(0, buffer.size_bytes);
+        out.assign(bytes.begin(), bytes.end());
+    }
+};
+
+tinygltf::Model parse_model(const SourceFile& file, const GltfScene& scene, Buffers& buffers) {
+    buffers.check_uris();
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks(
+        {[](const std::string&, void*) { return true; },
+         [](const std::string& path, void*) { return path; },
+         [](std::vector<unsigned char>* out, std::string*, const std::string& path, void* user) {
+             // gltf_scene.h wrote the name: a buffer's number. A folder would stand before it.
+             static_cast<Buffers*>(user)->read(std::stoul(path), *out);
+             return true;
+         },
+         nullptr, &buffers});
+    tinygltf::Model model;
+    std::string error;
+    std::string warning;
+    if (scene.document.size() > 0xffffffffu)
+        throw Error(ErrorCode::too_large, file.name + ": its JSON is larger than 4 GiB");
+    bool done = false;
+    try {
+        done = parser.LoadASCIIFromString(&model, &error, &warning, scene.document.data(),
+                                          static_cast<unsigned>(scene.document.size()), "");
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        error = e.what();
+    }
+    if (!done) {
+        std::replace(error.begin(), error.end(), '\n', ' ');
+        bad_file(file.name, "tinygltf cannot read it: " + error);
+    }
+    return model;
+}
+
+glm::dmat4 local_transform(const std::string& file, const tinygltf::Node& node,
+                           std::size_t number) {
+    const auto fail = [&](const char* what) {
+        bad_file(file, "nodes[" + std::to_string(number) + "]: " + what);
+    };
+    glm::dmat4 m(1.0);
+    if (node.matrix.size() == 16) {
+        for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+        if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0)
+            fail("its matrix is not affine: the last row should be 0 0 0 1");
+        return m;
+    }
+    if (node.rotation.size() == 4) {
+        const glm::dquat q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        const double length = glm::length(q);
+        if (!(length > 0.0) || !std::isfinite(length)) fail("its rotation is not a quaternion");
+        m = glm::mat4_cast(q / length);
+    }
+    if (node.scale.size() == 3)
+        for (int i = 0; i < 3; ++i) m[i] *= node.scale[static_cast<std::size_t>(i)];
+    if (node.translation.size() == 3)
+        for (int i = 0; i < 3; ++i) m[3][i] = node.translation[static_cast<std::size_t>(i)];
+    return m;
+}
+
+class Flattener {
+public:
+    Flattener(const SourceFile& file, const tinygltf::Model& model, std::uint64_t file_bytes,
+              const LongCall& call)
+        : file_(file.name), model_(model), call_(call), accessors_(file_, model, file_bytes) {}
+
+    MeshSource run() {
+        if (model_.nodes.empty()) {
+            for (std::size_t i = 0; i < model_.meshes.size(); ++i) add_mesh(i, glm::dmat4(1.0));
+            return std::move(source_);
+        }
+        visited_.assign(model_.nodes.size(), false);
+        std::vector<int> roots = root_nodes();
+        // A stack of our own: a chain of nodes may be as long as the file.
+        std::vector<Visit> stack;
+        const auto push = [&](const std::vector<int>& numbers, const glm::dmat4& parent) {
+            for (auto i = numbers.rbegin(); i != numbers.rend(); ++i) stack.push_back({*i, parent});
+        };
+        push(roots, glm::dmat4(1.0));
+        while (!stack.empty()) {
+            const Visit visit = stack.back();
+            stack.pop_back();
+            const std::size_t number = checked_node(visit.node);
+            const tinygltf::Node& node = model_.nodes[number];
+            const glm::dmat4 transform = visit.parent * local_transform(file_, node, number);
+            if (node.mesh >= 0) {
+                if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
+                    bad_file(file_, "nodes[" + std::to_string(number) + "].mesh: mesh " +
+                                        std::to_string(node.mesh) + " does not exist");
+                add_mesh(static_cast<std::size_t>(node.mesh), transform);
+            }
+            push(node.children, transform);
+        }
+        return std::move(source_);
+    }
+
+private:
+    struct Visit {
+        int node;
+        glm::dmat4 parent;
+    };
+
+    // The default scene, else the first, else every node that is nobody's child.
+    std::vector<int> root_nodes() const {
+        if (model_.defaultScene >= 0 || !model_.scenes.empty()) {
+            const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
+            if (scene >= model_.scenes.size())
+                bad_file(file_, "scene: scene " + std::to_string(scene) + " does not exist");
+            return model_.scenes[scene].nodes;
+        }
+        std::vector<bool> is_child(model_.nodes.size(), false);
+        for (const tinygltf::Node& node : model_.nodes)
+            for (const int child : node.children)
+                if (static_cast<std::size_t>(child) < is_child.size())
+                    is_child[static_cast<std::size_t>(child)] = true;
+        std::vector<int> roots;
+        for (std::size_t i = 0; i < is_child.size(); ++i)
+            if (!is_child[i]) roots.push_back(static_cast<int>(i));
+        if (roots.empty())
+            bad_file(file_, "nodes: every node is another's child; they form a cycle");
+        return roots;
+    }
+
+    std::size_t checked_node(int node) {
+        const auto number = static_cast<std::size_t>(node);
+        if (node < 0 || number >= model_.nodes.size())
+            bad_file(file_, "nodes: node " + std::to_string(node) + " does not exist");
+        if (visited_[number])
+            bad_file(file_, "nodes[" + std::to_string(number) +
+                                "]: is reached twice; nodes should form trees, without cycles");
+        visited_[number] = true;
+        return number;
+    }
+
+    void add_mesh(std::size_t mesh, const glm::dmat4& transform) {
+        const auto& primitives = model_.meshes[mesh].primitives;
+        for (std::size_t p = 0; p < primitives.size(); ++p) {
+            // How many instances follow is not known: only cancellation is asked for.
+            if (call_.stop.stop_requested()) parse_checkpoint(call_, 1.0);
+            place_ = "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(p) + "]";
+            add_primitive(primitives[p], transform);
+        }
+    }
+
+    [[noreturn]] void fail(const std::string& what) const { bad_file(file_, place_ + ": " + what); }
+
+    void add_primitive(const tinygltf::Primitive& primitive, const glm::dmat4& transform) {
+        const auto position = primitive.attributes.find("POSITION");
+        if (position == primitive.attributes.end()) return;
+        const std::vector<glm::dvec3> positions = accessors_.positions(position->second);
+        if (positions.size() > k_max_vertices - source_.positions.size())
+            throw Error(ErrorCode::too_large,
+                        file_ + ": its instances have more than 2^28 vertices together");
+        const auto first = static_cast<std::uint32_t>(source_.positions.size());
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const glm::dvec3 p(transform * glm::dvec4(positions[i], 1.0));
+            for (int axis = 0; axis < 3; ++axis)
+                if (!(std::abs(p[axis]) <= static_cast<double>(k_max_coordinate)))
+                    fail("vertex " + std::to_string(i) + " is " +
+                         (std::isfinite(p[axis]) ? "beyond 2^60 in size; scale the model down"
+                                                 : "not a finite position"));
+            source_.positions.emplace_back(p);
+        }
+
+        std::vector<std::uint32_t> corners;
+        const auto indices = primitive.attributes.find(k_gltf_indices);
+        if (indices != primitive.attributes.end()) {
+            corners = accessors_.indices(indices->second);
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                if (corners[i] >= positions.size())
+                    fail("index " + std::to_string(corners[i]) + " (number " + std::to_string(i) +
+                         ") is out of range; there are " + std::to_string(positions.size()) +
+                         " vertices");
+        } else {
+            corners.resize(positions.size());
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                corners[i] = static_cast<std::uint32_t>(i);
+        }
+        const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
+        add_triangles(primitive.mode, corners, first, mirrored);
+    }
+
+    void add_triangles(int mode, const std::vector<std::uint32_t>& corners, std::uint32_t first,
+                       bool mirrored) {
+        if (mode < TINYGLTF_MODE_POINTS || mode > TINYGLTF_MODE_TRIANGLE_FAN)
+            fail("mode " + std::to_string(mode) + " is not glTF's");
+        if (mode < TINYGLTF_MODE_TRIANGLES) return;
+        const bool separate = mode == TINYGLTF_MODE_TRIANGLES;
+        const std::size_t n = corners.size();
+        if (separate ? n % 3 != 0 : n < 3)
+            fail(std::to_string(n) + " corners do not make triangles");
+        const std::size_t count = separate ? n / 3 : n - 2;
+        if (count > k_max_triangles - source_.triangles.size())
+            throw Error(ErrorCode::too_large,
+                        file_ + ": its instances have more than 2^28 triangles together");
+        for (std::size_t i = 0; i < count; ++i) {
+            std::array<std::size_t, 3> at{3 * i, 3 * i + 1, 3 * i + 2};
+            if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) at = {i, i + 1 + i % 2, i + 2 - i % 2};
+            if (mode == TINYGLTF_MODE_TRIANGLE_FAN) at = {i + 1, i + 2, 0};
+            if (mirrored) std::swap(at[1], at[2]);
+            source_.triangles.push_back(
+                {first + corners[at[0]], first + corners[at[1]], first + corners[at[2]]});
+        }
+    }
+
+    const std::string& file_;
+    const tinygltf::Model& model_;
+    const LongCall& call_;
+    GltfAccessors accessors_;
+    MeshSource source_;
+    std::vector<bool> visited_;
+    std::string place_;
+};
+
+MeshSource read_document(const SourceFile& file, std::string_view json, std::size_t first_byte,
+                         std::string_view binary_chunk, const LongCall& call) {
+    const GltfScene scene = read_gltf_scene(file.name, json, first_byte);
+    parse_checkpoint(call, 0.3);
+    Buffers buffers{file, scene, binary_chunk};
+    const tinygltf::Model model = parse_model(file, scene, buffers);
+    parse_checkpoint(call, 0.6);
+    return Flattener(file, model, file.bytes.size() + buffers.bytes_read, call).run();
+}
+
+}  // namespace
+
+MeshSource read_gltf(const SourceFile& file, const LongCall& call) {
+    return read_document(file, file.bytes, 0, {}, call);
+}
+
+// A GLB is a header (magic, version, length) and chunks (length, type, bytes): JSON, then perhaps BIN.
+MeshSource read_glb(const SourceFile& file, const LongCall& call) {
+    constexpr std::uint32_t k_json = 0x4e4f534a;
+    constexpr std::uint32_t k_bin = 0x004e4942;
+    const std::string_view bytes = file.bytes;
+    ByteScanner scanner(file.name, bytes, 4, std::endian::little);
+    const auto word = [&](const char* what) {
+        return static_cast<std::uint64_t>(scanner.integer(ScalarType::uint32, what));
+    };
+    const std::uint64_t version = word("the GLB header");
+    if (version != 2)
+        bad_byte(file.name, 4,
+                 "GLB version " + std::to_string(version) + " is not supported; version 2 is");
+    if (const std::uint64_t length = word("the GLB header"); length != bytes.size())
+        bad_byte(file.name, 8,
+                 "the header says " + std::to_string(length) + " bytes, the file has " +
+                     std::to_string(bytes.size()) + "; it is truncated or damaged");
+    std::string_view json;
+    std::string_view binary;
+    std::size_t json_begin = 0;
+    for (int chunk = 0; scanner.remaining() != 0; ++chunk) {
+        const std::uint64_t size = word("a chunk's header");
+        const std::uint64_t type = word("a chunk's header");
+        const std::size_t begin = scanner.offset();
+        scanner.skip(1, size, "a chunk");
+        if (chunk == 0) {
+            if (type != k_json) bad_byte(file.name, begin - 4, "the first chunk is not JSON");
+            json = bytes.substr(begin, size);
+            json_begin = begin;
+        } else if (chunk == 1 && type == k_bin) {
+            binary = bytes.substr(begin, size);
+        }
+    }
+    if (json.empty()) scanner.fail("there is no JSON chunk");
+    return read_document(file, json, json_begin, binary, call);
+}
+
+}  // namespace rimline

@@ -1,0 +1,47 @@
+#pragma once
+
+// The numbers an accessor of a glTF model names, with every bound checked against the bytes there are.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace tinygltf {
+struct Accessor;
+class Model;
+}  // namespace tinygltf
+
+namespace rimline {
+
+class GltfAccessors {
+public:
+    /// `file` and `model` must outlive this. `file_bytes` is the size of the file and its buffers: an
+    /// accessor without a buffer view is as many zeros as it says, and may not say more than that.
+    GltfAccessors(const std::string& file, const tinygltf::Model& model, std::uint64_t file_bytes)
+        : file_(file), model_(model), file_bytes_(file_bytes) {}
+
+    /// Three numbers an element, of any component type, normalised where the accessor says so.
+    std::vector<glm::dvec3> positions(int accessor) const;
+    /// One unsigned integer an element.
+    std::vector<std::uint32_t> indices(int accessor) const;
+
+private:
+    const tinygltf::Accessor& accessor_of_type(int accessor, int type, const char* name) const;
+    // Elements that lie `stride` bytes apart.
+    struct Elements {
+        const char* bytes;
+        std::size_t stride;
+    };
+    std::vector<double> numbers(int accessor, int width) const;
+    Elements elements(int accessor, const char* part, int view, std::uint64_t offset,
+                      std::uint64_t count, std::size_t element_bytes, bool may_stride) const;
+    void apply_sparse(int accessor, int width, std::vector<double>& values) const;
+    [[noreturn]] void fail(int accessor, const std::string& what) const;
+
+    const std::string& file_;
+    const tinygltf::Model& model_;
+    std::uint64_t file_bytes_;
+};
+
+}  // namespace rimline

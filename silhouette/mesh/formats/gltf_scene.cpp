@@ -1,0 +1,225 @@
+#include "silhouette/mesh/formats/gltf_scene.h"
+
+#include <array>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace rimline {
+
+namespace {
+
+using nlohmann::json;
+
+// A value of the document with the path that leads to it, for messages.
+class Place {
+public:
+    Place(const std::string& file, const json& value, std::string path = {})
+        : file_(file), value_(value), path_(std::move(path)) {}
+
+    const json& value() const noexcept { return value_; }
+    [[noreturn]] void fail(const std::string& what) const {
+        bad_file(file_, (path_.empty() ? "the document" : path_) + ": " + what);
+    }
+
+    const Place& object() const {
+        if (!value_.is_object()) fail("should be an object");
+        return *this;
+    }
+    std::optional<Place> find(const char* key) const {
+        const auto found = value_.find(key);
+        if (found == value_.end()) return std::nullopt;
+        return Place(file_, *found, path_.empty() ? key : path_ + "." + key);
+    }
+    Place at(const char* key) const {
+        if (auto found = find(key)) return *found;
+        fail(std::string("has no '") + key + "'");
+    }
+    std::vector<Place> items() const {
+        if (!value_.is_array()) fail("should be an array");
+        std::vector<Place> places;
+        places.reserve(value_.size());
+        for (std::size_t i = 0; i < value_.size(); ++i)
+            places.emplace_back(file_, value_[i], path_ + "[" + std::to_string(i) + "]");
+        return places;
+    }
+    /// The objects of an array that may be missing.
+    std::vector<Place> objects(const char* key) const {
+        std::vector<Place> places;
+        if (const auto array = find(key)) places = array->items();
+        for (const Place& place : places) place.object();
+        return places;
+    }
+
+    std::string string() const {
+        if (!value_.is_string()) fail("should be a string");
+        return value_.get<std::string>();
+    }
+    // tinygltf keeps most of them in an int.
+    std::int64_t integer() const {
+        if (!value_.is_number_unsigned()) fail("should be an integer, 0 or greater");
+        const auto i = value_.get<std::uint64_t>();
+        if (i > 0x7fffffff) fail(std::to_string(i) + " is too large; it should be below 2^31");
+        return static_cast<std::int64_t>(i);
+    }
+    bool boolean() const {
+        if (!value_.is_boolean()) fail("should be true or false");
+        return value_.get<bool>();
+    }
+    json numbers(std::size_t count) const {
+        const std::vector<Place> places = items();
+        if (places.size() != count) fail("should have " + std::to_string(count) + " numbers");
+        for (const Place& place : places)
+            if (!place.value().is_number()) place.fail("should be a number");
+        return value_;
+    }
+    json integers() const {
+        for (const Place& place : items()) place.integer();
+        return value_;
+    }
+
+private:
+    const std::string& file_;
+    const json& value_;
+    std::string path_;
+};
+
+void copy_integers(const Place& from, json& to, std::initializer_list<const char*> required,
+                   std::initializer_list<const char*> optional) {
+    for (const char* key : required) to[key] = from.at(key).integer();
+    for (const char* key : optional)
+        if (const auto place = from.find(key)) to[key] = place->integer();
+}
+
+json accessor(const Place& place) {
+    json copy;
+    copy_integers(place, copy, {"componentType", "count"}, {"bufferView", "byteOffset"});
+    copy["type"] = place.at("type").string();
+    if (const auto normalized = place.find("normalized"))
+        copy["normalized"] = normalized->boolean();
+    if (const auto sparse = place.find("sparse")) {
+        json& s = copy["sparse"];
+        copy_integers(sparse->object(), s, {"count"}, {});
+        copy_integers(sparse->at("indices").object(), s["indices"], {"bufferView", "componentType"},
+                      {"byteOffset"});
+        copy_integers(sparse->at("values").object(), s["values"], {"bufferView"}, {"byteOffset"});
+    }
+    return copy;
+}
+
+json mesh(const Place& place) {
+    json primitives = json::array();
+    const std::vector<Place> places = place.at("primitives").items();
+    if (places.empty()) place.fail("has no primitives");
+    for (const Place& primitive : places) {
+        json copy;
+        copy_integers(primitive.object(), copy, {}, {"mode"});
+        json& attributes = copy["attributes"] = json::object();
+        copy_integers(primitive.at("attributes").object(), attributes, {}, {"POSITION"});
+        if (const auto indices = primitive.find("indices"))
+            attributes[k_gltf_indices] = indices->integer();
+        primitives.push_back(std::move(copy));
+    }
+    return {{"primitives", std::move(primitives)}};
+}
+
+json node(const Place& place) {
+    json copy = json::object();
+    copy_integers(place, copy, {}, {"mesh"});
+    if (const auto children = place.find("children")) copy["children"] = children->integers();
+    const auto matrix = place.find("matrix");
+    if (matrix) copy["matrix"] = matrix->numbers(16);
+    for (const auto& [key, count] : {std::pair{"translation", 3}, {"rotation", 4}, {"scale", 3}}) {
+        const auto part = place.find(key);
+        if (!part) continue;
+        if (matrix) part->fail("stands beside a matrix; a node has one or the other");
+        copy[key] = part->numbers(static_cast<std::size_t>(count));
+    }
+    return copy;
+}
+
+// Extensions that say nothing about where triangles lie, or nothing that is not done here.
+bool is_harmless(std::string_view extension) noexcept {
+    for (const std::string_view prefix :
+         {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
+          "EXT_lights_", "KHR_mesh_quantization", "KHR_xmp", "KHR_animation_", "ADOBE_materials_"})
+        if (extension.starts_with(prefix)) return true;
+    return false;
+}
+
+void check_version_and_extensions(const Place& root) {
+    const Place asset = root.at("asset").object();
+    const std::string version = asset.at("version").string();
+    if (!version.starts_with("2."))
+        asset.fail("glTF version " + excerpt(version) + " is not supported; version 2 is");
+    if (const auto required = root.find("extensionsRequired"))
+        for (const Place& extension : required->items())
+            if (!is_harmless(extension.string()))
+                extension.fail("the file requires the extension " + excerpt(extension.string()) +
+                               ", which is not supported; export it without");
+    if (const auto used = root.find("extensionsUsed"))
+        for (const Place& extension : used->items())
+            if (extension.string() == "EXT_mesh_gpu_instancing")
+                extension.fail(
+                    "instances by EXT_mesh_gpu_instancing are not supported; export "
+                    "them as nodes");
+}
+
+// Deeper than any glTF; what recurses over a document is safe below it.
+constexpr int k_max_depth = 64;
+
+json parse(const std::string& name, std::string_view text, std::size_t first_byte) {
+    const auto check_depth = [&](int depth, json::parse_event_t, json&) {
+        if (depth > k_max_depth)
+            bad_file(name, "the document nests more than 64 levels deep, which no glTF does");
+        return true;
+    };
+    try {
+        return json::parse(text.begin(), text.end(), check_depth);
+    } catch (const json::parse_error& e) {
+        bad_byte(name, first_byte + std::min(e.byte, text.size()),
+                 "this is not JSON; the file is truncated or damaged");
+    } catch (const json::exception& e) {
+        bad_file(name, std::string("its JSON cannot be used: ") + e.what());
+    }
+}
+
+}  // namespace
+
+GltfScene read_gltf_scene(const std::string& name, std::string_view text, std::size_t first_byte) {
+    const json document = parse(name, text, first_byte);
+    const Place root(name, document);
+    root.object();
+    check_version_and_extensions(root);
+
+    GltfScene scene;
+    json copy = {{"asset", {{"version", "2.0"}}}};
+    for (const Place& place : root.objects("buffers")) {
+        GltfBuffer buffer{static_cast<std::uint64_t>(place.at("byteLength").integer()), {}};
+        if (const auto uri = place.find("uri")) buffer.uri = uri->string();
+        const bool embedded = buffer.uri.starts_with("data:");
+        copy["buffers"].push_back(
+            {{"byteLength", buffer.size_bytes},
+             {"uri", embedded ? buffer.uri : std::to_string(scene.buffers.size())}});
+        scene.buffers.push_back(std::move(buffer));
+    }
+    for (const Place& place : root.objects("bufferViews")) {
+        json view;
+        copy_integers(place, view, {"buffer", "byteLength"}, {"byteOffset", "byteStride"});
+        copy["bufferViews"].push_back(std::move(view));
+    }
+    for (const Place& place : root.objects("accessors"))
+        copy["accessors"].push_back(accessor(place));
+    for (const Place& place : root.objects("meshes")) copy["meshes"].push_back(mesh(place));
+    for (const Place& place : root.objects("nodes")) copy["nodes"].push_back(node(place));
+    for (const Place& place : root.objects("scenes")) {
+        json nodes = json::array();
+        if (const auto list = place.find("nodes")) nodes = list->integers();
+        copy["scenes"].push_back({{"nodes", std::move(nodes)}});
+    }
+    if (const auto number = root.find("scene")) copy["scene"] = number->integer();
+    scene.document = copy.dump();
+    return scene;
+}
+
+}  // namespace rimline

@@ -1,0 +1,185 @@
+#include "silhouette/mesh/formats/obj_scan.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "silhouette/mesh/formats/readers.h"
+#include "silhouette/mesh/formats/text_scanner.h"
+
+namespace rimline {
+
+namespace {
+
+// Statements that say nothing about where faces lie.
+constexpr std::array<std::string_view, 34> k_ignored{
+    "g",    "s",    "o",        "mg",       "usemtl",     "mtllib",    "usemap", "maplib", "bevel",
+    "lod",  "deg",  "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
+    "bmat", "step", "curv",     "curv2",    "parm",       "trim",      "hole",   "scrv",   "sp",
+    "end",  "con",  "vp",       "vw",       "t",          "csh",       "scmp"};
+// Statements that make faces in ways that are not understood here.
+constexpr std::array<std::string_view, 7> k_unsupported{"surf", "fo",  "call", "bsp",
+                                                        "bzp",  "cdc", "cdp"};
+
+bool holds(std::span<const std::string_view> words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+class Scan {
+public:
+    Scan(const SourceFile& file, const LongCall& call)
+        : file_(file),
+          call_(call),
+          scanner_(file.name, file.bytes, {.comment = '#', .continuations = true}) {}
+
+    ObjScan run() {
+        for (std::uint64_t i = 1; scanner_.next_line(); ++i) {
+            if (i % k_checkpoint_interval == 0) parse_checkpoint(call_, scanner_.share() / 2);
+            read_statement(scanner_.token());
+        }
+        check_forward_references();
+        return std::move(result_);
+    }
+
+private:
+    // What an index counts, with the greatest one used before that many were there. Most files list
+    // vertices first; the format does not ask for it.
+    struct Numbered {
+        const char* name;
+        std::uint64_t count = 0;
+        std::int64_t greatest_early = 0;
+        std::uint64_t line_of_greatest = 0;
+    };
+
+    void read_statement(std::string_view keyword) {
+        if (keyword == "v")
+            read_vertex();
+        else if (keyword == "f")
+            read_face();
+        else if (keyword == "vn")
+            read_numbers(normals_, 3, 3);
+        else if (keyword == "vt")
+            read_numbers(textures_, 1, 3);
+        else if (keyword == "l")
+            read_references("a line", 2, [](std::string_view) {});
+        else if (keyword == "p")
+            read_references("a point element", 1, [](std::string_view) {});
+        else if (holds(k_unsupported, keyword))
+            scanner_.fail("the statement " + excerpt(keyword) +
+                          " is not supported; export the model as polygons in one file");
+        else if (!holds(k_ignored, keyword))
+            scanner_.fail(excerpt(keyword) + " is no OBJ statement");
+    }
+
+    // x y z, then perhaps a weight, or a colour (with or without alpha).
+    void read_vertex() {
+        glm::vec3 position;
+        result_.statements += 'v';
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string_view token = scanner_.token();
+            position[axis] = scanner_.coordinate(token, "a vertex's coordinate");
+            hand_on(token);
+        }
+        result_.statements += '\n';
+        int more = 0;
+        for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++more)
+            scanner_.coordinate(t, "a vertex's weight or colour");
+        if (more != 0 && more != 1 && more != 3 && more != 4)
+            scanner_.fail("a vertex with " + std::to_string(3 + more) +
+                          " numbers; it has 3, 4 (with a weight), 6 or 7 (with a colour)");
+        if (vertices_.count == k_max_file_vertices)
+            throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 vertices");
+        result_.positions.push_back(position);
+        ++vertices_.count;
+    }
+
+    void read_numbers(Numbered& kind, int least, int most) {
+        for (int i = 0; i < least; ++i) scanner_.coordinate(kind.name);
+        for (int i = least; i < most; ++i) {
+            const std::string_view token = scanner_.token();
+            if (token.empty()) break;
+            scanner_.coordinate(token, kind.name);
+        }
+        scanner_.expect_end_of_line(kind.name);
+        ++kind.count;
+    }
+
+    void read_face() {
+        result_.statements += 'f';
+        const std::uint64_t corners =
+            read_references("a face", 3, [this](std::string_view vertex) { hand_on(vertex); });
+        result_.statements += '\n';
+        ++result_.face_count;
+        result_.corner_count += corners;
+    }
+
+    void hand_on(std::string_view token) { result_.statements.append(1, ' ').append(token); }
+
+    template <typename TakeVertex>
+    std::uint64_t read_references(const char* what, std::uint64_t least, TakeVertex&& take) {
+        std::uint64_t count = 0;
+        for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++count)
+            take(read_reference(t));
+        if (count < least)
+            scanner_.fail(std::string(what) + " has " + std::to_string(count) +
+                          " corners; it needs " + std::to_string(least) + " or more");
+        return count;
+    }
+
+    // v, v/vt, v//vn or v/vt/vn. Exporters also write v/ and v//, which say as much as v. Gives v.
+    std::string_view read_reference(std::string_view token) {
+        const std::array<Numbered*, 3> kinds{&vertices_, &textures_, &normals_};
+        std::string_view rest = token;
+        for (std::size_t part = 0; part < 3; ++part) {
+            const std::size_t slash = rest.find('/');
+            const std::string_view digits = rest.substr(0, slash);
+            if (part == 0 || !digits.empty()) check_index(*kinds[part], digits, token);
+            if (slash == std::string_view::npos) return token.substr(0, token.find('/'));
+            rest.remove_prefix(slash + 1);
+        }
+        scanner_.fail(excerpt(token) + " has more than three parts; a corner is v/vt/vn");
+    }
+
+    void check_index(Numbered& kind, std::string_view digits, std::string_view token) {
+        const auto index = parse_integer(digits);
+        if (!index)
+            scanner_.fail(excerpt(token) + " is not a corner; it should be v, v/vt or v/vt/vn");
+        const auto count = static_cast<std::int64_t>(kind.count);
+        // tinyobjloader's indices are 32 bits wide.
+        if (*index == 0 || *index < -count || *index > 0x7fffffff)
+            fail_index(*index, kind, scanner_.line());
+        if (*index > count && *index > kind.greatest_early) {
+            kind.greatest_early = *index;
+            kind.line_of_greatest = scanner_.line();
+        }
+    }
+
+    [[noreturn]] void fail_index(std::int64_t index, const Numbered& kind,
+                                 std::uint64_t line) const {
+        if (index == 0) bad_line(file_.name, line, "index 0 in OBJ, where numbering begins at 1");
+        bad_line(file_.name, line,
+                 "index " + std::to_string(index) + " is out of range; there are " +
+                     std::to_string(kind.count) + " of " + kind.name +
+                     (index < 0 ? " before this line" : ""));
+    }
+
+    void check_forward_references() const {
+        for (const Numbered* kind : {&vertices_, &textures_, &normals_})
+            if (kind->greatest_early > static_cast<std::int64_t>(kind->count))
+                fail_index(kind->greatest_early, *kind, kind->line_of_greatest);
+    }
+
+    const SourceFile& file_;
+    const LongCall& call_;
+    TextScanner scanner_;
+    ObjScan result_;
+    Numbered vertices_{"the vertices"};
+    Numbered textures_{"the texture coordinates"};
+    Numbered normals_{"the normals"};
+};
+
+}  // namespace
+
+ObjScan scan_obj(const SourceFile& file, const LongCall& call) { return Scan(file, call).run(); }
+
+}  // namespace rimline

@@ -1,0 +1,185 @@
+#include "silhouette/mesh/formats/ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "silhouette/mesh/formats/text_scanner.h"
+
+namespace rimline {
+
+namespace {
+
+ScalarType scalar_type(const TextScanner& scanner, std::string_view token) {
+    constexpr std::array<std::pair<std::string_view, ScalarType>, 16> k_names{{
+        {"char", ScalarType::int8},
+        {"int8", ScalarType::int8},
+        {"uchar", ScalarType::uint8},
+        {"uint8", ScalarType::uint8},
+        {"short", ScalarType::int16},
+        {"int16", ScalarType::int16},
+        {"ushort", ScalarType::uint16},
+        {"uint16", ScalarType::uint16},
+        {"int", ScalarType::int32},
+        {"int32", ScalarType::int32},
+        {"uint", ScalarType::uint32},
+        {"uint32", ScalarType::uint32},
+        {"float", ScalarType::float32},
+        {"float32", ScalarType::float32},
+        {"double", ScalarType::float64},
+        {"float64", ScalarType::float64},
+    }};
+    for (const auto& [name, type] : k_names)
+        if (token == name) return type;
+    scanner.fail(excerpt(token) +
+                 " is not a property type; PLY has char, uchar, short, ushort, int, "
+                 "uint, float and double");
+}
+
+PlyProperty read_property(TextScanner& scanner) {
+    PlyProperty property{};
+    const std::string_view type = scanner.token();
+    if (type == "list") {
+        property.count_type = scalar_type(scanner, scanner.token());
+        if (*property.count_type == ScalarType::float32 ||
+            *property.count_type == ScalarType::float64)
+            scanner.fail("a list's count has a floating-point type; it must be an integer type");
+        property.type = scalar_type(scanner, scanner.token());
+    } else {
+        property.type = scalar_type(scanner, type);
+    }
+    property.name = scanner.token();
+    if (property.name.empty()) scanner.fail("the property has no name");
+    scanner.expect_end_of_line("the property's name");
+    return property;
+}
+
+PlyElement read_element(TextScanner& scanner, const std::vector<PlyElement>& before) {
+    PlyElement element{};
+    element.line = scanner.line();
+    element.name = scanner.token();
+    const std::int64_t count = scanner.integer("the element's count");
+    if (count < 0) scanner.fail("the element's count is negative");
+    element.count = static_cast<std::uint64_t>(count);
+    scanner.expect_end_of_line("the element's count");
+    for (const PlyElement& other : before)
+        if (other.name == element.name)
+            scanner.fail("element " + excerpt(element.name) + " is declared twice");
+    return element;
+}
+
+PlyEncoding read_encoding(TextScanner& scanner) {
+    const std::string_view name = scanner.token();
+    PlyEncoding encoding{};
+    if (name == "ascii")
+        encoding = PlyEncoding::ascii;
+    else if (name == "binary_little_endian")
+        encoding = PlyEncoding::binary_little_endian;
+    else if (name == "binary_big_endian")
+        encoding = PlyEncoding::binary_big_endian;
+    else
+        scanner.fail(excerpt(name) +
+                     " is not a PLY format; there are ascii, binary_little_endian and "
+                     "binary_big_endian");
+    if (const std::string_view version = scanner.token(); version != "1.0")
+        scanner.fail("PLY version " + excerpt(version) + " is unknown; only 1.0 is");
+    scanner.expect_end_of_line("the version");
+    return encoding;
+}
+
+// No element may claim more bytes than there are: what is reserved for it is then bounded by the file.
+void check_counts(const SourceFile& file, const PlyHeader& header) {
+    std::uint64_t left = file.bytes.size() - header.body_offset;
+    if (header.encoding == PlyEncoding::ascii) ++left;  // The last line may lack its end.
+    for (const PlyElement& element : header.elements) {
+        // In text a value takes a digit and what separates it from the next.
+        const std::size_t size = header.encoding == PlyEncoding::ascii
+                                     ? 2 * element.properties.size()
+                                     : element.least_binary_size();
+        if (size == 0) continue;
+        if (element.count > left / size)
+            bad_line(file.name, element.line,
+                     std::to_string(element.count) + " elements " + excerpt(element.name) +
+                         " are declared, more than the rest of the file can hold; it is truncated "
+                         "or the count is wrong");
+        left -= element.count * size;
+    }
+}
+
+}  // namespace
+
+bool PlyElement::has_lists() const noexcept {
+    return std::any_of(properties.begin(), properties.end(),
+                       [](const PlyProperty& p) { return p.is_list(); });
+}
+
+std::size_t PlyElement::least_binary_size() const noexcept {
+    std::size_t size = 0;
+    for (const PlyProperty& p : properties) size += size_bytes(p.count_type.value_or(p.type));
+    return size;
+}
+
+std::optional<std::size_t> PlyElement::find(std::string_view property) const noexcept {
+    for (std::size_t i = 0; i < properties.size(); ++i)
+        if (properties[i].name == property) return i;
+    return std::nullopt;
+}
+
+const PlyElement* PlyHeader::find(std::string_view element) const noexcept {
+    for (const PlyElement& e : elements)
+        if (e.name == element) return &e;
+    return nullptr;
+}
+
+PlyHeader read_ply_header(const SourceFile& file) {
+    PlyHeader header{};
+    TextScanner scanner(file.name, file.bytes);
+    scanner.expect_line("'ply'");
+    if (scanner.token() != "ply") scanner.fail("a PLY file begins with a line 'ply'");
+    scanner.expect_end_of_line("'ply'");
+    // Where lines end with a bare CR, a line feed after end_header's is the first byte of the data.
+    const std::string_view bytes = file.bytes;
+    const std::size_t newline = bytes.find_first_of("\r\n");
+    const bool bare_cr = newline != std::string_view::npos && bytes[newline] == '\r' &&
+                         newline + 1 < bytes.size() && bytes[newline + 1] != '\n';
+
+    bool has_format = false;
+    for (;;) {
+        scanner.expect_line("the rest of the header, up to 'end_header',");
+        const std::string_view keyword = scanner.token();
+        if (keyword == "comment" || keyword == "obj_info") continue;
+        if (keyword == "format") {
+            if (has_format) scanner.fail("the format is declared twice");
+            header.encoding = read_encoding(scanner);
+            has_format = true;
+        } else if (keyword == "element") {
+            header.elements.push_back(read_element(scanner, header.elements));
+        } else if (keyword == "property") {
+            if (header.elements.empty()) scanner.fail("a property before any element");
+            PlyElement& element = header.elements.back();
+            PlyProperty property = read_property(scanner);
+            if (element.find(property.name))
+                scanner.fail("property " + excerpt(property.name) + " is declared twice");
+            element.properties.push_back(std::move(property));
+        } else if (keyword == "end_header") {
+            scanner.expect_end_of_line("'end_header'");
+            break;
+        } else {
+            scanner.fail(excerpt(keyword) +
+                         " is no word of a PLY header; 'end_header' may be missing");
+        }
+    }
+    if (!has_format) scanner.fail("the header declares no format");
+    if (bare_cr) {
+        header.body_offset = std::min(scanner.offset() + 1, bytes.size());
+    } else {
+        scanner.skip_line();
+        header.body_offset = scanner.offset();
+    }
+    header.body_line = scanner.line() + 1;
+    check_counts(file, header);
+    return header;
+}
+
+}  // namespace rimline

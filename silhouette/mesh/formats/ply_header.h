@@ -1,0 +1,51 @@
+#pragma once
+
+// What a PLY file's header declares: elements in order, each with its count and properties.
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "silhouette/mesh/formats/byte_scanner.h"
+#include "silhouette/mesh/formats/source_file.h"
+
+namespace rimline {
+
+struct PlyProperty {
+    std::string name;
+    ScalarType type;                       ///< Of the value, or of a list's items.
+    std::optional<ScalarType> count_type;  ///< Of a list's count; nothing for a single value.
+    bool is_list() const noexcept { return count_type.has_value(); }
+};
+
+struct PlyElement {
+    std::string name;
+    std::uint64_t count;
+    std::uint64_t line;  ///< Where the header declares it.
+    std::vector<PlyProperty> properties;
+
+    bool has_lists() const noexcept;
+    /// Bytes of one element in a binary file, lists counted as empty.
+    std::size_t least_binary_size() const noexcept;
+    /// The property of that name, or nothing.
+    std::optional<std::size_t> find(std::string_view property) const noexcept;
+};
+
+enum class PlyEncoding : std::uint8_t { ascii, binary_little_endian, binary_big_endian };
+
+struct PlyHeader {
+    PlyEncoding encoding;
+    std::vector<PlyElement> elements;
+    std::size_t body_offset;  ///< Where the first element's data begins.
+    std::uint64_t body_line;  ///< The number of the line that begins there.
+
+    const PlyElement* find(std::string_view element) const noexcept;
+};
+
+/// Throws Error{bad_input} with the line of what is wrong, including counts that the bytes after the
+/// header cannot hold.
+PlyHeader read_ply_header(const SourceFile& file);
+
+}  // namespace rimline

@@ -1,0 +1,330 @@
+#include "silhouette/mesh/formats/triangulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "silhouette/error.h"
+
+namespace rimline {
+
+namespace {
+
+using Corner = std::uint32_t;  // A position in the polygon, not in the mesh.
+constexpr Corner k_no_corner = 0xffffffffu;
+constexpr std::uint32_t k_no_waiting = 0xffffffffu;
+
+// Twice the signed area.
+double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) noexcept {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// 1 for an equilateral triangle, 0 for a degenerate one.
+double shape(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) noexcept {
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const glm::dvec3 bc = c - b;
+    const double squares = glm::dot(ab, ab) + glm::dot(ac, ac) + glm::dot(bc, bc);
+    return squares > 0.0 ? 3.4641016151377544 * glm::length(glm::cross(ab, ac)) / squares : 0.0;
+}
+
+glm::dvec3 twice_area_vector(std::span<const glm::vec3> positions,
+                             std::span<const std::uint32_t> polygon) noexcept {
+    // Relative to a corner, so that a small polygon far from the origin keeps its digits.
+    const glm::dvec3 base = positions[polygon[0]];
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        sum += glm::cross(glm::dvec3(positions[polygon[i]]) - base,
+                          glm::dvec3(positions[polygon[i + 1]]) - base);
+    return sum;
+}
+
+// Where a point lies in the plane: its coordinates but for the normal's greatest axis, in the order
+// that makes the polygon counter-clockwise.
+struct Projection {
+    int u = 0;
+    int v = 1;
+
+    explicit Projection(glm::dvec3 normal) noexcept {
+        const glm::dvec3 size = glm::abs(normal);
+        const int w = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+        u = (w + 1) % 3;
+        v = (w + 2) % 3;
+        if (normal[w] < 0.0) std::swap(u, v);
+    }
+    glm::dvec2 operator()(glm::vec3 p) const noexcept { return {p[u], p[v]}; }
+};
+
+}  // namespace
+
+// Ear clipping over a ring of corners. A corner is an ear when it turns left and no reflex corner lies
+// in its triangle. Reflex corners only ever become convex or vanish, so an ear stays one, and a corner
+// that is blocked waits at the reflex corner that blocks it until that one is gone.
+class Triangulator::EarClipper {
+public:
+    void clip(std::span<const glm::vec3> positions, std::span<const std::uint32_t> polygon,
+              const Projection& project, std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+private:
+    struct Node {
+        glm::dvec2 at;
+        Corner before, after;
+        std::uint32_t version;  // Counts changes of the triangle; older candidates are stale.
+        std::uint32_t waiting;  // The corners it blocks: a list in waiting_.
+        bool alive, reflex;
+    };
+    struct Waiting {
+        Corner corner;
+        std::uint32_t version;
+        std::uint32_t next;
+    };
+    struct Candidate {
+        double quality;
+        Corner corner;
+        std::uint32_t version;
+        bool operator<(const Candidate& other) const noexcept {
+            return quality != other.quality ? quality < other.quality : corner > other.corner;
+        }
+    };
+
+    void consider(Corner corner);
+    void stop_blocking(Corner corner);
+    Corner blocker_of(Corner corner);
+    Corner next_ear();
+    bool is_current(const Candidate& c) const noexcept {
+        return nodes_[c.corner].alive && nodes_[c.corner].version == c.version;
+    }
+    static void push(std::vector<Candidate>& heap, Candidate candidate) {
+        heap.push_back(candidate);
+        std::push_heap(heap.begin(), heap.end());
+    }
+    static Candidate pop(std::vector<Candidate>& heap) {
+        std::pop_heap(heap.begin(), heap.end());
+        const Candidate top = heap.back();
+        heap.pop_back();
+        return top;
+    }
+    void build_grid();
+    std::uint32_t column_of(double x) const noexcept { return cell_of(x - low_.x, cell_size_.x); }
+    std::uint32_t row_of(double y) const noexcept { return cell_of(y - low_.y, cell_size_.y); }
+    std::uint32_t cell_of(double distance, double cell) const noexcept {
+        if (!(cell > 0.0)) return 0;
+        const double i = std::floor(distance / cell);
+        return static_cast<std::uint32_t>(std::clamp(i, 0.0, static_cast<double>(grid_side_ - 1)));
+    }
+
+    std::span<const glm::vec3> positions_;
+    std::span<const std::uint32_t> polygon_;
+    std::vector<Node> nodes_;
+    std::vector<Candidate> open_;     // Not known to be blocked.
+    std::vector<Candidate> blocked_;  // Taken when nothing is open: the polygon crosses itself.
+    std::vector<Waiting> waiting_;
+    Corner some_corner_ = 0;
+    // Reflex corners by cell of a square grid over the polygon, rebuilt as they become fewer.
+    std::vector<std::uint32_t> cell_begin_;
+    std::vector<Corner> cell_corners_;
+    glm::dvec2 low_{}, cell_size_{};
+    std::uint32_t grid_side_ = 1;
+    std::size_t reflex_count_ = 0;
+    std::size_t gridded_count_ = 0;
+    std::uint64_t tests_left_ = 0;
+};
+
+void Triangulator::EarClipper::build_grid() {
+    const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(reflex_count_)));
+    grid_side_ = std::clamp(side, 1u, 1024u);
+    gridded_count_ = reflex_count_;
+    bool first = true;
+    glm::dvec2 high{};
+    for (const Node& n : nodes_) {
+        if (!n.alive || !n.reflex) continue;
+        low_ = first ? n.at : glm::min(low_, n.at);
+        high = first ? n.at : glm::max(high, n.at);
+        first = false;
+    }
+    cell_size_ = (high - low_) / static_cast<double>(grid_side_);
+    cell_begin_.assign(std::size_t{grid_side_} * grid_side_ + 1, 0);
+    const auto cell = [&](const Node& n) {
+        return std::size_t{row_of(n.at.y)} * grid_side_ + column_of(n.at.x);
+    };
+    for (const Node& n : nodes_)
+        if (n.alive && n.reflex) ++cell_begin_[cell(n) + 1];
+    for (std::size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
+    cell_corners_.resize(reflex_count_);
+    // Filled from each cell's end, which leaves cell_begin_ one cell ahead; the shift undoes it.
+    for (Corner i = 0; i < nodes_.size(); ++i)
+        if (nodes_[i].alive && nodes_[i].reflex) cell_corners_[cell_begin_[cell(nodes_[i])]++] = i;
+    std::copy_backward(cell_begin_.begin(), cell_begin_.end() - 1, cell_begin_.end());
+    cell_begin_[0] = 0;
+}
+
+// A reflex corner in the corner's triangle, its border included. One at the place of a corner of the
+// triangle does not block: keyholes and touching rings would never be done.
+Corner Triangulator::EarClipper::blocker_of(Corner corner) {
+    if (reflex_count_ == 0 || tests_left_ == 0) return k_no_corner;
+    const Node& node = nodes_[corner];
+    const glm::dvec2 a = nodes_[node.before].at;
+    const glm::dvec2 b = node.at;
+    const glm::dvec2 c = nodes_[node.after].at;
+    const glm::dvec2 low = glm::min(a, glm::min(b, c));
+    const glm::dvec2 high = glm::max(a, glm::max(b, c));
+    const std::uint32_t last_row = row_of(high.y);
+    const std::uint32_t first_column = column_of(low.x);
+    const std::uint32_t last_column = column_of(high.x);
+    for (std::uint32_t row = row_of(low.y); row <= last_row; ++row) {
+        const std::size_t first = std::size_t{row} * grid_side_ + first_column;
+        const std::uint32_t begin = cell_begin_[first];
+        const std::uint32_t end = cell_begin_[first + (last_column - first_column) + 1];
+        tests_left_ -= std::min<std::uint64_t>(tests_left_, 1 + (end - begin));
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const Node& other = nodes_[cell_corners_[i]];
+            if (!other.alive || !other.reflex) continue;
+            const glm::dvec2 p = other.at;
+            if (p == a || p == b || p == c) continue;
+            if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0)
+                return cell_corners_[i];
+        }
+    }
+    return k_no_corner;
+}
+
+// Looks again at a corner whose triangle is new.
+void Triangulator::EarClipper::consider(Corner corner) {
+    Node& node = nodes_[corner];
+    ++node.version;
+    const double area = turn(nodes_[node.before].at, node.at, nodes_[node.after].at);
+    if (area <= 0.0) {
+        // A corner on a straight line can go without loss, but only when nothing better is left.
+        if (area == 0.0) push(open_, {-1.0, corner, node.version});
+        return;
+    }
+    if (node.reflex) stop_blocking(corner);
+    push(open_, {shape(positions_[polygon_[node.before]], positions_[polygon_[corner]],
+                       positions_[polygon_[node.after]]),
+                 corner, node.version});
+}
+
+void Triangulator::EarClipper::stop_blocking(Corner corner) {
+    Node& node = nodes_[corner];
+    node.reflex = false;
+    --reflex_count_;
+    for (std::uint32_t i = node.waiting; i != k_no_waiting; i = waiting_[i].next) {
+        const Waiting& w = waiting_[i];
+        if (nodes_[w.corner].alive && nodes_[w.corner].version == w.version) consider(w.corner);
+    }
+    node.waiting = k_no_waiting;
+}
+
+Corner Triangulator::EarClipper::next_ear() {
+    while (!open_.empty()) {
+        const Candidate best = pop(open_);
+        if (!is_current(best)) continue;
+        if (best.quality < 0.0) return best.corner;
+        const Corner blocker = blocker_of(best.corner);
+        if (blocker == k_no_corner) return best.corner;
+        push(blocked_, best);
+        waiting_.push_back({best.corner, best.version, nodes_[blocker].waiting});
+        nodes_[blocker].waiting = static_cast<std::uint32_t>(waiting_.size() - 1);
+    }
+    while (!blocked_.empty()) {
+        const Candidate best = pop(blocked_);
+        if (is_current(best)) return best.corner;
+    }
+    return some_corner_;
+}
+
+void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions,
+                                    std::span<const std::uint32_t> polygon,
+                                    const Projection& project,
+                                    std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    const auto count = static_cast<Corner>(polygon.size());
+    positions_ = positions;
+    polygon_ = polygon;
+    nodes_.resize(count);
+    open_.clear();
+    blocked_.clear();
+    waiting_.clear();
+    for (Corner i = 0; i < count; ++i)
+        nodes_[i] = {project(positions[polygon[i]]),
+                     i == 0 ? count - 1 : i - 1,
+                     i + 1 == count ? 0 : i + 1,
+                     0,
+                     k_no_waiting,
+                     true,
+                     false};
+    reflex_count_ = 0;
+    for (Node& n : nodes_) {
+        n.reflex = turn(nodes_[n.before].at, n.at, nodes_[n.after].at) <= 0.0;
+        reflex_count_ += n.reflex;
+    }
+    build_grid();
+    tests_left_ = std::uint64_t{2048} * count;
+    for (Corner i = 0; i < count; ++i) consider(i);
+
+    some_corner_ = 0;
+    for (Corner left = count; left > 3; --left) {
+        const Corner ear = next_ear();
+        Node& node = nodes_[ear];
+        const Corner before = node.before;
+        const Corner after = node.after;
+        triangles.push_back({polygon[before], polygon[ear], polygon[after]});
+        node.alive = false;
+        nodes_[before].after = after;
+        nodes_[after].before = before;
+        some_corner_ = after;
+        if (node.reflex) stop_blocking(ear);
+        consider(before);
+        consider(after);
+        if (gridded_count_ > 64 && reflex_count_ < gridded_count_ / 2) build_grid();
+    }
+    const Node& last = nodes_[some_corner_];
+    triangles.push_back({polygon[last.before], polygon[some_corner_], polygon[last.after]});
+}
+
+Triangulator::Triangulator() : clipper_(std::make_unique<EarClipper>()) {}
+Triangulator::~Triangulator() = default;
+Triangulator::Triangulator(Triangulator&&) noexcept = default;
+Triangulator& Triangulator::operator=(Triangulator&&) noexcept = default;
+
+void Triangulator::triangulate(std::span<const glm::vec3> positions,
+                               std::span<const std::uint32_t> polygon,
+                               std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    RIMLINE_CHECK(polygon.size() >= 3 && polygon.size() < k_no_corner);
+    if (polygon.size() == 3) {
+        triangles.push_back({polygon[0], polygon[1], polygon[2]});
+        return;
+    }
+    const glm::dvec3 normal = twice_area_vector(positions, polygon);
+    if (polygon.size() == 4) {
+        // The two ways to cut, each with the lesser of its two areas along the normal: a concave quad
+        // has a negative one for the diagonal that lies outside it.
+        const auto corner = [&](int i) { return glm::dvec3(positions[polygon[i]]); };
+        const auto area = [&](int i, int j, int k) {
+            return glm::dot(normal, glm::cross(corner(j) - corner(i), corner(k) - corner(i)));
+        };
+        const double cut_02 = std::min(area(0, 1, 2), area(0, 2, 3));
+        const double cut_13 = std::min(area(0, 1, 3), area(1, 2, 3));
+        const bool take_02 = cut_02 > 0.0 && cut_13 > 0.0 ? glm::distance(corner(0), corner(2)) <=
+                                                                glm::distance(corner(1), corner(3))
+                                                          : cut_02 >= cut_13;
+        if (take_02) {
+            triangles.push_back({polygon[0], polygon[1], polygon[2]});
+            triangles.push_back({polygon[0], polygon[2], polygon[3]});
+        } else {
+            triangles.push_back({polygon[0], polygon[1], polygon[3]});
+            triangles.push_back({polygon[1], polygon[2], polygon[3]});
+        }
+        return;
+    }
+    if (normal == glm::dvec3(0.0)) {
+        // No side is the inner one.
+        for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+            triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
+        return;
+    }
+    clipper_->clip(positions, polygon, Projection(normal), triangles);
+}
+
+}  // namespace rimline

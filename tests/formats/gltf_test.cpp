@@ -1,0 +1,340 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/formats/sample_files.h"
+
+using namespace rimline;
+using namespace rimline::tests;
+
+namespace {
+
+// A document around one buffer, given as bytes.
+std::string document(const std::string& parts, const std::string& buffer) {
+    return R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": )" +
+           std::to_string(buffer.size()) + R"(, "uri": "data:application/octet-stream;base64,)" +
+           base64(buffer) + "\"}]" + (parts.empty() ? "" : ", " + parts) + "}";
+}
+
+// Four corners of the unit square in the plane z = 0, as floats, and indices 0 1 2 3 as bytes.
+std::string square_buffer() {
+    Bytes bytes;
+    for (const glm::vec3 p :
+         {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(1, 1, 0)})
+        bytes.add(p.x).add(p.y).add(p.z);
+    for (const int i : {0, 1, 2, 3}) bytes.add(static_cast<std::uint8_t>(i));
+    return bytes.str();
+}
+
+const std::string k_square_accessors =
+    R"("bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 4}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5121, "count": 4, "type": "SCALAR"},
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}])";
+
+std::string square(const std::string& parts) {
+    return document(k_square_accessors + ", " + parts, square_buffer());
+}
+
+// One triangle mesh under the given nodes and scenes.
+std::string with_nodes(const std::string& nodes) {
+    return square(R"("meshes": [{"primitives": [{"attributes": {"POSITION": 2}}]}], )" + nodes);
+}
+
+std::string primitive(const std::string& properties) {
+    return square(R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}, )" + properties +
+                  "}]}]");
+}
+
+std::string accessor_mesh(const std::string& views, const std::string& position,
+                          const std::string& buffer) {
+    return document(
+        R"("bufferViews": [)" + views + R"(], "accessors": [)" + position +
+            R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}])",
+        buffer);
+}
+
+std::vector<glm::vec3> points_of(const std::string& bytes) {
+    return read_text("a.gltf", bytes, FaceRequirement::faces_or_points).positions;
+}
+
+std::string error(const std::string& bytes) { return error_of("a.gltf", bytes); }
+
+}  // namespace
+
+TEST_CASE("glTF: embedded, beside the file and in a GLB, the same model") {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder.path() / "parts");
+    folder.write("parts/some data.bin", sample_gltf_buffer() + "padding");
+    for (const std::filesystem::path& path :
+         {folder.write("a.gltf", sample_gltf_embedded()), folder.write("a.glb", sample_glb()),
+          folder.write("b.gltf",
+                       sample_gltf(R"({"byteLength": 186, "uri": "parts/some%20data.bin"})"))}) {
+        const MeshSource source = read_mesh_file(path);
+        CHECK(source.positions == sample_positions());
+        CHECK(source.triangles == sample_triangles());
+        CHECK(source.up == UpAxis::y);
+    }
+}
+
+TEST_CASE("glTF: strips, fans, lists with and without indices") {
+    const auto triangles = [](const std::string& properties) {
+        return read_text("a.gltf", primitive(properties)).triangles;
+    };
+    CHECK(triangles(R"("mode": 5)") == Triangles{{0, 1, 2}, {1, 3, 2}});
+    CHECK(triangles(R"("mode": 6)") == Triangles{{1, 2, 0}, {2, 3, 0}});
+    CHECK(triangles(R"("mode": 5, "indices": 1)") == Triangles{{0, 1, 2}, {1, 3, 2}});
+    CHECK(read_text("a.gltf", with_nodes(R"("nodes": [{"mesh": 0}])")).triangles ==
+          Triangles{{0, 1, 2}});
+    for (const char* mode : {"0", "1", "2", "3"})
+        CHECK(points_of(primitive(R"("mode": )" + std::string(mode))).size() == 4);
+    CHECK(has(error(primitive(R"("mode": 4)")), "meshes[0].primitives[0]: 4 corners do not make"));
+    CHECK(has(error(primitive(R"("mode": 7)")), "meshes[0].primitives[0]: mode 7"));
+}
+
+TEST_CASE("glTF: node transforms compose, in double, in scene order") {
+    // A quarter turn about z, moved and scaled, below a parent given by a matrix.
+    const MeshSource source = read_text(
+        "a.gltf", with_nodes(R"("scene": 1, "scenes": [{"nodes": [2]}, {"nodes": [0]}], "nodes": [
+{"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1], "children": [1, 2]},
+{"translation": [1, 0, 0], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476],
+ "scale": [2, 3, 4], "mesh": 0}, {"mesh": 0}])"));
+    REQUIRE(source.positions.size() == 6);
+    const std::vector<glm::vec3> expected{{11, 20, 30}, {11, 22, 30}, {8, 20, 30},
+                                          {10, 20, 30}, {11, 20, 30}, {10, 21, 30}};
+    for (std::size_t i = 0; i < 6; ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            CHECK(source.positions[i][axis] == doctest::Approx(expected[i][axis]).epsilon(1e-6));
+    CHECK(source.triangles == Triangles{{0, 1, 2}, {3, 4, 5}});
+}
+
+TEST_CASE("glTF: a transform that mirrors turns the triangles round") {
+    for (const char* node : {R"({"scale": [-1, 1, 1], "mesh": 0})",
+                             R"({"matrix": [0,1,0,0, 1,0,0,0, 0,0,1,0, 0,0,0,1], "mesh": 0})"})
+        CHECK(
+            read_text("a.gltf", with_nodes(R"("nodes": [)" + std::string(node) + "]")).triangles ==
+            Triangles{{0, 2, 1}});
+    CHECK(read_text("a.gltf", with_nodes(R"("nodes": [{"scale": [-1, -1, 1], "mesh": 0}])"))
+              .triangles == Triangles{{0, 1, 2}});
+}
+
+TEST_CASE("glTF: without a scene every root is taken, without nodes every mesh") {
+    CHECK(
+        points_of(with_nodes(R"("nodes": [{"mesh": 0}, {"children": [0]}, {"mesh": 0}])")).size() ==
+        6);
+    CHECK(points_of(
+              with_nodes(R"("scenes": [{"nodes": [2]}], "nodes": [{"mesh": 0}, {"children": [0]},
+{"mesh": 0}])"))
+              .size() == 3);
+    CHECK(points_of(square(R"("meshes": [{"primitives": [{"attributes": {"POSITION": 2}}]},
+{"primitives": [{"attributes": {"POSITION": 0}, "mode": 5}]}])"))
+              .size() == 7);
+}
+
+TEST_CASE("glTF: node graphs with cycles, shared or missing nodes are refused") {
+    CHECK(has(error(with_nodes(R"("nodes": [{"children": [1]}, {"children": [0], "mesh": 0}])")),
+              "nodes: every node is another's child"));
+    CHECK(has(error(with_nodes(R"("scenes": [{"nodes": [0]}], "nodes": [{"children": [1]},
+{"children": [0], "mesh": 0}])")),
+              "nodes[0]: is reached twice"));
+    CHECK(has(error(with_nodes(R"("nodes": [{"children": [2]}, {"children": [2]}, {"mesh": 0}])")),
+              "nodes[2]: is reached twice"));
+    CHECK(
+        has(error(with_nodes(R"("nodes": [{"children": [7]}])")), "nodes: node 7 does not exist"));
+    CHECK(has(error(with_nodes(R"("nodes": [{"mesh": 7}])")),
+              "nodes[0].mesh: mesh 7 does not exist"));
+    CHECK(
+        has(error(with_nodes(R"("scene": 3, "nodes": [{"mesh": 0}])")), "scene 3 does not exist"));
+    std::string chain = R"("nodes": [{"mesh": 0})";
+    for (int i = 0; i < 20000; ++i) chain += R"(,{"children": [)" + std::to_string(i) + "]}";
+    CHECK(points_of(with_nodes(chain + "]")).size() == 3);
+}
+
+TEST_CASE("glTF: positions of every component type, normalised or not, strided and offset") {
+    Bytes bytes;
+    bytes.add<std::uint32_t>(0xffffffffu);
+    for (int i = 0; i < 2; ++i)
+        bytes.add<std::int8_t>(-128).add<std::int8_t>(127).add<std::int8_t>(0).add<std::int8_t>(99);
+    const std::string view = R"({"buffer": 0, "byteOffset": 2, "byteLength": 10, "byteStride": 4})";
+    const auto of = [&](const std::string& type, const std::string& more) {
+        return accessor_mesh(view, R"({"bufferView": 0, "byteOffset": 2, "count": 2, "type": "VEC3",
+"componentType": )" + type + more + "}",
+                             bytes.str());
+    };
+    CHECK(points_of(of("5120", ""))[1] == glm::vec3(-128, 127, 0));
+    CHECK(points_of(of("5120", R"(, "normalized": true)"))[1] == glm::vec3(-1, 1, 0));
+    CHECK(points_of(of("5121", ""))[0] == glm::vec3(128, 127, 0));
+    CHECK(points_of(of("5121", R"(, "normalized": true)"))[1] ==
+          glm::vec3(float(128 / 255.0), float(127 / 255.0), 0));
+    CHECK(has(error(of("5122", "")), "accessors[0]: byteStride is less than an element's 6 bytes"));
+
+    Bytes shorts;
+    shorts.add<std::int16_t>(-32768).add<std::int16_t>(32767).add<std::int16_t>(-1);
+    const auto of_shorts = [&](const std::string& type, const std::string& more) {
+        return accessor_mesh(R"({"buffer": 0, "byteLength": 6})",
+                             R"({"bufferView": 0, "count": 1, "type": "VEC3", "componentType": )" +
+                                 type + more + "}",
+                             shorts.str());
+    };
+    CHECK(points_of(of_shorts("5122", ""))[0] == glm::vec3(-32768, 32767, -1));
+    CHECK(points_of(of_shorts("5122", R"(, "normalized": true)"))[0] ==
+          glm::vec3(-1, 1, float(-1 / 32767.0)));
+    CHECK(points_of(of_shorts("5123", ""))[0] == glm::vec3(32768, 32767, 65535));
+    CHECK(points_of(of_shorts("5123", R"(, "normalized": true)"))[0].z == 1.0f);
+    Bytes ints;
+    ints.add<std::uint32_t>(7).add<std::uint32_t>(4000000000u).add<std::uint32_t>(0);
+    CHECK(points_of(accessor_mesh(
+              R"({"buffer": 0, "byteLength": 12})",
+              R"({"bufferView": 0, "count": 1, "type": "VEC3", "componentType": 5125})",
+              ints.str()))[0] == glm::vec3(7, 4e9f, 0));
+}
+
+TEST_CASE("glTF: sparse accessors replace elements, of a view or of zeros; indices too") {
+    Bytes bytes;
+    for (int i = 0; i < 9; ++i) bytes.add(static_cast<float>(i));
+    bytes.add<std::uint16_t>(0).add<std::uint16_t>(2);
+    for (int i = 10; i < 16; ++i) bytes.add(static_cast<float>(i));
+    const std::string views = R"({"buffer": 0, "byteLength": 36},
+{"buffer": 0, "byteOffset": 36, "byteLength": 4}, {"buffer": 0, "byteOffset": 40, "byteLength": 24})";
+    const std::string sparse = R"("sparse": {"count": 2, "indices": {"bufferView": 1,
+"componentType": 5123}, "values": {"bufferView": 2}}})";
+    const std::string head = R"({"componentType": 5126, "count": 3, "type": "VEC3", )";
+    CHECK(points_of(accessor_mesh(views, head + R"("bufferView": 0, )" + sparse, bytes.str())) ==
+          std::vector<glm::vec3>{{10, 11, 12}, {3, 4, 5}, {13, 14, 15}});
+    CHECK(points_of(accessor_mesh(views, head + sparse, bytes.str())) ==
+          std::vector<glm::vec3>{{10, 11, 12}, {0, 0, 0}, {13, 14, 15}});
+    CHECK(points_of(accessor_mesh(views, R"({"componentType": 5126, "count": 3, "type": "VEC3"})",
+                                  bytes.str())) == std::vector<glm::vec3>(3, glm::vec3(0)));
+    const std::string small = R"({"componentType": 5126, "count": 2, "type": "VEC3", )";
+    CHECK(has(error(accessor_mesh(views, small + sparse, bytes.str())),
+              "accessors[0]: sparse.indices: index 2 is out of range"));
+    CHECK(has(error(accessor_mesh(views, R"({"componentType": 5126, "count": 2000000000,
+"type": "VEC3"})",
+                                  bytes.str())),
+              "accessors[0]: 2000000000 elements of zeros"));
+
+    // Indices without a view are zeros but for the sparse ones.
+    Bytes with_indices;
+    with_indices.add_text(square_buffer());
+    with_indices.add<std::uint8_t>(1).add<std::uint8_t>(2).add<std::uint8_t>(3).add<std::uint8_t>(
+        2);
+    const MeshSource source = read_text(
+        "a.gltf",
+        document(
+            R"("bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 52, "byteLength": 2},
+{"buffer": 0, "byteOffset": 54, "byteLength": 2}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+{"componentType": 5121, "count": 3, "type": "SCALAR", "sparse": {"count": 2,
+"indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 2}}}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}])",
+            with_indices.str()));
+    CHECK(source.triangles == Triangles{{0, 3, 2}});
+}
+
+TEST_CASE("glTF: images, materials and extras are neither needed nor looked into") {
+    CHECK(points_of(square(R"("images": [{"uri": "missing.png"}, {"bufferView": 99}, {"uri": 5}],
+"textures": 3, "materials": [{"x": [1]}], "extras": {"a": null}, "animations": [{}],
+"meshes": [{"extras": 1, "primitives": [{"material": 77, "attributes": {"POSITION": 0, "NORMAL": 99,
+"_ODD": "x"}, "targets": [5], "mode": 0}, {"attributes": {"NORMAL": 0}}]}])"))
+              .size() == 4);
+}
+
+TEST_CASE("glTF: what is wrong is named with its place") {
+    const std::string mesh =
+        R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}])";
+    const std::string good = square(mesh);
+    CHECK(error(good).empty());
+    const auto replaced = [&](const std::string& from, const std::string& to) {
+        std::string bytes = good;
+        const std::size_t at = bytes.find(from);
+        REQUIRE(at != std::string::npos);
+        return error(bytes.replace(at, from.size(), to));
+    };
+    CHECK(has(replaced(R"("version": "2.0")", R"("version": "1.0")"), "asset: glTF version '1.0'"));
+    CHECK(has(replaced(R"("count": 4)", R"("count": 5)"), "accessors[0]: 5 elements reach beyond"));
+    CHECK(
+        has(replaced(R"("count": 4)", R"("count": 4294967300)"), "accessors[0].count: 4294967300"));
+    CHECK(has(replaced(R"("count": 4)", R"("count": 4.0)"),
+              "accessors[0].count: should be an integer"));
+    CHECK(has(replaced(R"("count": 4)", R"("count": -4)"),
+              "accessors[0].count: should be an integer"));
+    CHECK(has(replaced(R"("count": 4, )", ""), "accessors[0]: has no 'count'"));
+    CHECK(has(replaced(R"("bufferView": 0)", R"("bufferView": 9)"), "accessors[0]: bufferView 9"));
+    CHECK(has(replaced(R"("bufferView": 0)", R"("bufferView": 0, "byteOffset": 4)"),
+              "accessors[0]: 4 elements reach beyond"));
+    CHECK(has(replaced(R"("bufferView": 0)", R"("bufferView": 0, "byteOffset": "4")"),
+              "accessors[0].byteOffset: should be an integer"));
+    CHECK(has(replaced(R"("bufferView": 0)", R"("bufferView": 0, "normalized": 1)"),
+              "accessors[0].normalized: should be true or false"));
+    CHECK(has(replaced("5126", "5124"), "accessors[0]: componentType 5124"));
+    CHECK(has(replaced("VEC3", "VEC2"), "accessors[0]: should be of type VEC3"));
+    CHECK(has(replaced(R"("byteLength": 48)", R"("byteLength": 49000)"),
+              "bufferView 0 reaches beyond"));
+    CHECK(has(replaced(R"("buffer": 0)", R"("buffer": 3)"), "bufferView 0 has no buffer"));
+    CHECK(has(replaced(R"("POSITION": 0)", R"("POSITION": 9)"), "accessors[9]: does not exist"));
+    CHECK(has(replaced("base64,", "base64,*"), "a.gltf: "));
+    CHECK(has(replaced(R"("byteLength": 52)", R"("byteLength": 51)"), "a.gltf: "));
+    CHECK(
+        has(replaced(R"("mode": 0)", R"("indices": 0)"), "accessors[0]: should be of type SCALAR"));
+    CHECK(has(
+        replaced(R"("asset")", R"("extensionsRequired": ["KHR_draco_mesh_compression"], "asset")"),
+        "extensionsRequired[0]: the file requires the extension 'KHR_draco_mesh_compression'"));
+    CHECK(has(replaced(R"("asset")", R"("extensionsUsed": ["EXT_mesh_gpu_instancing"], "asset")"),
+              "extensionsUsed[0]"));
+    CHECK(has(replaced("\"meshes\"", "\"meshes"), "byte "));
+    CHECK(has(error(with_nodes(R"("nodes": [{"mesh": 0, "matrix": [1, 2]}])")),
+              "nodes[0].matrix: should have 16 numbers"));
+    CHECK(has(error(with_nodes(R"("nodes": [{"mesh": 0, "scale": [1, "2", 3]}])")),
+              "nodes[0].scale[1]: should be a number"));
+    CHECK(has(error(with_nodes(R"("nodes": [{"mesh": 0, "rotation": [0, 0, 0, 0]}])")),
+              "nodes[0]: its rotation is not a quaternion"));
+    CHECK(has(error(with_nodes(R"("nodes": [{"mesh": 0, "translation": [1e300, 0, 0]}])")),
+              "vertex 0 is beyond 2^60"));
+    CHECK(has(error(with_nodes(
+                  R"("nodes": [{"mesh": 0, "matrix": [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])")),
+              "nodes[0]: its matrix is not affine"));
+    CHECK(has(error(R"({"asset": {"version": "2.0"}, "x": )" + std::string(100000, '[')),
+              "a.gltf: "));
+    Bytes nan;
+    nan.add(0.0f).add(NAN).add(0.0f);
+    CHECK(has(
+        error(accessor_mesh(
+            R"({"buffer": 0, "byteLength": 12})",
+            R"({"bufferView": 0, "componentType": 5126, "count": 1, "type": "VEC3"})", nan.str())),
+        "meshes[0].primitives[0]: vertex 0 is not a finite position"));
+    std::string buffer = square_buffer();
+    buffer.back() = 4;
+    CHECK(has(error(document(
+                  k_square_accessors + R"(, "meshes": [{"primitives": [{"mode": 5, "indices": 1,
+"attributes": {"POSITION": 0}}]}])",
+                  buffer)),
+              "index 4 (number 3) is out of range"));
+}
+
+TEST_CASE("glTF: buffers are taken from beside the file only, and must be as long as they say") {
+    const ScratchFolder folder;
+    folder.write("short.bin", "12345678");
+    std::filesystem::create_directories(folder.path() / "sub");
+    folder.write("sub/outside.gltf", "");
+    const auto message = [&](const std::string& uri) {
+        try {
+            read_mesh_file(folder.write(
+                "sub/a.gltf", sample_gltf(R"({"byteLength": 186, "uri": ")" + uri + "\"}")));
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    for (const char* uri : {"../short.bin", "%2e%2e/short.bin", "/dev/zero", "file:///etc/passwd",
+                            "http://example.org/x.bin", "x/../../short.bin", "a%00b"}) {
+        CAPTURE(uri);
+        CHECK(has(message(uri), "does not name a file beside this one"));
+    }
+    CHECK(has(message("missing.bin"), "missing.bin: cannot open it"));
+    CHECK(has(message("bad%zz"), "bad escape"));
+    folder.write("sub/short.bin", "12345678");
+    CHECK(has(message("short.bin"),
+              "buffers[0]: byteLength is 186 but 'short.bin' has only 8 bytes"));
+    CHECK(has(error_of("a.gltf", sample_gltf(R"({"byteLength": 186})")), "buffers[0]: has no uri"));
+    CHECK(has(error_of("a.glb", glb_of(sample_gltf(R"({"byteLength": 186})"), "1234")),
+              "the binary chunk has only 4 bytes"));
+}

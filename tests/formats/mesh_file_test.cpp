@@ -1,0 +1,95 @@
+#include "silhouette/mesh/formats/mesh_file.h"
+
+#include <sys/stat.h>
+
+#include "tests/formats/sample_files.h"
+
+using namespace rimline;
+using namespace rimline::tests;
+
+TEST_CASE("What a file is, its content says before its name") {
+    for (const SampleFile& sample : sample_files()) {
+        for (const char* name : {"model", "model.obj", "model.stl", "model.xyz"}) {
+            CAPTURE(sample.name);
+            CAPTURE(name);
+            // A binary STL that begins with nothing known is known by its size.
+            CHECK(error_of(name, sample.bytes) == "");
+            CHECK(read_text(name, sample.bytes).triangles.size() == 5);
+        }
+    }
+}
+
+TEST_CASE("A byte order mark before text does not matter") {
+    CHECK(read_text("a.obj", "\xef\xbb\xbf" + sample_obj()).triangles.size() == 5);
+    CHECK(read_text("a.gltf", "\xef\xbb\xbf" + sample_gltf_embedded()).triangles.size() == 5);
+}
+
+TEST_CASE("Files that are missing, folders, pipes, empty or unknown are refused with the reason") {
+    const ScratchFolder folder;
+    const auto error = [](const std::filesystem::path& path) {
+        try {
+            read_mesh_file(path);
+        } catch (const Error& e) {
+            CHECK(std::string(e.what()).starts_with(path.string() + ":"));
+            return std::pair{e.code(), std::string(e.what())};
+        }
+        return std::pair{ErrorCode::cancelled, std::string()};
+    };
+    const auto missing = error(folder.path() / "none.obj");
+    CHECK(missing.first == ErrorCode::io);
+    CHECK(has(missing.second, "No such file"));
+    CHECK(has(error(folder.path()).second, "is a directory"));
+    const std::filesystem::path pipe = folder.path() / "pipe.obj";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK(has(error(pipe).second, "is not a regular file"));
+    const auto empty = error(folder.write("empty.ply", ""));
+    CHECK(empty.first == ErrorCode::bad_input);
+    CHECK(has(empty.second, "the file is empty"));
+    CHECK(has(error(folder.write("a.png", "\x89PNG\r\n")).second, "the format is not known"));
+    CHECK(has(error(folder.write("noname", "hello world\n")).second, "the format is not known"));
+    CHECK(has(error(folder.write("a.ply", "hello world\n")).second, "begins with a line 'ply'"));
+    CHECK(has(error(folder.write("a.glb", "hello world\n")).second, "begins with 'glTF'"));
+    CHECK(has(error(folder.write("a.obj", "hello world\n")).second, ":1: 'hello' is no OBJ"));
+    CHECK(has(error(folder.write("a.obj", "# nothing\n")).second, "no faces: it holds nothing"));
+    CHECK(has(error_of("a.obj", "# nothing\n"), "no points"));
+}
+
+TEST_CASE("A file that may not be read is refused with the reason") {
+    const ScratchFolder folder;
+    const std::filesystem::path path = folder.write("a.obj", sample_obj());
+    std::filesystem::permissions(path, std::filesystem::perms::none);
+    if (std::ifstream(path).good()) return;  // The superuser may read anything.
+    CHECK_THROWS_AS(read_mesh_file(path), Error);
+}
+
+TEST_CASE("Progress never falls and ends at one, and a stop request ends the call") {
+    std::string bytes = "OFF\n150000 0 0\n";
+    for (int i = 0; i < 150000; ++i) bytes += "0 0 1\n";
+    const ScratchFolder folder;
+    const std::filesystem::path path = folder.write("a.off", bytes);
+    double last = 0.0;
+    int calls = 0;
+    LongCall call;
+    call.progress = [&](double done) {
+        CHECK(done >= last);
+        CHECK(done <= 1.0);
+        last = done;
+        ++calls;
+    };
+    read_mesh_file(path, FaceRequirement::faces_or_points, call);
+    CHECK(last == 1.0);
+    CHECK(calls >= 4);
+
+    std::stop_source stop;
+    call.stop = stop.get_token();
+    call.progress = [&](double done) {
+        if (done > 0.5) stop.request_stop();
+    };
+    bool cancelled = false;
+    try {
+        read_mesh_file(path, FaceRequirement::faces_or_points, call);
+    } catch (const Error& e) {
+        cancelled = e.code() == ErrorCode::cancelled;
+    }
+    CHECK(cancelled);
+}

@@ -1,0 +1,122 @@
+#include "tools/output_file.h"
+
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "silhouette/error.h"
+#include "tests/tools/scratch_folder.h"
+
+using rimline::Error;
+using rimline::ErrorCode;
+using rimline::tests::read_bytes;
+using rimline::tests::ScratchFolder;
+using rimline::tests::write_bytes;
+using rimline::tools::OutputFile;
+namespace fs = std::filesystem;
+
+namespace {
+
+// The message of the Error{io} that opening `path` throws; empty when it opens.
+std::string refusal(const fs::path& path) {
+    try {
+        OutputFile file(path);
+    } catch (const Error& e) {
+        CHECK(e.code() == ErrorCode::io);
+        return e.what();
+    }
+    return {};
+}
+
+mode_t mode_of(const fs::path& path) {
+    struct stat status {};
+    REQUIRE(stat(path.c_str(), &status) == 0);
+    return status.st_mode & 07777;
+}
+
+}  // namespace
+
+TEST_CASE("a file appears with all its bytes when it is committed, and not before") {
+    const ScratchFolder folder;
+    std::string bytes;
+    for (std::uint32_t i = 0; i < 200'000; ++i) bytes += static_cast<char>(i * i >> 3);
+    OutputFile file(folder / "a.bin");
+    file.write(bytes);
+    file.write("tail\n");
+    CHECK_FALSE(fs::exists(folder / "a.bin"));
+    file.commit();
+    CHECK(read_bytes(folder / "a.bin") == bytes + "tail\n");
+    CHECK(folder.entry_count() == 1);
+}
+
+TEST_CASE("a file that is not committed leaves the old one and nothing else") {
+    const ScratchFolder folder;
+    write_bytes(folder / "a.txt", "old");
+    try {
+        OutputFile file(folder / "a.txt");
+        file.write("half of the ne");
+        throw Error(ErrorCode::cancelled, "cancelled");
+    } catch (const Error&) {
+    }
+    CHECK(read_bytes(folder / "a.txt") == "old");
+    CHECK(folder.entry_count() == 1);
+}
+
+TEST_CASE("a committed file replaces the old one and keeps its permissions") {
+    const ScratchFolder folder;
+    write_bytes(folder / "a.txt", "a longer old text");
+    fs::permissions(folder / "a.txt", fs::perms(0640));
+    OutputFile file(folder / "a.txt");
+    file.write("new");
+    file.commit();
+    CHECK(read_bytes(folder / "a.txt") == "new");
+    CHECK(mode_of(folder / "a.txt") == 0640);
+}
+
+TEST_CASE("a new file has the permissions that the user's mask leaves") {
+    const ScratchFolder folder;
+    const mode_t mask = umask(027);
+    OutputFile file(folder / "a.txt");
+    umask(mask);
+    file.commit();
+    CHECK(mode_of(folder / "a.txt") == 0640);
+}
+
+TEST_CASE("a link is followed, so that it stays one") {
+    const ScratchFolder folder;
+    write_bytes(folder / "target.txt", "old");
+    fs::create_symlink("target.txt", folder / "link.txt");
+    OutputFile file(folder / "link.txt");
+    file.write("new");
+    file.commit();
+    CHECK(fs::is_symlink(folder / "link.txt"));
+    CHECK(read_bytes(folder / "target.txt") == "new");
+}
+
+TEST_CASE("a missing folder, a folder as target and an empty name are refused by name") {
+    const ScratchFolder folder;
+    const std::string missing = refusal(folder / "no/such/a.txt");
+    CHECK(missing.find((folder / "no/such/a.txt").string()) == 0);
+    CHECK(missing.find("no folder") != std::string::npos);
+    fs::create_directory(folder / "sub");
+    const std::string is_folder = refusal(folder / "sub");
+    CHECK(is_folder.find((folder / "sub").string()) == 0);
+    CHECK(is_folder.find("it is a folder") != std::string::npos);
+    CHECK(refusal("") != "");
+    write_bytes(folder / "plain", "x");
+    CHECK(refusal(folder / "plain/a.txt") != "");
+    CHECK(folder.entry_count() == 2);
+}
+
+TEST_CASE("a device is written to and stays a device") {
+    OutputFile null("/dev/null");
+    null.write("gone");
+    null.commit();
+    CHECK(fs::is_character_file("/dev/null"));
+    if (!fs::is_character_file("/dev/full")) return;
+    OutputFile full("/dev/full");
+    CHECK_THROWS_AS(full.write("no room"), Error);
+}

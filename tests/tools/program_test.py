@@ -1,0 +1,342 @@
+#!/usr/bin/env python3
+"""The rimline program as its users call it: exit status, what is printed where, what is written.
+
+    program_test.py PROGRAM CASE        CASE is one of the test_ functions below
+
+Exit status 77 means skipped: a case needs a model that no folder of RIMLINE_MODELS has.
+"""
+import json
+import math
+import os
+import re
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+
+PROGRAM = os.path.abspath(sys.argv[1])
+COMMANDS = ("render", "info", "silhouette", "track", "bench", "devices")
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=500, **options)
+
+
+def succeed(*arguments):
+    """Runs with --json and returns the object."""
+    result = run(*arguments, "--json")
+    assert result.returncode == 0, (arguments, result.returncode, result.stderr)
+    assert result.stderr == "", result.stderr  # No progress where there is no terminal.
+    assert result.stdout.count("\n") == 1 and result.stdout.endswith("\n")
+    return json.loads(result.stdout)
+
+
+def fail(status, *arguments):
+    """Runs, checks the status, that standard output is empty, and returns the one line of the error."""
+    result = run(*arguments)
+    assert result.returncode == status, (arguments, result.returncode, result.stderr)
+    assert result.stdout == "", (arguments, result.stdout)
+    lines = result.stderr.splitlines()
+    assert len(lines) == 1 and lines[0].startswith("rimline: error: "), (arguments, result.stderr)
+    return lines[0]
+
+
+def model(name):
+    for folder in os.environ.get("RIMLINE_MODELS", "").split(":"):
+        path = os.path.join(folder, name)
+        if folder and os.path.exists(path):
+            return path
+    print(f"SKIPPED: no {name} in RIMLINE_MODELS")
+    sys.exit(77)
+
+
+def is_count(value):
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+
+
+def is_vector(value):
+    return len(value) == 3 and all(isinstance(x, (int, float)) and math.isfinite(x) for x in value)
+
+
+def check_silhouette(found):
+    assert all(is_count(found[k]) for k in ("vertices", "faces", "count", "borders"))
+    assert set(found["counters"]) == {"box_checks", "face_checks", "edge_checks"}
+    assert found["ms"] >= 0
+    edges = found["edges"]
+    assert len(edges) == found["count"]
+    assert edges == sorted(edges) and all(a < b for a, b in edges)
+    assert len(set(map(tuple, edges))) == len(edges)
+
+
+def check_track(result, frame_count):
+    keys = ("flips", "added", "removed", "silhouette", "box_checks", "face_checks")
+    frames, totals = result["frames"], result["totals"]
+    assert len(frames) == frame_count
+    for frame in frames:
+        assert all(is_count(frame[k]) for k in keys) and frame["us"] >= 0
+    for key in keys:
+        assert totals[key] == sum(frame[key] for frame in frames), key
+    assert math.isclose(totals["us"], sum(frame["us"] for frame in frames), rel_tol=1e-9)
+    assert totals["max_us"] == max(frame["us"] for frame in frames)
+    for before, after in zip(frames, frames[1:]):
+        assert after["silhouette"] - before["silhouette"] == after["added"] - after["removed"]
+    assert frames[0]["flips"] == frames[0]["added"] == frames[0]["removed"] == 0
+
+
+def test_version_and_help_go_to_standard_output():
+    version = run("--version")
+    assert version.returncode == 0 and re.fullmatch(r"rimline \d+\.\d+\.\d+\n", version.stdout)
+    help_text = run("--help")
+    assert help_text.returncode == 0 and help_text.stderr == ""
+    assert all(command in help_text.stdout for command in COMMANDS)
+
+
+def test_every_subcommand_has_help():
+    for command in COMMANDS:
+        result = run(command, "--help")
+        assert result.returncode == 0 and result.stderr == "", command
+        assert "Usage: rimline " + command in result.stdout
+        assert "--json" in result.stdout
+        assert "\n\n\n" not in result.stdout
+        assert all(len(line) <= 110 for line in result.stdout.splitlines()), command
+
+
+def test_wrong_usage_exits_2():
+    result = run()
+    assert result.returncode == 2 and result.stdout == ""
+    assert all(command in result.stderr for command in COMMANDS)
+    box = "shape:box"
+    for arguments in (
+            ["frobnicate"], ["frobnicate", "--help"], ["--frobnicate"], ["info"], ["info", box, "--frobnicate"], ["info", box, box],
+            ["info", "shape:cube"], ["info", "shape:box:0"], ["info", box, "--subdivide", "-1"],
+            ["info", box, "--subdivide", "99"],
+            ["silhouette", box], ["silhouette", "--from", "1,2,3"],
+            ["silhouette", box, "--from", "1,2"], ["silhouette", box, "--from", "1,2,nan"],
+            ["silhouette", box, "--from", "1,2,1e19"], ["silhouette", box, "--direction", "0,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--direction", "1,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--from", "1,2,3"],
+            ["silhouette", box, "--from", "1,2,3", "--method", "dual"],
+            ["silhouette", box, "--from", "1,2,3", "--origin", "0,0,0", "--origin", "1,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "-o", "lines.pdf"], ["silhouette", box, "--from"],
+            ["track", box, "--frames", "0"], ["track", box, "--frames", "2.5"], ["track", box, "--step", "x"],
+            ["track", box, "--up", "0,0,0"], ["track", box, "--radius", "-1"], ["track", box, "--radius", "inf"],
+            ["bench"], ["bench", "nothing"], ["bench", "hough", box, "--rounds", "0"]):
+        line = fail(2, *arguments)
+        assert "--help" in line, line
+
+
+def test_bad_input_exits_1_with_one_line_that_names_it():
+    with tempfile.TemporaryDirectory() as folder:
+        bad = os.path.join(folder, "bad.obj")
+        with open(bad, "w") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 zero\nf 1 2 3\n")
+        points = os.path.join(folder, "points.txt")
+        with open(points, "w") as file:
+            file.write("1 2 3\n1 2\n")
+        gone = os.path.join(folder, "gone.obj")
+        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "hough"]):
+            assert gone in fail(1, *command, gone)
+            assert bad + ":3" in fail(1, *command, bad, "--json")
+            assert folder in fail(1, *command, folder)
+        assert points + ":2" in fail(1, "track", "shape:box", "--path", points)
+        assert gone in fail(1, "track", "shape:box", "--path", gone)
+
+
+def test_info_counts_shapes():
+    for shape in ("sphere", "torus", "knot", "box", "spring"):
+        found = succeed("info", f"shape:{shape}:1000")
+        assert found["closed"] is True and found["oriented"] is True, shape
+        assert found["components"] == 1 and found["border_edges"] == 0
+        assert found["edges"] * 2 == found["faces"] * 3
+        euler = found["vertices"] - found["edges"] + found["faces"]
+        assert euler == (0 if shape in ("torus", "knot") else 2), shape
+        assert is_vector(found["center"]) and found["radius"] > 0
+        assert len(found["bounds"]) == 2 and all(map(is_vector, found["bounds"]))
+    open_mesh = succeed("info", "shape:terrain:1000")
+    assert open_mesh["closed"] is False and open_mesh["border_edges"] > 0
+    coarse, fine = succeed("info", "shape:box"), succeed("info", "shape:box", "--subdivide", "2")
+    assert fine["faces"] == 16 * coarse["faces"] and fine["closed"] is True
+    summary = run("info", "shape:box")
+    assert summary.returncode == 0 and str(coarse["faces"]) in summary.stdout
+
+
+def test_info_takes_every_point_of_a_cloud_as_used():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "cloud.ply")
+        with open(path, "w") as file:
+            file.write("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                       "property float z\nend_header\n0 0 0\n4 0 0\n-0 0 0\n4 2 0\n")
+        found = succeed("info", path)
+        assert (found["vertices"], found["file_vertices"], found["faces"]) == (3, 4, 0)
+        assert found["center"] == [2, 1, 0] and math.isclose(found["radius"], math.sqrt(5))
+        assert found["bounds"] == [[0, 0, 0], [4, 2, 0]] and found["closed"] is False
+        assert path in fail(1, "silhouette", path, "--from", "1,2,3")
+
+
+def test_a_box_has_the_silhouette_that_one_can_draw():
+    low, high = succeed("info", "shape:box:12")["bounds"]
+    size = [b - a for a, b in zip(low, high)]
+    # Before the middle of a face its rim is the silhouette; before a corner, a hexagon.
+    center = [(a + b) / 2 for a, b in zip(low, high)]
+    before_face = ",".join(str(c + 10 * s * axis) for c, s, axis in zip(center, size, (0, 0, 1)))
+    found = succeed("silhouette", "shape:box:12", "--from", before_face)
+    check_silhouette(found)
+    assert found["count"] == 4 and found["borders"] == 0
+    found = succeed("silhouette", "shape:box:12", "--direction", "-1,-1,-1")
+    check_silhouette(found)
+    assert found["count"] == 6
+
+
+def test_octree_and_brute_force_find_the_same_edges():
+    for shape in ("torus:3000", "terrain:2000", "scene"):
+        for view in (["--from", "3,2,1"], ["--from", "0,0,0"], ["--direction", "0.2,-1,0.4"]):
+            octree = succeed("silhouette", "shape:" + shape, *view)
+            check_silhouette(octree)
+            brute = succeed("silhouette", "shape:" + shape, *view, "--method", "brute")
+            moved = succeed("silhouette", "shape:" + shape, *view, "--origin", "0.5,0.25,-0.1")
+            assert octree["edges"] == brute["edges"] == moved["edges"], (shape, view)
+            assert brute["counters"]["face_checks"] == brute["faces"]
+            short = succeed("silhouette", "shape:" + shape, *view, "--no-edges")
+            assert "edges" not in short and short["count"] == octree["count"]
+
+
+def test_line_files_hold_the_edges_that_are_reported():
+    with tempfile.TemporaryDirectory() as folder:
+        for ending in ("obj", "ply", "svg"):
+            path = os.path.join(folder, "lines." + ending)
+            found = succeed("silhouette", "shape:knot:2000", "--from", "4,3,2", "-o", path)
+            assert found["output"] == path and found["count"] > 0
+            with open(path) as file:
+                text = file.read()
+            if ending == "obj":
+                pairs = re.findall(r"^# vertices (\d+) (\d+) faces \d+ \d+\nl \d+ \d+$", text, re.M)
+                assert [sorted(map(int, pair)) for pair in pairs] == found["edges"]
+            elif ending == "ply":
+                assert f"element edge {found['count']}\n" in text
+            else:
+                assert text.count("<line ") == found["count"]
+        assert sorted(os.listdir(folder)) == ["lines.obj", "lines.ply", "lines.svg"]
+
+
+def test_an_output_file_is_written_whole_or_not_at_all():
+    with tempfile.TemporaryDirectory() as folder:
+        view = ["silhouette", "shape:box", "--from", "3,2,1", "-o"]
+        nowhere = os.path.join(folder, "no", "such", "a.obj")
+        assert nowhere in fail(1, *view, nowhere)
+        os.mkdir(os.path.join(folder, "a.obj"))
+        assert "folder" in fail(1, *view, os.path.join(folder, "a.obj"))
+        assert os.listdir(folder) == ["a.obj"]
+        # What fails after the output was opened leaves the old one as it was, and nothing beside it.
+        old = os.path.join(folder, "b.obj")
+        with open(old, "w") as file:
+            file.write("old")
+        fail(1, "silhouette", os.path.join(folder, "gone.obj"), "--from", "3,2,1", "-o", old)
+        with open(old) as file:
+            assert file.read() == "old"
+        assert sorted(os.listdir(folder)) == ["a.obj", "b.obj"]
+        assert run(*view, old).returncode == 0
+        assert sorted(os.listdir(folder)) == ["a.obj", "b.obj"]
+        assert stat.S_ISREG(os.stat(old).st_mode)
+
+
+def test_a_full_disk_behind_standard_output_is_an_error():
+    if not os.path.exists("/dev/full"):
+        print("SKIPPED: no /dev/full")
+        sys.exit(77)
+    with open("/dev/full", "w") as full:
+        result = subprocess.run([PROGRAM, "info", "shape:box", "--json"], stdout=full,
+                                stderr=subprocess.PIPE, text=True, timeout=60)
+    assert result.returncode == 1 and result.stderr.startswith("rimline: error: standard output")
+
+
+def test_an_interrupt_ends_the_program_by_its_signal_and_leaves_nothing():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "lines.svg")
+        for number, arguments in ((signal.SIGINT, ["track", "shape:knot:20000", "--frames", "10000000", "--verify"]),
+                                  (signal.SIGTERM, ["silhouette", "shape:knot:4000", "--subdivide", "5",
+                                                    "--from", "3,2,1", "-o", path])):
+            process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(0.5)
+            process.send_signal(number)
+            out, err = process.communicate(timeout=300)
+            assert process.returncode == -number, (process.returncode, err)
+            assert out == "" and err == "rimline: error: cancelled\n", (out, err)
+            assert os.listdir(folder) == []
+
+
+def test_track_verifies_every_path():
+    with tempfile.TemporaryDirectory() as folder:
+        points = os.path.join(folder, "points.txt")
+        with open(points, "w") as file:
+            file.write("# there and back\n3 2 1\n3 2 1.01\n0 0 -1 0\n3 2 1 1\n0 0 0\n")
+        for shape in ("sphere:2000", "knot:2000", "terrain:2000", "scene"):
+            arguments = ["track", "shape:" + shape, "--verify"]
+            orbit = succeed(*arguments, "--step", "0.5", "--frames", "40")
+            check_track(orbit, 40)
+            random = succeed(*arguments, "--path", "random", "--seed", "5", "--frames", "200")
+            check_track(random, 200)
+            listed = succeed(*arguments, "--path", points)
+            check_track(listed, 5)
+            check_track(succeed(*arguments, "--path", points, "--frames", "2"), 2)
+            assert orbit["verified"] is random["verified"] is listed["verified"] is True
+            # Back at a point, the silhouette is what it was there.
+            assert listed["frames"][3]["silhouette"] == listed["frames"][0]["silhouette"]
+    assert succeed("track", "shape:box")["verified"] is False
+    check_track(succeed("track", "shape:box"), 360)
+
+
+def test_track_shows_the_silhouettes_that_silhouette_finds():
+    shape = "shape:torus:2000"
+    found = succeed("info", shape)
+    track = succeed("track", shape, "--frames", "8", "--up", "0,0,1", "--radius", "3")
+    for i, frame in enumerate(track["frames"]):
+        angle = 2 * math.pi * i / 8
+        offsets = (math.cos(angle), math.sin(angle), 0)
+        point = [c + 3 * found["radius"] * o for c, o in zip(found["center"], offsets)]
+        view = ",".join(f"{x:.17g}" for x in point)
+        silhouette = succeed("silhouette", shape, "--from", view, "--no-edges")
+        # The last bit of a coordinate may differ between two ways to write the same circle.
+        assert abs(silhouette["count"] - frame["silhouette"]) <= 2
+
+
+def test_bench_checks_and_then_measures():
+    result = succeed("bench", "hough", "shape:knot:2000", "shape:terrain:500", "--rounds", "1",
+                     "--viewpoints", "10", "--frames", "10")
+    assert result["machine"]["cpu"] and result["machine"]["packed"]
+    assert [(c["case"], c["model"]) for c in result["cases"]] == [
+        (case, shape) for shape in ("shape:knot:2000", "shape:terrain:500") for case in ("extraction", "update")]
+    for case in result["cases"]:
+        assert case["verified"] is True and len(case["methods"]) >= 3
+        for method in case["methods"]:
+            assert method["median_us"] > 0 and method["mean_us"] > 0 and method["ratio"] > 0
+    table = run("bench", "hough", "shape:knot:2000", "--rounds", "1", "--viewpoints", "10", "--frames", "10")
+    assert table.returncode == 0 and "median us" in table.stdout
+
+
+def test_the_bunny_is_counted_and_verified():
+    bunny = model("stanford-bunny.obj")
+    found = succeed("info", bunny)
+    assert (found["vertices"], found["file_vertices"], found["faces"]) == (34834, 35947, 69451)
+    assert found["border_edges"] == 223 and found["closed"] is False
+    view = ["silhouette", bunny, "--from", "0.3,0.4,0.5"]
+    octree, brute = succeed(*view), succeed(*view, "--method", "brute")
+    check_silhouette(octree)
+    assert octree["edges"] == brute["edges"]
+    track = succeed("track", bunny, "--step", "0.5", "--frames", "30", "--verify")
+    check_track(track, 30)
+    assert track["verified"] is True
+
+
+def test_igea_is_counted_and_verified():
+    igea = model("igea.ply")
+    found = succeed("info", igea)
+    assert (found["vertices"], found["faces"], found["closed"]) == (134345, 268686, True)
+    track = succeed("track", igea, "--path", "random", "--frames", "60", "--verify")
+    check_track(track, 60)
+    assert track["verified"] is True
+
+
+if __name__ == "__main__":
+    globals()[sys.argv[2]]()

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that Rimline needs and this machine lacks; says which before it does.
+# With nothing missing it needs neither root nor a network.
+#
+#   tools/install_packages.sh cpu         to build the CPU library and its commands (RIMLINE_ENGINE=OFF)
+#   tools/install_packages.sh cpu-tests   to build and run their tests too
+#   tools/install_packages.sh demo        to build and run everything but the tests
+#   tools/install_packages.sh tests       to build and run everything
+set -u
+source "$(dirname "$0")/steps.sh"
+
+# Debian 12 names.
+cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libtinygltf-dev libstb-dev
+    nlohmann-json3-dev libcli11-dev)
+engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libpng-dev)
+cpu_tests=(ccache doctest-dev python3)
+engine_tests=(libembree-dev vulkan-validationlayers spirv-tools)
+
+case "${1:-}" in
+    cpu) wanted=("${cpu[@]}") ;;
+    cpu-tests) wanted=("${cpu[@]}" "${cpu_tests[@]}") ;;
+    demo) wanted=("${cpu[@]}" "${engine[@]}") ;;
+    tests) wanted=("${cpu[@]}" "${engine[@]}" "${cpu_tests[@]}" "${engine_tests[@]}") ;;
+    *) stop "usage: $script_name cpu|cpu-tests|demo|tests" ;;
+esac
+
+command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
+    stop "no apt here: install your system's packages for: ${wanted[*]}; then build as README.md says"
+
+missing=()
+for package in "${wanted[@]}"; do
+    # One line an architecture.
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+        missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+        stop "missing packages and no sudo: as root, run: apt-get install ${missing[*]}"
+    as_root=(sudo)
+fi
+
+log=build/install_packages.log
+echo "$script_name: installing with apt: ${missing[*]} (log: $log)"
+apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@"; }
+
+# One unreachable third-party source fails the update as a whole; whether the packages can be had,
+# the installation says.
+apt update >"$log" 2>&1 || echo "$script_name: apt-get update reported errors; going on"
+apt install --yes --no-install-recommends "${missing[@]}" >>"$log" 2>&1 ||
+    stop "apt-get install failed: read the end of $log, connect to the network or free apt, run this again"

@@ -1,0 +1,98 @@
+#include "tools/model_argument.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/shapes/loop_subdivision.h"
+#include "tools/option_types.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr std::string_view k_shape_prefix = "shape:";
+constexpr std::uint32_t k_max_shape_faces = 1u << 28;
+
+std::string shape_names() {
+    std::string names;
+    for (const std::string_view name : k_built_in_shapes)
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+}
+
+struct ShapeName {
+    std::string_view name;
+    std::uint32_t faces;  // 0: the shape's own default.
+};
+
+// Nothing when `text` is a file's name.
+std::optional<ShapeName> parse_shape(std::string_view text) {
+    if (!text.starts_with(k_shape_prefix)) return std::nullopt;
+    const std::string_view rest = text.substr(k_shape_prefix.size());
+    const std::size_t colon = rest.find(':');
+    ShapeName shape{rest.substr(0, colon), 0};
+    if (std::find(k_built_in_shapes.begin(), k_built_in_shapes.end(), shape.name) ==
+        k_built_in_shapes.end())
+        throw CLI::ValidationError("MODEL", "no built-in shape is called '" +
+                                                std::string(shape.name) + "'; there are " +
+                                                shape_names());
+    if (colon == std::string_view::npos) return shape;
+    const std::string_view faces = rest.substr(colon + 1);
+    const char* end = faces.data() + faces.size();
+    const auto parsed = std::from_chars(faces.data(), end, shape.faces);
+    if (parsed.ec != std::errc() || parsed.ptr != end || shape.faces < 1 ||
+        shape.faces > k_max_shape_faces)
+        throw CLI::ValidationError(
+            "MODEL", "expected a number of faces from 1 to 2^28 in '" + std::string(text) + "'");
+    return shape;
+}
+
+}  // namespace
+
+std::string model_description() {
+    return "File (OBJ, PLY, STL, OFF, glTF, GLB) or shape:NAME[:FACES] with NAME one of " +
+           shape_names();
+}
+
+void check_model_name(const std::string& text) { parse_shape(text); }
+
+MeshSource load_model(const std::string& model, std::uint32_t subdivide,
+                      FaceRequirement requirement, const Context& context) {
+    MeshSource source;
+    if (const std::optional<ShapeName> shape = parse_shape(model)) {
+        source = make_built_in_shape(shape->name, shape->faces);
+    } else {
+        Progress progress(context, "reading " + model);
+        source = read_mesh_file(model, requirement, progress.call());
+    }
+    if (subdivide > 0 && !source.triangles.empty()) {
+        Progress progress(context, "subdividing " + model);
+        source = subdivide_loop(source, subdivide, progress.call());
+    }
+    context.checkpoint();
+    return source;
+}
+
+void ModelArgument::add_to(CLI::App& app, Presence presence) {
+    CLI::Option* option = app.add_option_function<std::string>(
+                                 "MODEL",
+                                 [this](const std::string& text) {
+                                     check_model_name(text);
+                                     model = text;
+                                 },
+                                 model_description())
+                              ->type_name("");
+    if (presence == Presence::required) option->required();
+    add_subdivide(app, subdivide)->group("Model");
+}
+
+CLI::Option* add_subdivide(CLI::App& app, std::uint32_t& steps) {
+    return add_count(app, "--subdivide", steps, 0, 14,
+                     "Refine the model this many times by Loop subdivision, four faces for one");
+}
+
+}  // namespace rimline::tools

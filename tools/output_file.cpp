@@ -1,0 +1,88 @@
+#include "tools/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "silhouette/error.h"
+
+namespace rimline::tools {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
+    if (path_.empty()) throw Error(ErrorCode::io, "the output file's name is empty");
+    std::error_code ignored;
+    if (fs::is_symlink(path_, ignored)) {
+        target_ = fs::weakly_canonical(path_, ignored);
+        if (ignored) fail("cannot follow the link", ignored.value());
+    }
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored))
+        throw Error(ErrorCode::io, path_.string() + ": cannot write: there is no folder " +
+                                       folder.string() + "; create it first");
+
+    struct stat existing {};
+    const bool exists = stat(target_.c_str(), &existing) == 0;
+    if (exists && S_ISDIR(existing.st_mode))
+        throw Error(ErrorCode::io,
+                    path_.string() + ": cannot write: it is a folder; name a file in it");
+    if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
+    if (exists && !S_ISREG(existing.st_mode)) {
+        descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0) fail("cannot write", errno);
+        return;
+    }
+    // Not mkstemp: its files are private whatever the user's mask says.
+    for (int attempt = 0; descriptor_ < 0; ++attempt) {
+        std::string name(".");
+        name.append(target_.filename().string()).append(".").append(std::to_string(getpid()));
+        name.append(".").append(std::to_string(attempt)).append(".part");
+        temporary_ = folder / name;
+        descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0 || (errno == EEXIST && attempt < 1000)) continue;
+        const int error_number = errno;
+        temporary_.clear();
+        fail("cannot write", error_number);
+    }
+    if (exists) fchmod(descriptor_, existing.st_mode & 07777);
+}
+
+OutputFile::~OutputFile() {
+    close_descriptor();
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("cannot write", errno);
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void OutputFile::commit() {
+    // Some file systems report a full disk only here.
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (close(descriptor) != 0 && errno != EINTR) fail("cannot write", errno);
+    if (temporary_.empty()) return;
+    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write", errno);
+    temporary_.clear();
+}
+
+void OutputFile::fail(const std::string& doing, int error_number) const {
+    throw Error(ErrorCode::io, path_.string() + ": " + doing + ": " +
+                                   std::generic_category().message(error_number));
+}
+
+void OutputFile::close_descriptor() noexcept {
+    if (descriptor_ >= 0) close(descriptor_);
+    descriptor_ = -1;
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,30 @@
+#include "tools/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace rimline::tools {
+
+Progress::Progress(const Context& context, std::string doing)
+    : stop_(context.stop), doing_(std::move(doing)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (shown_percent_ >= 0) std::fputs("\r\033[K", stderr);
+}
+
+LongCall Progress::call() {
+    LongCall call{stop_, {}};
+    if (on_terminal_) call.progress = [this](double done) { show(done); };
+    return call;
+}
+
+void Progress::show(double done) {
+    const int percent = static_cast<int>(100.0 * done);
+    if (percent == shown_percent_ || Clock::now() - start_ < std::chrono::milliseconds(500)) return;
+    shown_percent_ = percent;
+    std::fprintf(stderr, "\r\033[K%s %d%%", doing_.c_str(), percent);
+    std::fflush(stderr);
+}
+
+}  // namespace rimline::tools

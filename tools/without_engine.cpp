@@ -1,0 +1,40 @@
+// Stands in for the subcommands that need Vulkan in a build without it: they say so, whatever they are
+// asked.
+
+#include "tools/command.h"
+
+namespace rimline::tools {
+
+namespace {
+
+class WithoutEngineCommand final : public Command {
+public:
+    WithoutEngineCommand(std::string name, std::string summary)
+        : name_(std::move(name)), summary_(std::move(summary)) {}
+
+    std::string name() const override { return name_; }
+    std::string summary() const override { return summary_ + " (not in this build)"; }
+    void add_options(CLI::App& app) override { app.allow_extras(); }
+    ExitStatus run(const Context&) override {
+        throw Error(ErrorCode::no_device,
+                    name_ +
+                        ": this rimline was built without the engine; configure it with "
+                        "-DRIMLINE_ENGINE=ON and build again");
+    }
+
+private:
+    std::string name_;
+    std::string summary_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_render_command() {
+    return std::make_unique<WithoutEngineCommand>("render", "Draw one picture");
+}
+
+std::unique_ptr<Command> make_devices_command() {
+    return std::make_unique<WithoutEngineCommand>("devices", "List the Vulkan devices");
+}
+
+}  // namespace rimline::tools
