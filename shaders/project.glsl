@@ -41,7 +41,8 @@ vec4 clip_from_extruded(FrameRef frame, InstanceRef instance, LightRef light, ve
 
 // Whether all rays of the light end in one point, so that volumes have no dark cap.
 bool ends_in_one_point(LightRef light) {
-    return light.data.light.w == 0.0 && light.data.extrusion == 0.0;
+    const vec4 from = light.data.light;
+    return from.w == 0.0 && light.data.extrusion == 0.0;
 }
 
 #endif

@@ -45,7 +45,8 @@ public:
         model_.add_to(app, ModelArgument::Presence::optional);
         app.add_option("-o,--output", output_, "The PNG to write")
             ->type_name("FILE.png")
-            ->capture_default_str();
+            ->capture_default_str()
+            ->group("Output");
         constexpr const char* k_group = "Style";
         app.add_option("--style", style_, "ink, toon, or mask (where light arrives)")
             ->check(CLI::IsMember({"ink", "toon", "mask"}))

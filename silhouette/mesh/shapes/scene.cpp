@@ -18,8 +18,9 @@ namespace rimline {
 
 namespace {
 
-// What rests on something reaches this far into it, so that no two surfaces share a plane.
-constexpr double k_sunk = 0.004;
+// What rests on something hovers this far above it: too little to be seen, but no two surfaces share a
+// plane, and the edges where parts meet are silhouettes that can be drawn.
+constexpr double k_gap = 0.003;
 constexpr double k_pedestal_height = 0.86;
 
 struct Placement {
@@ -46,7 +47,7 @@ void place(MeshSource& scene, const MeshSource& part, const Placement& placement
     };
     double lowest = std::numeric_limits<double>::infinity();
     for (const glm::vec3& p : part.positions) lowest = std::min(lowest, placed(p).y);
-    const glm::dvec3 offset(placement.x, placement.rests_on - k_sunk - lowest, placement.z);
+    const glm::dvec3 offset(placement.x, placement.rests_on + k_gap - lowest, placement.z);
     for (const glm::vec3& p : part.positions)
         scene.positions.push_back(glm::vec3(placed(p) + offset));
     for (const auto& [a, b, c] : part.triangles)
@@ -129,7 +130,7 @@ void place_knot_on_pedestal(MeshSource& scene, double pedestal_faces, double kno
                                                       {0.55, 0.72},
                                                       {0.60, 0.74},
                                                       {0.64, 0.78},
-                                                      {0.64, k_pedestal_height + k_sunk}}};
+                                                      {0.64, k_pedestal_height - k_gap}}};
     place(scene, turned_profile(k_profile, pedestal_faces), {.x = k_x, .z = k_z});
     // It stands on two of its three bows, turned a little towards the light.
     place(scene, make_knot(static_cast<std::uint32_t>(knot_faces)),
@@ -152,7 +153,7 @@ void place_ring_and_block(MeshSource& scene, double ring_faces) {
 
     constexpr double k_lean = 0.06;  // Turns, from upright.
     const double reach = k_major * cos_sin_of_turns(k_lean).sin + k_minor;
-    const glm::dvec3 beside = yaw * glm::dvec3(-k_half_block.x - reach + k_sunk, 0.0, 0.06);
+    const glm::dvec3 beside = yaw * glm::dvec3(-k_half_block.x - reach - k_gap, 0.0, 0.06);
     place(scene, make_torus(static_cast<std::uint32_t>(ring_faces), k_major, k_minor),
           {.rotation = yaw * turned_around_z(0.25 - k_lean),
            .x = k_x + beside.x,
