@@ -32,6 +32,8 @@ double microseconds_since(Clock::time_point start) {
 struct Frame {
     std::uint64_t flips = 0, added = 0, removed = 0, silhouette = 0;
     TraversalCounters counters;
+    // What a ChangeStream sends: the change set's writes, or the whole state where that is less.
+    std::uint64_t bytes_streamed = 0, bytes_full = 0;
     double us = 0.0;
 
     Frame& operator+=(const Frame& other) noexcept {
@@ -40,14 +42,25 @@ struct Frame {
         removed += other.removed;
         silhouette += other.silhouette;
         counters += other.counters;
+        bytes_streamed += other.bytes_streamed;
+        bytes_full += other.bytes_full;
         us += other.us;
         return *this;
     }
 };
 
-Frame frame_of(const ChangeSet& change, double us) {
-    return {change.flipped.size(),  change.added.size(), change.removed.size(),
-            change.silhouette_size, change.counters,     us};
+Frame frame_of(const ChangeSet& change, std::size_t face_words, double us) {
+    const std::uint64_t full =
+        sizeof(EdgeId) * change.silhouette_size + sizeof(std::uint32_t) * face_words;
+    const std::uint64_t writes = change.slots.size_bytes() + change.words.size_bytes();
+    return {.flips = change.flipped.size(),
+            .added = change.added.size(),
+            .removed = change.removed.size(),
+            .silhouette = change.silhouette_size,
+            .counters = change.counters,
+            .bytes_streamed = std::min(writes, full),
+            .bytes_full = full,
+            .us = us};
 }
 
 nlohmann::ordered_json to_json(const Frame& frame) {
@@ -58,6 +71,8 @@ nlohmann::ordered_json to_json(const Frame& frame) {
             {"box_checks", frame.counters.box_checks},
             {"face_checks", frame.counters.face_checks},
             {"edge_checks", frame.counters.edge_checks},
+            {"bytes_streamed", frame.bytes_streamed},
+            {"bytes_full", frame.bytes_full},
             {"us", frame.us}};
 }
 
@@ -89,7 +104,8 @@ Track follow(const Mesh& mesh, const std::vector<HomogeneousPoint>& points, bool
         call.checkpoint(static_cast<double>(i) / static_cast<double>(points.size()));
         start = Clock::now();
         const ChangeSet& change = tracker.move_to(points[i]);
-        const Frame frame = frame_of(change, microseconds_since(start));
+        const Frame frame =
+            frame_of(change, tracker.face_words().size(), microseconds_since(start));
         track.frames.push_back(frame);
         track.totals += frame;
         track.max_us = std::max(track.max_us, frame.us);
@@ -195,6 +211,8 @@ private:
         std::printf("  work        %.1f box, %.1f face and %.1f edge checks\n",
                     mean(sum.counters.box_checks), mean(sum.counters.face_checks),
                     mean(sum.counters.edge_checks));
+        std::printf("  to send     %.1f bytes, of %.1f for all\n", mean(sum.bytes_streamed),
+                    mean(sum.bytes_full));
         std::printf("  time        %.2f us, at most %.2f us\n", sum.us / n, track.max_us);
         std::printf("  before it   octree %.1f ms, first silhouette %.1f us\n", track.build_ms,
                     track.extraction_us);

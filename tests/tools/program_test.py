@@ -315,6 +315,90 @@ def test_bench_checks_and_then_measures():
     assert table.returncode == 0 and "median us" in table.stdout
 
 
+def have_device():
+    """Leaves the case as skipped where the program was built without the engine or finds no device."""
+    found = run("devices")
+    if found.returncode != 0:
+        print("SKIPPED: " + found.stderr.strip())
+        sys.exit(77)
+
+
+def png_size(path):
+    with open(path, "rb") as file:
+        header = file.read(24)
+    assert header[:8] == b"\x89PNG\r\n\x1a\n", header
+    return tuple(int.from_bytes(header[i:i + 4], "big") for i in (16, 20))
+
+
+def check_render(result, output, size):
+    assert all(is_count(result[k]) for k in ("silhouette", "shadow_edges", "bytes_streamed", "bytes_full"))
+    assert result["frame_ms"] > 0 and result["device"] and result["driver"]
+    assert result["output"] == output and png_size(output) == size
+
+
+def test_devices_tells_why_each_was_or_was_not_chosen():
+    have_device()
+    devices = succeed("devices")["devices"]
+    assert [d["chosen"] for d in devices].count(True) == 1
+    for device in devices:
+        assert device["name"] in device["reason"] and isinstance(device["lacks"], list)
+    line = fail(1, "devices", "--device", "no such device")
+    assert "'no such device'" in line and devices[0]["name"] in line
+
+
+def test_render_without_a_model_draws_the_built_in_scene():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        result = run("render", "--size", "160x120", cwd=folder)
+        assert result.returncode == 0, result.stderr
+        assert png_size(os.path.join(folder, "rimline.png")) == (160, 120)
+        assert os.listdir(folder) == ["rimline.png"]
+
+
+def test_render_draws_every_style_camera_and_light():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for options in ([], ["--style", "toon", "--ground"], ["--style", "mask", "--lines", "off"],
+                        ["--ortho", "3", "--hidden"], ["--eye", "3,2,4", "--target", "0,0.2,0", "--fov", "60"],
+                        ["--light", "2,3,2", "--light=-2,3,1", "--sun", "0,1,0"], ["--shadows", "off"],
+                        ["--up", "0,0,1"], ["--background", "#102030", "--line-width", "5"],
+                        # Looking straight down, a light in the model's middle, a light at the camera.
+                        ["--eye", "0,5,0"], ["--light", "0,0,0"], ["--eye", "3,2,4", "--light", "3,2,4"]):
+            result = succeed("render", "shape:knot:2000", "-o", output, "--size", "96x64", *options)
+            check_render(result, output, (96, 64))
+            assert result["validation_messages"] is None
+            assert (result["shadow_edges"] == 0) == ("--shadows" in options)
+
+
+def test_render_is_silent_under_validation():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        result = run("render", "shape:terrain:500", "-o", output, "--size", "64x64", "--ground", "--json",
+                     "--validate")
+        if result.returncode == 1 and "vulkan-validationlayers" in result.stderr:
+            print("SKIPPED: " + result.stderr.strip())
+            sys.exit(77)
+        assert result.returncode == 0, result.stderr
+        assert json.loads(result.stdout)["validation_messages"] == 0
+
+
+def test_render_leaves_nothing_behind_when_it_fails():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"],
+                        ["shape:box", "--size", "16384x16384"]):
+            fail(1, "render", "-o", output, *options)
+            assert os.listdir(folder) == []
+        fail(1, "render", "shape:box", "-o", os.path.join(folder, "gone", "a.png"))
+        for options in (["--eye", "0,0,0", "--target", "0,0,0"], ["--style", "oil"], ["--ortho", "0"],
+                        ["--size", "0x5"], ["--sun", "0,0,0"], ["--shadows", "pass"]):
+            fail(2, "render", "shape:box", "-o", output, *options)
+            assert os.listdir(folder) == []
+
+
 def test_the_bunny_is_counted_and_verified():
     bunny = model("stanford-bunny.obj")
     found = succeed("info", bunny)

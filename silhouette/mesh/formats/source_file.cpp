@@ -48,11 +48,12 @@ SourceFile read_source_file(const std::filesystem::path& path, const LongCall& c
 
     constexpr std::size_t k_chunk = std::size_t{1} << 24;
     const auto expected = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
-    file.bytes.reserve(expected);
+    // The end of the file is seen, by a read that gives nothing, not assumed.
+    constexpr std::size_t k_beyond = 4096;
+    file.bytes.reserve(expected + k_beyond);
     for (;;) {
         const std::size_t had = file.bytes.size();
-        // One byte more than expected: the end of the file is then seen, not assumed.
-        const std::size_t want = std::min(k_chunk, expected > had ? expected - had + 1 : k_chunk);
+        const std::size_t want = expected > had ? std::min(k_chunk, expected - had) : k_beyond;
         file.bytes.resize(had + want);
         ssize_t got = 0;
         do got = ::read(descriptor.get(), file.bytes.data() + had, want);
