@@ -38,6 +38,10 @@ public:
     /// Room for any silhouette of `mesh`. Its state is empty until the first resend().
     ChangeStream(const DeviceContext& context, const Mesh& mesh, std::uint32_t ring_slots);
 
+    /// Forgets what the GPU holds: only resend() will do next. For a frame that was queued and never
+    /// ran.
+    void invalidate() noexcept { has_state_ = false; }
+
     /// Opens ring slot `ring_slot` for a new frame.
     void begin_frame(std::uint32_t ring_slot);
 

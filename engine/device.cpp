@@ -47,15 +47,12 @@ std::uint32_t find_queue_family(VkPhysicalDevice device, std::uint32_t& family_c
     return static_cast<std::uint32_t>(found - families.begin());
 }
 
-VkFormat find_depth_stencil_format(VkPhysicalDevice device) {
+bool has_depth_stencil_format(VkPhysicalDevice device) {
     constexpr VkFormatFeatureFlags k_needed =
         VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
-    for (const VkFormat format : {VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT}) {
-        VkFormatProperties properties;
-        vkGetPhysicalDeviceFormatProperties(device, format, &properties);
-        if ((properties.optimalTilingFeatures & k_needed) == k_needed) return format;
-    }
-    return VK_FORMAT_UNDEFINED;
+    VkFormatProperties properties;
+    vkGetPhysicalDeviceFormatProperties(device, k_depth_stencil_format, &properties);
+    return (properties.optimalTilingFeatures & k_needed) == k_needed;
 }
 
 std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits) {
@@ -93,10 +90,11 @@ DeviceFacts describe(VkPhysicalDevice device) {
     facts.timeline_semaphore = features.v12.timelineSemaphore == VK_TRUE;
     facts.dynamic_rendering = features.v13.dynamicRendering == VK_TRUE;
     facts.synchronization2 = features.v13.synchronization2 == VK_TRUE;
+    facts.maintenance4 = features.v13.maintenance4 == VK_TRUE;
     facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
     facts.graphics_and_compute_queue = family < family_count;
     facts.samples = common_samples(properties.properties.limits);
-    facts.depth_stencil_format = find_depth_stencil_format(device) != VK_FORMAT_UNDEFINED;
+    facts.depth_stencil_format = has_depth_stencil_format(device);
     return facts;
 }
 
@@ -114,8 +112,7 @@ DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice dev
     DeviceContext context{.physical_device = physical_device,
                           .device = device,
                           .queue = queue,
-                          .queue_family = queue_family,
-                          .depth_stencil_format = find_depth_stencil_format(physical_device)};
+                          .queue_family = queue_family};
     vkGetPhysicalDeviceMemoryProperties(physical_device, &context.memory);
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical_device, &properties);

@@ -14,6 +14,9 @@
 
 namespace rimline {
 
+/// Of every depth attachment: reversed depth needs floats.
+constexpr VkFormat k_depth_stencil_format = VK_FORMAT_D32_SFLOAT_S8_UINT;
+
 /// What the passes need of a device: ours or a caller's. The caller keeps everything alive, and has
 /// enabled what judge_device() asks for.
 struct DeviceContext {
@@ -23,7 +26,6 @@ struct DeviceContext {
     std::uint32_t queue_family = 0;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
-    VkFormat depth_stencil_format = VK_FORMAT_UNDEFINED;
     std::uint32_t samples = 1;  ///< Greatest sample count, at most 4, of all attachments.
 };
 

@@ -23,13 +23,16 @@ std::optional<std::size_t> as_index(const std::string& text) {
     return value;
 }
 
-bool fits(const DeviceFacts& facts, std::size_t index, const std::string& request) {
+bool fits(std::span<const DeviceFacts> devices, std::size_t index, const std::string& request) {
     if (request.empty()) return true;
+    const DeviceFacts& facts = devices[index];
     const std::string wanted = lower(request);
     const bool is_cpu = facts.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
     if (wanted == "cpu") return is_cpu;
     if (wanted == "gpu") return !is_cpu;
-    if (const auto number = as_index(wanted)) return *number == index;
+    // "4090" is part of a name unless there are so many devices.
+    if (const auto number = as_index(wanted); number && *number < devices.size())
+        return *number == index;
     return lower(facts.name).find(wanted) != std::string::npos;
 }
 
@@ -50,6 +53,9 @@ std::string joined(const std::vector<std::string>& parts, const char* separator)
 }
 
 }  // namespace
+
+const char* const k_no_device_advice =
+    "there is no Vulkan device: install a driver, mesa-vulkan-drivers for the CPU";
 
 std::string name_of(VkPhysicalDeviceType type) {
     switch (type) {
@@ -75,15 +81,16 @@ DeviceVerdict judge_device(const DeviceFacts& facts) {
     need(facts.timeline_semaphore, "timeline semaphores");
     need(facts.dynamic_rendering, "dynamic rendering");
     need(facts.synchronization2, "synchronization2");
+    need(facts.maintenance4, "maintenance4");
     need(facts.round_to_nearest_float32, "RoundingModeRTE for 32-bit floats");
-    need(facts.depth_stencil_format, "a 24- or 32-bit depth format with stencil");
+    need(facts.depth_stencil_format, "the depth format D32_SFLOAT_S8_UINT");
     return verdict;
 }
 
 DeviceChoice choose_device(std::span<const DeviceFacts> devices, const DeviceRequest& request) {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < devices.size(); ++i)
-        if (fits(devices[i], i, request) && judge_device(devices[i]).usable() &&
+        if (fits(devices, i, request) && judge_device(devices[i]).usable() &&
             (!best || rank(devices[i].type) > rank(devices[*best].type)))
             best = i;
 
@@ -96,16 +103,14 @@ DeviceChoice choose_device(std::span<const DeviceFacts> devices, const DeviceReq
             reason += "chosen";
         else if (!verdict.usable())
             reason += "lacks " + joined(verdict.lacks, ", ");
-        else if (!fits(facts, i, request))
+        else if (!fits(devices, i, request))
             reason += "is not '" + request + "'";
         else
             reason += "usable, but " + devices[*best].name + " comes first";
         reasons.push_back(std::move(reason));
     }
     if (best) return {*best, std::move(reasons)};
-    if (devices.empty())
-        throw Error(ErrorCode::no_device,
-                    "there is no Vulkan device: install a driver, mesa-vulkan-drivers for the CPU");
+    if (devices.empty()) throw Error(ErrorCode::no_device, k_no_device_advice);
     throw Error(ErrorCode::no_device, "no Vulkan device " +
                                           (request.empty() ? "" : "fits '" + request + "' and ") +
                                           "can be used: " + joined(reasons, "; "));

@@ -25,11 +25,12 @@ struct DeviceFacts {
     bool timeline_semaphore = false;
     bool dynamic_rendering = false;
     bool synchronization2 = false;
+    bool maintenance4 = false;
     bool round_to_nearest_float32 = false;  ///< RoundingModeRTE can be declared.
     bool graphics_and_compute_queue = false;
     /// Greatest sample count, at most 4, that the color, depth and stencil formats share.
     std::uint32_t samples = 1;
-    bool depth_stencil_format = false;  ///< D32S8 or D24S8.
+    bool depth_stencil_format = false;  ///< D32S8 can be drawn to and sampled.
 };
 
 struct DeviceVerdict {
@@ -40,8 +41,9 @@ struct DeviceVerdict {
 
 DeviceVerdict judge_device(const DeviceFacts& facts);
 
-/// How a user names a device: "gpu", "cpu", an index or a part of its name, case ignored; empty takes
-/// a discrete GPU if there is one, else an integrated or virtual one, else whatever is usable.
+/// How a user names a device: "gpu", "cpu", an index below the number of devices, or a part of its
+/// name, case ignored; empty takes a discrete GPU if there is one, else an integrated or virtual one,
+/// else whatever is usable.
 using DeviceRequest = std::string;
 
 struct DeviceChoice {
@@ -49,6 +51,9 @@ struct DeviceChoice {
     /// One line a device: why it was or was not chosen.
     std::vector<std::string> reasons;
 };
+
+/// What to say where there is no device at all.
+extern const char* const k_no_device_advice;
 
 /// Throws Error{no_device} listing every device with its reason when none fits the request.
 DeviceChoice choose_device(std::span<const DeviceFacts> devices, const DeviceRequest& request = {});

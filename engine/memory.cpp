@@ -9,7 +9,8 @@ namespace {
 std::string megabytes(VkDeviceSize size) { return std::to_string((size + 0xfffff) >> 20) + " MiB"; }
 
 bool is_out_of_memory(VkResult result) {
-    return result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
+    return result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY ||
+           result == VK_ERROR_TOO_MANY_OBJECTS;
 }
 
 [[noreturn]] void fail_out_of_memory(VkDeviceSize size, const char* what) {
@@ -128,12 +129,9 @@ void read_buffer(const DeviceContext& context, const Buffer& buffer, std::span<s
 }
 
 VkImageAspectFlags Image::aspects() const noexcept {
-    switch (description_.format) {
-        case VK_FORMAT_D32_SFLOAT_S8_UINT:
-        case VK_FORMAT_D24_UNORM_S8_UINT:
-            return VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
-        default: return VK_IMAGE_ASPECT_COLOR_BIT;
-    }
+    return description_.format == k_depth_stencil_format
+               ? VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT
+               : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
 Image::Image(const DeviceContext& context, const ImageDescription& description, const char* what)

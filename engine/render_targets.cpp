@@ -1,5 +1,7 @@
 #include "engine/render_targets.h"
 
+#include <algorithm>
+
 #include "engine/barrier.h"
 
 namespace rimline {
@@ -48,6 +50,25 @@ VkRenderingAttachmentInfo color_attachment(const Image& image, VkAttachmentLoadO
 
 }  // namespace
 
+std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
+                            std::uint32_t samples) {
+    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved, and lines (2).
+    const std::uint64_t pixel_bytes = 16 * (samples > 1 ? samples + 1 : 1) + 2;
+    VkDeviceSize memory = 0;
+    for (std::uint32_t i = 0; i < context.memory.memoryHeapCount; ++i)
+        if ((context.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
+            memory = std::max(memory, context.memory.memoryHeaps[i].size);
+    const auto fits = [&](std::uint64_t scale) {
+        const std::uint64_t width = scale * size.width;
+        const std::uint64_t height = scale * size.height;
+        const std::uint64_t limit = context.limits.maxImageDimension2D;
+        return width <= limit && height <= limit && width * height * pixel_bytes <= memory / 2;
+    };
+    std::uint32_t scale = wanted;
+    while (scale > 1 && !fits(scale)) --scale;
+    return scale;
+}
+
 RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
                              std::uint32_t samples)
     : size_(size), scale_(scale), samples_(samples) {
@@ -58,7 +79,7 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
     surfaces_ = Image(context, {k_surface_format, extent, k_drawn_and_read}, "the picture");
     depth_ =
         Image(context,
-              {.format = context.depth_stencil_format,
+              {.format = k_depth_stencil_format,
                .extent = extent,
                .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
                .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
@@ -67,18 +88,16 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
         multisampled_surfaces_ =
             Image(context, {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples},
                   "the picture's samples");
-        multisampled_depth_ = Image(context,
-                                    {context.depth_stencil_format, extent,
-                                     VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
-                                    "the depth of the picture's samples");
+        multisampled_depth_ = Image(
+            context,
+            {k_depth_stencil_format, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
+            "the depth of the picture's samples");
     }
     lines_ = Image(context, {k_coverage_format, extent, k_drawn_and_read}, "the picture's lines");
     picture_ = Image(context,
                      {k_picture_format, size,
                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
                      "the picture");
-    readback_ = Buffer(context, VkDeviceSize{4} * size.width * size.height, BufferPlace::readback,
-                       "the picture");
 }
 
 void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float background[4]) const {
@@ -145,14 +164,14 @@ void RenderTargets::record_before_picture(VkCommandBuffer commands) const {
                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
 }
 
-void RenderTargets::record_readback(VkCommandBuffer commands) const {
+void RenderTargets::record_readback(VkCommandBuffer commands, const Buffer& target) const {
     record_barrier(commands, k_drawing, k_copying,
                    {{picture_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
     const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                    .imageExtent = {size_.width, size_.height, 1}};
     vkCmdCopyImageToBuffer(commands, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                           readback_.handle(), 1, &region);
+                           target.handle(), 1, &region);
     record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                    {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }

@@ -16,9 +16,14 @@ constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat k_coverage_format = VK_FORMAT_R8G8_UNORM;
 constexpr VkFormat k_picture_format = VK_FORMAT_R8G8B8A8_UNORM;
 
+/// The greatest scale up to `wanted`, and at least 1, whose images are within the device's limits and
+/// take no more than half of its memory.
+std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
+                            std::uint32_t samples);
+
 class RenderTargets {
 public:
-    /// `scale` samples along each side of a pixel, each with `samples` samples of its own.
+    /// `scale` pixels of the passes along each side of a pixel, each with `samples` samples.
     /// Throws Error{too_large} naming the limit.
     RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
                   std::uint32_t samples);
@@ -29,12 +34,12 @@ public:
         return {size_.width * scale_, size_.height * scale_};
     }
     std::uint32_t scale() const noexcept { return scale_; }
+    std::uint32_t samples() const noexcept { return samples_; }
 
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
     const Image& lines() const noexcept { return lines_; }
     const Image& picture() const noexcept { return picture_; }
-    const Buffer& readback() const noexcept { return readback_; }
 
     /// Scopes of dynamic rendering; each clears what it draws into.
     void begin_surfaces(VkCommandBuffer commands, const float background[4]) const;
@@ -45,8 +50,8 @@ public:
     void record_before_surfaces(VkCommandBuffer commands) const;
     void record_before_lines(VkCommandBuffer commands) const;
     void record_before_picture(VkCommandBuffer commands) const;
-    /// Copies the picture to the readback buffer, visible to the host when the commands are done.
-    void record_readback(VkCommandBuffer commands) const;
+    /// Copies the picture to `target`, 4 bytes a pixel, visible to the host when the commands are done.
+    void record_readback(VkCommandBuffer commands, const Buffer& target) const;
 
 private:
     bool is_multisampled() const noexcept { return samples_ > 1; }
@@ -58,7 +63,6 @@ private:
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
     Image lines_;
     Image picture_;
-    Buffer readback_;
 };
 
 }  // namespace rimline

@@ -10,17 +10,17 @@ namespace rimline {
 
 namespace {
 
-// A light's volumes in an orthographic view reach this many times as far as their edges (point light)
-// or scene radii (directional light); both lie behind everything there is.
-constexpr float k_finite_extrusion_times = 65536.0f;
+// A light's volumes in an orthographic view reach behind everything there is, and no farther than that
+// needs: what they stretch over costs the depth of their sides its precision.
+constexpr double k_greatest_extrusion_times = 65536.0;
 constexpr double k_finite_extrusion_radii = 8.0;
 
 // How far behind its surface a line may lie, of its distance from the viewer or of the scene's depth:
 // a hundred times the rounding of depth, a hundredth of a pixel on a usual picture.
 constexpr float k_depth_slack = 1e-5f;
 
-AttachmentFormats surface_formats(const DeviceContext& context, std::uint32_t samples) {
-    return {k_surface_format, context.depth_stencil_format, samples};
+AttachmentFormats surface_formats(std::uint32_t samples) {
+    return {k_surface_format, k_depth_stencil_format, samples};
 }
 
 RendererOptions fitted(const DeviceContext& context, RendererOptions options) {
@@ -69,6 +69,31 @@ HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) 
         glm::vec3(direction_in_object(instance, glm::normalize(light.vector))));
 }
 
+// LightData.extrusion for an orthographic view. A point light's volume begins no nearer to it than the
+// sphere around its caster, and must end no nearer than the far side of the sphere around the scene.
+float finite_extrusion(const Light& light, const SceneInstance& instance,
+                       const SceneBounds& bounds) {
+    if (light.directional) return float(k_finite_extrusion_radii * bounds.radius);
+    const Mesh& mesh = instance.octree->mesh();
+    const glm::dvec3 middle = instance.rotation * mesh.center() + instance.translation;
+    const double begin = glm::distance(light.vector, middle) - mesh.radius();
+    const double end = glm::distance(light.vector, bounds.center) + 1.01 * bounds.radius;
+    if (begin * k_greatest_extrusion_times <= end) return float(k_greatest_extrusion_times);
+    return float(end / begin);
+}
+
+// Where in a pixel the first of its samples lies (Vulkan's standard sample locations).
+glm::vec2 first_sample_place(std::uint32_t samples) {
+    if (samples == 4) return {0.375f, 0.125f};
+    return samples == 2 ? glm::vec2(0.75f, 0.75f) : glm::vec2(0.5f, 0.5f);
+}
+
+std::uint32_t regular_edges(const Mesh& mesh, std::span<const EdgeId> edges) {
+    const std::uint32_t end = mesh.edges_of_class(EdgeClass::regular).last;
+    return static_cast<std::uint32_t>(
+        std::ranges::count_if(edges, [end](EdgeId edge) { return index(edge) < end; }));
+}
+
 gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
     const VkExtent2D extent = targets.pass_extent();
     const SceneBounds bounds = bounds_of(scene);
@@ -79,6 +104,7 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .clip_z = glm::vec2(projection.z),
             .clip_w = glm::vec2(projection.w),
             .viewport = {float(extent.width), float(extent.height)},
+            .depth_place = first_sample_place(targets.samples()),
             .line_radius = 0.5f * scene.line_width_px * float(targets.scale()),
             .depth_slack = orthographic ? 0.0f : k_depth_slack,
             .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
@@ -115,13 +141,12 @@ Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
     : context_(context),
       options_(fitted(context, options)),
       scatter_(context),
-      surface_pass_(context, surface_formats(context, options_.samples)),
-      shadow_pass_(context, surface_formats(context, options_.samples)),
+      surface_pass_(context, surface_formats(options_.samples)),
+      shadow_pass_(context, surface_formats(options_.samples)),
       line_pass_(context, k_coverage_format),
       composite_pass_(context, k_picture_format),
       timeline_(make_timeline(context)),
-      command_pool_(make_command_pool(context)),
-      frames_(k_frames_in_flight) {
+      command_pool_(make_command_pool(context)) {
     for (Frame& frame : frames_) {
         const VkCommandBufferAllocateInfo info{
             .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
@@ -133,57 +158,88 @@ Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
     }
 }
 
-Renderer::~Renderer() { vkQueueWaitIdle(context_.queue); }
+Renderer::~Renderer() {
+    try {
+        wait_for(submitted_);
+    } catch (const Error&) {
+        // A lost device is done with everything.
+    }
+}
 
-void Renderer::wait_for(std::uint64_t timeline_value) const {
+void Renderer::wait_for(std::uint64_t frame_count) const {
     const VkSemaphore semaphore = timeline_;
     const VkSemaphoreWaitInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
                                    .semaphoreCount = 1,
                                    .pSemaphores = &semaphore,
-                                   .pValues = &timeline_value};
+                                   .pValues = &frame_count};
     vk_check(vkWaitSemaphores(context_.device, &info, UINT64_MAX), "vkWaitSemaphores");
 }
 
-void Renderer::prepare_instances(const Scene& scene) {
-    bool same = instances_.size() == scene.instances.size();
-    for (std::size_t i = 0; same && i < instances_.size(); ++i)
-        same = instances_[i].octree == scene.instances[i].octree &&
-               instances_[i].lights.size() == scene.lights.size();
-    if (same) return;
-    // Frames in flight may still read what is replaced.
-    wait_for(frame_number_);
-    instances_.clear();
-    for (const SceneInstance& instance : scene.instances) {
-        const Mesh& mesh = instance.octree->mesh();
-        std::unique_ptr<GpuMesh>& gpu_mesh = meshes_[&mesh];
-        if (!gpu_mesh)
-            gpu_mesh = std::make_unique<GpuMesh>(context_, mesh, options_.crease_angle_rad);
-        InstanceState state{.octree = instance.octree, .mesh = gpu_mesh.get()};
-        state.lights.resize(scene.lights.size());
-        instances_.push_back(std::move(state));
-    }
+void Renderer::prepare_targets(VkExtent2D size) {
+    if (targets_ && targets_->size().width == size.width && targets_->size().height == size.height)
+        return;
+    wait_for(submitted_);
+    targets_.reset();  // Free before making anew.
+    targets_ = std::make_unique<RenderTargets>(
+        context_, size, fitting_scale(context_, size, options_.scale, options_.samples),
+        options_.samples);
+    line_pass_.set_surface_depth(targets_->depth());
+    composite_pass_.set_images(targets_->surfaces(), targets_->lines());
 }
 
-void Renderer::follow(std::unique_ptr<Tracked>& tracked, const HoughOctree& octree,
-                      const HomogeneousPoint& point, std::uint32_t ring_slot) {
+void Renderer::prepare_instances(const Scene& scene) {
+    const auto is_kept = [&](std::size_t i) {
+        return i < instances_.size() && instances_[i].octree == scene.instances[i].octree &&
+               instances_[i].lights.size() <= scene.lights.size();
+    };
+    bool all_kept = instances_.size() <= scene.instances.size();
+    for (std::size_t i = 0; i < instances_.size() && all_kept; ++i) all_kept = is_kept(i);
+    // Frames in flight may still read what goes.
+    if (!all_kept) wait_for(submitted_);
+
+    instances_.resize(scene.instances.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        InstanceState& state = instances_[i];
+        const HoughOctree* octree = scene.instances[i].octree;
+        if (state.octree != octree) {
+            std::unique_ptr<GpuMesh>& mesh = meshes_[&octree->mesh()];
+            if (!mesh)
+                mesh =
+                    std::make_unique<GpuMesh>(context_, octree->mesh(), options_.crease_angle_rad);
+            state = {.octree = octree, .mesh = mesh.get()};
+        }
+        state.lights.resize(scene.lights.size());
+    }
+    if (all_kept) return;
+    std::erase_if(meshes_, [&](const auto& entry) {
+        return std::ranges::none_of(instances_, [&](const InstanceState& state) {
+            return state.mesh == entry.second.get();
+        });
+    });
+}
+
+const ChangeStream& Renderer::follow(std::unique_ptr<Tracked>& tracked, const HoughOctree& octree,
+                                     const HomogeneousPoint& point, Frame& frame) {
     bool sent = false;
     if (!tracked) {
         tracked = std::make_unique<Tracked>(
             Tracked{SilhouetteTracker(octree, point),
                     ChangeStream(context_, octree.mesh(), k_frames_in_flight)});
-        tracked->stream.begin_frame(ring_slot);
+        tracked->stream.begin_frame(ring_slot());
     } else {
-        tracked->stream.begin_frame(ring_slot);
+        tracked->stream.begin_frame(ring_slot());
         sent = tracked->stream.apply(tracked->tracker.move_to(point));
     }
     if (!sent)
         tracked->stream.resend(tracked->tracker.sequence(), tracked->tracker.silhouette(),
                                tracked->tracker.face_words());
-    report_.bytes_streamed += tracked->stream.bytes_streamed();
-    report_.bytes_full += tracked->stream.bytes_full();
+    frame.streams.push_back(&tracked->stream);
+    frame.report.bytes_streamed += tracked->stream.bytes_streamed();
+    frame.report.bytes_full += tracked->stream.bytes_full();
+    return tracked->stream;
 }
 
-DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32_t ring_slot) {
+DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
     const std::size_t light_count = scene.lights.size();
     const std::uint64_t instances_at =
         sizeof(gpu::FrameData) + 4;  // Addresses need multiples of 8.
@@ -203,7 +259,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32
                   .light_count = light_count,
                   .shadows = scene.shadows,
                   .instances = {}};
-    const double scene_radius = bounds_of(scene).radius;
+    const SceneBounds bounds = bounds_of(scene);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const SceneInstance& instance = scene.instances[i];
         InstanceState& state = instances_[i];
@@ -216,10 +272,11 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32
                             .lights = {}};
         VkDeviceAddress slots = 0;
         if (drawn.has_lines) {
-            follow(state.camera, *instance.octree, camera_point(instance, scene.camera), ring_slot);
-            slots = state.camera->stream.slots().address();
-            drawn.silhouette = {state.camera->stream.arguments().handle()};
-            report_.silhouette += state.camera->stream.silhouette_size() + drawn.border_count;
+            const ChangeStream& stream =
+                follow(state.camera, *instance.octree, camera_point(instance, scene.camera), frame);
+            slots = stream.slots().address();
+            drawn.silhouette = {stream.arguments().handle()};
+            frame.report.silhouette += stream.silhouette_size() + drawn.border_count;
         }
         drawn.data = put(instances_at + i * sizeof(gpu::InstanceData),
                          instance_data(instance, *state.mesh, scene.camera, slots));
@@ -231,19 +288,19 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32
                                  .color = glm::vec3(1.0f / float(light_count)),
                                  .extrusion = 0.0f};
             if (scene.camera.is_orthographic())
-                light.extrusion = point.is_direction()
-                                      ? float(k_finite_extrusion_radii * scene_radius)
-                                      : k_finite_extrusion_times;
+                light.extrusion = finite_extrusion(scene.lights[l], instance, bounds);
             DrawnLight drawn_light{
                 .casts_shadow = scene.shadows && instance.casts_shadows,
                 .ends_in_one_point = point.is_direction() && light.extrusion == 0.0f};
             if (drawn_light.casts_shadow) {
-                follow(state.lights[l], *instance.octree, point, ring_slot);
-                const ChangeStream& stream = state.lights[l]->stream;
+                const ChangeStream& stream =
+                    follow(state.lights[l], *instance.octree, point, frame);
                 light.slots = stream.slots().address();
                 light.face_words = stream.face_words().address();
                 drawn_light.sides = {stream.arguments().handle()};
-                report_.shadow_edges += stream.silhouette_size() + drawn.loose_count;
+                frame.report.shadow_edges +=
+                    regular_edges(instance.octree->mesh(), state.lights[l]->tracker.silhouette()) +
+                    drawn.loose_count;
             }
             drawn_light.data =
                 put(lights_at + (i * light_count + l) * sizeof(gpu::LightData), light);
@@ -254,13 +311,14 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame, std::uint32
     return list;
 }
 
-void Renderer::record(const Scene& scene, const DrawList& list, VkCommandBuffer commands) const {
+void Renderer::record(const Scene& scene, const DrawList& list, const Frame& frame) const {
+    const VkCommandBuffer commands = frame.commands;
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(vkResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
+    vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
     ChangeStream::record_before(commands);
-    for (const InstanceState& state : instances_) {
-        if (state.camera) state.camera->stream.record(commands, scatter_);
-        for (const auto& light : state.lights)
-            if (light) light->stream.record(commands, scatter_);
-    }
+    for (const ChangeStream* stream : frame.streams) stream->record(commands, scatter_);
     ChangeStream::record_after(commands);
 
     const VkExtent2D extent = targets_->pass_extent();
@@ -284,38 +342,16 @@ void Renderer::record(const Scene& scene, const DrawList& list, VkCommandBuffer 
     composite_pass_.record(commands, glm::vec4(scene.palette.ink, scene.hidden_line_strength),
                            targets_->scale());
     vkCmdEndRendering(commands);
-    targets_->record_readback(commands);
+    targets_->record_readback(commands, frame.picture);
+    vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
 }
 
-Picture Renderer::render(const Scene& scene, std::uint32_t width, std::uint32_t height) {
-    const auto started = std::chrono::steady_clock::now();
-    report_ = {};
-    if (!targets_ || targets_->size().width != width || targets_->size().height != height) {
-        wait_for(frame_number_);
-        targets_.reset();  // Free before making anew.
-        targets_ = std::make_unique<RenderTargets>(context_, VkExtent2D{width, height},
-                                                   options_.scale, options_.samples);
-        line_pass_.set_surface_depth(targets_->depth());
-        composite_pass_.set_images(targets_->surfaces(), targets_->lines());
-    }
-    prepare_instances(scene);
-
-    const auto ring_slot = static_cast<std::uint32_t>((frame_number_ + 1) % k_frames_in_flight);
-    Frame& frame = frames_[ring_slot];
-    wait_for(frame.finished_at);
-    const DrawList list = build_draw_list(scene, frame, ring_slot);
-
-    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    vk_check(vkBeginCommandBuffer(frame.commands, &begin), "vkBeginCommandBuffer");
-    record(scene, list, frame.commands);
-    vk_check(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
-
+void Renderer::submit(const Frame& frame) {
     const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                              .commandBuffer = frame.commands};
     const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
                                        .semaphore = timeline_,
-                                       .value = frame_number_ + 1,
+                                       .value = submitted_ + 1,
                                        .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
                                .commandBufferInfoCount = 1,
@@ -323,14 +359,50 @@ Picture Renderer::render(const Scene& scene, std::uint32_t width, std::uint32_t 
                                .signalSemaphoreInfoCount = 1,
                                .pSignalSemaphoreInfos = &signal};
     vk_check(vkQueueSubmit2(context_.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
-    frame.finished_at = ++frame_number_;
-    wait_for(frame_number_);
+    ++submitted_;
+}
 
-    Picture picture{width, height, {}};
-    const auto* pixels = reinterpret_cast<const std::uint8_t*>(targets_->readback().mapped());
-    picture.rgba.assign(pixels, pixels + std::size_t{4} * width * height);
+// What a frame that failed has queued never ran, though its trackers have moved.
+void Renderer::forget_gpu_state() noexcept {
+    for (InstanceState& state : instances_) {
+        if (state.camera) state.camera->stream.invalidate();
+        for (const auto& light : state.lights)
+            if (light) light->stream.invalidate();
+    }
+}
+
+void Renderer::submit(const Scene& scene, std::uint32_t width, std::uint32_t height) {
+    RIMLINE_CHECK(submitted_ - finished_ < k_frames_in_flight);
+    prepare_targets({width, height});
+    prepare_instances(scene);
+    Frame& frame = frames_[ring_slot()];
+    frame.started = std::chrono::steady_clock::now();
+    frame.report = {};
+    frame.streams.clear();
+    frame.size = {width, height};
+    const VkDeviceSize picture_bytes = VkDeviceSize{4} * width * height;
+    if (frame.picture.size() < picture_bytes)
+        frame.picture = Buffer(context_, picture_bytes, BufferPlace::readback, "the picture");
+    try {
+        const DrawList list = build_draw_list(scene, frame);
+        record(scene, list, frame);
+        submit(frame);
+    } catch (...) {
+        forget_gpu_state();
+        throw;
+    }
+}
+
+Picture Renderer::finish() {
+    RIMLINE_CHECK(finished_ < submitted_);
+    Frame& frame = frames_[finished_ % k_frames_in_flight];
+    wait_for(++finished_);
+    Picture picture{frame.size.width, frame.size.height, {}};
+    const auto* pixels = reinterpret_cast<const std::uint8_t*>(frame.picture.mapped());
+    picture.rgba.assign(pixels, pixels + std::size_t{4} * picture.width * picture.height);
+    report_ = frame.report;
     report_.frame_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started)
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - frame.started)
             .count();
     return picture;
 }

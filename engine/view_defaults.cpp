@@ -50,14 +50,17 @@ Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_vie
     // |x - eye.x| / tangent behind it. Both sides together give the middle and the distance.
     glm::dvec2 high(-std::numeric_limits<double>::max());
     glm::dvec2 low(-std::numeric_limits<double>::max());
+    double nearest = 0.0;
     for (const glm::vec3& position : mesh.positions()) {
         const glm::dvec3 p = axes * (glm::dvec3(position) - mesh.center());
         high = glm::max(high, glm::dvec2(p) + p.z * tangent);
         low = glm::max(low, -glm::dvec2(p) + p.z * tangent);
+        nearest = std::max(nearest, p.z);
     }
     const glm::dvec2 middle = 0.5 * (high - low);
     const glm::dvec2 distance = 0.5 * (high + low) / tangent;
-    const double back_off = std::max({distance.x, distance.y, 1e-3 * radius});
+    // A needle that points at the viewer needs no more distance than its own length to fit in.
+    const double back_off = std::max({distance.x, distance.y, nearest + 0.05 * radius});
     const glm::dvec3 right(axes[0][0], axes[1][0], axes[2][0]);
     const glm::dvec3 upward(axes[0][1], axes[1][1], axes[2][1]);
     camera.target = mesh.center() + middle.x * right + middle.y * upward;
@@ -79,8 +82,11 @@ MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius) {
     for (const glm::vec3& position : mesh.positions())
         lowest = std::min(lowest, glm::dot(glm::dvec3(position) - mesh.center(), n));
     if (mesh.positions().empty()) lowest = 0.0;
-    // A hair lower, so that a flat base does not share its plane.
-    const glm::dvec3 middle = mesh.center() + n * (lowest - 5e-4 * mesh.radius());
+    // A hair lower, so that a flat base does not share its plane: more than rounding to float takes.
+    const glm::dvec3 reach = glm::abs(mesh.center()) + radius;
+    const double rounding = 0x1p-22 * std::max({reach.x, reach.y, reach.z});
+    const double hair = std::max(5e-4 * mesh.radius(), rounding);
+    const glm::dvec3 middle = mesh.center() + n * (lowest - hair);
     const auto [first, second] = ground_axes(up);
     MeshSource ground;
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})

@@ -7,9 +7,10 @@
 
 namespace rimline {
 
-/// Fits the mesh into a picture seen from `towards_viewer`: the target and the distance are chosen so
-/// that every used vertex lies inside the picture with a margin of 6%. A fixed `eye` or `target` is
-/// left as it is. O(vertices). `camera` brings field of view or height, and up.
+/// Places a camera in the direction `towards_viewer` from the mesh; `camera` brings field of view or
+/// height, and up. A perspective camera's target and distance are chosen so that every used vertex lies
+/// inside the picture with a margin of 6%; an orthographic camera looks at the mesh's center.
+/// O(vertices).
 Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer, double aspect);
 
 /// The default three-quarter view: from the front, the right and above, for this up axis.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <mutex>
 
+#include "engine/device_choice.h"
 #include "engine/vulkan_handle.h"
 
 namespace rimline {
@@ -87,12 +88,17 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
         info.enabledExtensionCount = k_extensions.size();
         info.ppEnabledExtensionNames = k_extensions.data();
     }
-    vk_check(vkCreateInstance(&info, nullptr, &instance_), "vkCreateInstance");
+    const VkResult created = vkCreateInstance(&info, nullptr, &instance_);
+    // The loader's answer where no driver is installed at all.
+    if (created == VK_ERROR_INCOMPATIBLE_DRIVER)
+        throw Error(ErrorCode::no_device, k_no_device_advice);
+    vk_check(created, "vkCreateInstance");
     if (options.validate) {
         const auto create = instance_function<PFN_vkCreateDebugUtilsMessengerEXT>(
             instance_, "vkCreateDebugUtilsMessengerEXT");
-        vk_check(create(instance_, &messenger, nullptr, &messenger_),
-                 "vkCreateDebugUtilsMessengerEXT");
+        const VkResult result = create(instance_, &messenger, nullptr, &messenger_);
+        if (result != VK_SUCCESS) vkDestroyInstance(instance_, nullptr);
+        vk_check(result, "vkCreateDebugUtilsMessengerEXT");
     }
 }
 

@@ -84,6 +84,7 @@ struct FrameData {
     vec2 clip_z;        // clip.z = clip_z.x * eye.z + clip_z.y * w
     vec2 clip_w;        // clip.w = clip_w.x * eye.z + clip_w.y * w
     vec2 viewport;      // Width and height in samples of the pass, in pixels.
+    vec2 depth_place;   // Where in a pixel its one depth was taken: of samples, the first.
     float line_radius;  // Half of a line's width, in pixels of the pass.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
@@ -149,7 +150,7 @@ struct DrawConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(EdgeRecord) == 16 && sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
-static_assert(sizeof(FrameData) == 4 * 21);
+static_assert(sizeof(FrameData) == 4 * 23);
 static_assert(sizeof(InstanceData) == 7 * 8 + 4 * (9 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 32);

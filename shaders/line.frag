@@ -7,15 +7,46 @@
 //
 // Whether a line is seen is asked of its spine, not of the pixel it inks, for a line lies half over the
 // surface that bulges towards the viewer beside it (the spine test of Cole and Finkelstein, Two Fast
-// Methods for High-Quality Line Visibility, 2010). At a silhouette the surface ends, so one of the nine
-// pixels around the spine lies behind it; it is hidden only where all nine are in front.
+// Methods for High-Quality Line Visibility, 2010). At a silhouette the surface ends, so what hides it
+// is seen on its outer side: the surface there, continued to the spine as the plane it is near there.
+// (The farthest depth around the spine, uncontinued, shows lines that lie less behind a slanted surface
+// than it falls off within a pixel: the foot of a thing that stands in the ground, dotted.)
 
 layout(location = 0) flat in vec2 from_pixel;
 layout(location = 1) flat in vec2 to_pixel;
 layout(location = 2) flat in vec2 depths;
+layout(location = 3) flat in vec2 outwards;
 layout(location = 0) out vec2 coverage;
 
 layout(set = 0, binding = 0) uniform sampler2D surface_depth;
+
+float depth_at(ivec2 pixel) {
+    return texelFetch(surface_depth, clamp(pixel, ivec2(0), ivec2(draw.frame.data.viewport) - 1), 0).r;
+}
+
+float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
+
+// Whether nothing in front of depth `nearest` (greater is nearer) hides `spine`, as far as one can tell
+// from the surface at `spine + offset`. Depth is linear on the screen where a surface is plane; the
+// slope is taken from pixels farther outwards only, for inwards the line's own surface begins. Of two
+// differences the smaller is a slope, the other may be a step to another surface; as much as they differ
+// the surface is not plane, and then a line in front of what is seen there may be free.
+bool is_free(vec2 spine, vec2 offset, float nearest) {
+    const vec2 place = draw.frame.data.depth_place;
+    const ivec2 pixel = ivec2(floor(spine + offset - place + 0.5));
+    const ivec2 x = ivec2(outwards.x < 0.0 ? -1 : 1, 0);
+    const ivec2 y = ivec2(0, outwards.y < 0.0 ? -1 : 1);
+    const float depth = depth_at(pixel);
+    const float x_1 = depth_at(pixel + x) - depth;
+    const float x_2 = depth_at(pixel + 2 * x) - depth - x_1;
+    const float y_1 = depth_at(pixel + y) - depth;
+    const float y_2 = depth_at(pixel + 2 * y) - depth - y_1;
+    const vec2 back = spine - (vec2(pixel) + place);
+    const float continued = depth + back.x * float(x.x) * smaller(x_1, x_2) +
+                            back.y * float(y.y) * smaller(y_1, y_2);
+    if (continued <= nearest) return true;
+    return depth <= nearest && continued - abs(x_2 - x_1) - abs(y_2 - y_1) <= nearest;
+}
 
 void main() {
     const vec2 along = to_pixel - from_pixel;
@@ -30,13 +61,11 @@ void main() {
     const float depth = mix(depths.x, depths.y, t);
     const float nearest_seen =
         depth + depth * draw.frame.data.depth_slack + draw.frame.data.depth_slack_absolute;
-    const ivec2 last = ivec2(draw.frame.data.viewport) - 1;
-    const ivec2 center = ivec2(floor(spine));
-    bool seen = false;
-    for (int y = -1; y <= 1 && !seen; ++y)
-        for (int x = -1; x <= 1 && !seen; ++x) {
-            const ivec2 pixel = clamp(center + ivec2(x, y), ivec2(0), last);
-            seen = texelFetch(surface_depth, pixel, 0).r <= nearest_seen;  // Reversed: greater is nearer.
-        }
+    // Straight out and to both sides of that: near the end of a line another one's surface may begin.
+    const vec2 turned = vec2(-outwards.y, outwards.x);
+    const bool seen = is_free(spine, 1.25 * outwards, nearest_seen) ||
+                      is_free(spine, 0.8 * outwards, nearest_seen) ||
+                      is_free(spine, 0.9 * (outwards + turned), nearest_seen) ||
+                      is_free(spine, 0.9 * (outwards - turned), nearest_seen);
     coverage = seen ? vec2(covered, 0.0) : vec2(0.0, covered);
 }

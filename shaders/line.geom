@@ -12,12 +12,25 @@ layout(triangle_strip, max_vertices = 4) out;
 layout(location = 0) flat out vec2 from_pixel;
 layout(location = 1) flat out vec2 to_pixel;
 layout(location = 2) flat out vec2 depths;  // At both ends; linear between them on the screen.
+layout(location = 3) flat out vec2 outwards;  // Across the line, where its faces are not; of length 1.
 
 // Narrows [begin, end] of a segment to where a value that runs from `a` to `b` along it is not negative.
 void clip(float a, float b, inout float begin, inout float end) {
     if (a < 0.0 && b < 0.0) end = -1.0;
     else if (a < 0.0) begin = max(begin, a / (a - b));
     else if (b < 0.0) end = min(end, a / (a - b));
+}
+
+// How far to the left of the line from `from` along `across` a face's third corner lies on the screen.
+float side_of(uint face, EdgeRecord edge, vec2 from, vec2 across) {
+    const TriangleRecord triangle = draw.instance.data.triangles.at[face];
+    uint corner = triangle.v0;
+    if (corner == edge.v0 || corner == edge.v1) corner = triangle.v1;
+    if (corner == edge.v0 || corner == edge.v1) corner = triangle.v2;
+    const vec4 clip =
+        clip_from_object(draw.frame, draw.instance, draw.instance.data.positions.at[corner]);
+    if (clip.w <= 0.0) return 0.0;
+    return dot((clip.xy / clip.w * 0.5 + 0.5) * draw.frame.data.viewport - from, across);
 }
 
 void main() {
@@ -52,12 +65,20 @@ void main() {
     const float len = distance(p, q);
     const vec2 along = (len > 1e-6 ? (q - p) / len : vec2(1.0, 0.0)) * radius;
     const vec2 across = vec2(-along.y, along.x);
+    // Both faces of a silhouette lie to one side; the wider one tells it more surely.
+    float side = side_of(edge.f0, edge, p, across);
+    if (edge.f1 != k_no_face) {
+        const float other = side_of(edge.f1, edge, p, across);
+        if (abs(other) > abs(side)) side = other;
+    }
+    const vec2 outside = (side > 0.0 ? -across : across) / radius;
     const vec2 corners[4] =
         vec2[4](p - along + across, p - along - across, q + along + across, q + along - across);
     for (int i = 0; i < 4; ++i) {
         from_pixel = p;
         to_pixel = q;
         depths = vec2(ndc_a.z, ndc_b.z);
+        outwards = outside;
         gl_Position = vec4(corners[i] / viewport * 2.0 - 1.0, 0.5, 1.0);
         EmitVertex();
     }

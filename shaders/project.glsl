@@ -39,7 +39,8 @@ vec4 clip_from_extruded(FrameRef frame, InstanceRef instance, LightRef light, ve
     return clip_from_eye(frame, eye_from_object(instance, from_camera), 1.0);
 }
 
-// Whether all rays of the light end in one point, so that volumes have no dark cap.
+// Whether all rays of the light end in one point, so that volumes have no dark cap. The vector is read
+// whole: of its single component lavapipe 22.3 makes x here, and sides lost a corner where x was 0.
 bool ends_in_one_point(LightRef light) {
     const vec4 from = light.data.light;
     return from.w == 0.0 && light.data.extrusion == 0.0;

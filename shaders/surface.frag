@@ -14,8 +14,8 @@ layout(location = 0) out vec4 color;
 float tone(uint style, float cosine) {
     if (style == RIMLINE_STYLE_MASK) return 1.0;
     if (style == RIMLINE_STYLE_INK)
-        return 0.86 * smoothstep(0.07, 0.10, cosine) + 0.14 * smoothstep(0.30, 0.36, cosine);
-    return 0.55 * smoothstep(0.08, 0.12, cosine) + 0.45 * smoothstep(0.52, 0.56, cosine);
+        return 0.86 * smoothstep(0.14, 0.17, cosine) + 0.14 * smoothstep(0.34, 0.40, cosine);
+    return 0.55 * smoothstep(0.14, 0.17, cosine) + 0.45 * smoothstep(0.52, 0.56, cosine);
 }
 
 void main() {

@@ -19,6 +19,7 @@ DeviceFacts complete(std::string name, VkPhysicalDeviceType type) {
             .timeline_semaphore = true,
             .dynamic_rendering = true,
             .synchronization2 = true,
+            .maintenance4 = true,
             .round_to_nearest_float32 = true,
             .graphics_and_compute_queue = true,
             .samples = 4,
@@ -52,7 +53,7 @@ TEST_CASE("a device that lacks something is passed over and the reason names all
 
 TEST_CASE("every requirement is looked at") {
     CHECK(judge_device(k_cpu).usable());
-    CHECK(judge_device({}).lacks.size() == 11);
+    CHECK(judge_device({}).lacks.size() == 12);
     const auto lacks_one = [](auto spoil) {
         DeviceFacts facts = k_cpu;
         spoil(facts);
@@ -67,6 +68,7 @@ TEST_CASE("every requirement is looked at") {
     CHECK(lacks_one([](DeviceFacts& f) { f.timeline_semaphore = false; }));
     CHECK(lacks_one([](DeviceFacts& f) { f.dynamic_rendering = false; }));
     CHECK(lacks_one([](DeviceFacts& f) { f.synchronization2 = false; }));
+    CHECK(lacks_one([](DeviceFacts& f) { f.maintenance4 = false; }));
     CHECK(lacks_one([](DeviceFacts& f) { f.round_to_nearest_float32 = false; }));
     CHECK(lacks_one([](DeviceFacts& f) { f.depth_stencil_format = false; }));
 }
@@ -78,6 +80,8 @@ TEST_CASE("a request chooses by kind, by index and by part of the name") {
     CHECK(choose_device(devices, "1").index == 1);
     CHECK(choose_device(devices, "iris").index == 1);
     CHECK(choose_device(devices, "LLVM").index == 0);
+    CHECK(choose_device(std::vector{k_cpu, complete("RTX 4090", k_discrete.type)}, "4090").index ==
+          1);
     CHECK(choose_device(devices, "cpu").reasons[2] == "GeForce (discrete GPU): is not 'cpu'");
 }
 

@@ -43,8 +43,9 @@ private:
     Gpu() {
         try {
             instance_.emplace(InstanceOptions{.validate = true});
-        } catch (const Error&) {
-            instance_.emplace();  // Without layers.
+        } catch (const Error& error) {
+            MESSAGE("without validation: ", std::string(error.what()));
+            instance_.emplace();
         }
         device_.emplace(*instance_);
     }

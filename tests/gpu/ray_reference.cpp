@@ -1,6 +1,8 @@
 #include "tests/gpu/ray_reference.h"
 
+#include <algorithm>
 #include <cfenv>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
@@ -12,6 +14,9 @@ namespace {
 // Nearer than this, in scene radii, a triangle is one that the ray starts on: a neighbour in the same
 // plane, of whose distance only the rounding is left.
 constexpr double k_touching = 1e-10;
+
+// The sine of the angle below which a light lies in a surface's plane.
+constexpr double k_in_plane = 1e-9;
 
 // Rays for Embree begin this much earlier and end later, in scene radii, so that its float distances
 // lose nothing that double precision would keep.
@@ -69,16 +74,16 @@ RayReference::RayReference(const Scene& scene) : scene_(scene) {
         const Mesh& mesh = instance.octree->mesh();
         std::vector<glm::dvec3>& vertices = vertices_.emplace_back();
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        float* positions = make_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
-                                       mesh.vertex_count());
+        float* positions =
+            make_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertex_count());
         for (const glm::vec3& position : mesh.positions()) {
             vertices.push_back(instance.rotation * glm::dvec3(position) + instance.translation);
             // Relative to the scene's center, where float is finest.
             const glm::vec3 rounded(vertices.back() - center_);
             for (int axis = 0; axis < 3; ++axis) *positions++ = rounded[axis];
         }
-        auto* corners = reinterpret_cast<std::uint32_t*>(make_buffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.face_count()));
+        auto* corners = reinterpret_cast<std::uint32_t*>(
+            make_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.face_count()));
         for (const Triangle& triangle : mesh.triangles())
             for (const VertexId vertex : triangle) *corners++ = index(vertex);
         rtcCommitGeometry(geometry);
@@ -107,12 +112,20 @@ Ray RayReference::camera_ray(glm::dvec2 place, glm::dvec2 picture_size) const {
 
 std::optional<glm::dvec2> RayReference::place_of(const glm::dvec3& world,
                                                  glm::dvec2 picture_size) const {
+    if (!scene_.camera.is_orthographic() && depth_of(world) < near_) return std::nullopt;
     const glm::dvec3 from_eye = world - scene_.camera.eye;
-    const double depth = scene_.camera.is_orthographic() ? 1.0 : depth_of(world);
-    if (depth < near_) return std::nullopt;
-    const double unit = depth * 2.0 * half_height_ / picture_size.y;
-    return 0.5 * picture_size +
-           glm::dvec2(glm::dot(from_eye, right_), -glm::dot(from_eye, up_)) / unit;
+    return 0.5 * picture_size + glm::dvec2(glm::dot(from_eye, right_), -glm::dot(from_eye, up_)) /
+                                    pixel_size(world, picture_size);
+}
+
+glm::dvec3 RayReference::displaced(const glm::dvec3& world, glm::dvec2 pixels,
+                                   glm::dvec2 picture_size) const {
+    return world + pixel_size(world, picture_size) * (pixels.x * right_ - pixels.y * up_);
+}
+
+double RayReference::pixel_size(const glm::dvec3& world, glm::dvec2 picture_size) const {
+    const double at_unit_distance = 2.0 * half_height_ / picture_size.y;
+    return scene_.camera.is_orthographic() ? at_unit_distance : depth_of(world) * at_unit_distance;
 }
 
 double RayReference::depth_of(const glm::dvec3& world) const {
@@ -150,8 +163,8 @@ std::optional<SurfacePoint> RayReference::first_surface(const Ray& ray) const {
     const Triangle& triangle =
         scene_.instances[point.instance].octree->mesh().triangles()[index(point.face)];
     const glm::dvec3 n = normal(point.instance, point.face);
-    const double along = glm::dot(n, vertex(point.instance, triangle[0]) - ray.origin) /
-                         glm::dot(n, ray.direction);
+    const double along =
+        glm::dot(n, vertex(point.instance, triangle[0]) - ray.origin) / glm::dot(n, ray.direction);
     point.position = ray.origin + along * ray.direction;
     return point;
 }
@@ -164,12 +177,12 @@ void RayReference::keep_if_blocking(const RTCFilterFunctionNArguments* arguments
     const FaceId face{RTCHitN_primID(arguments->hit, arguments->N, 0)};
     const auto reject = [&] { arguments->valid[0] = 0; };
     if ((*query.ignored)(instance, face)) return reject();
-    const Triangle& t = reference.scene_.instances[instance].octree->mesh().triangles()[index(face)];
+    const Triangle& t =
+        reference.scene_.instances[instance].octree->mesh().triangles()[index(face)];
     const glm::dvec3 n = reference.normal(instance, face);
     const double along = glm::dot(n, reference.vertex(instance, t[0]) - query.ray.origin) /
                          glm::dot(n, query.ray.direction);
-    const double touching =
-        k_touching * reference.radius_ / glm::length(query.ray.direction);
+    const double touching = k_touching * reference.radius_ / glm::length(query.ray.direction);
     if (!(along > touching && along < query.end)) reject();
 }
 
@@ -194,15 +207,34 @@ bool RayReference::is_blocked(Query& query, double end) const {
     return ray.tfar < 0.0f;
 }
 
+glm::dvec3 RayReference::towards(const Light& light, const glm::dvec3& world) {
+    return light.directional ? glm::normalize(light.vector) : light.vector - world;
+}
+
+double RayReference::height(const SurfacePoint& point, const Light& light) const {
+    const glm::dvec3 to_light = towards(light, point.position);
+    const glm::dvec3 n = normal(point.instance, point.face);
+    return glm::dot(n, to_light) / (glm::length(n) * glm::length(to_light));
+}
+
+double RayReference::grazing(const SurfacePoint& point) const {
+    double least = 1.0;
+    for (const Light& light : scene_.lights)
+        least = std::min(least, std::abs(height(point, light)));
+    return least;
+}
+
 bool RayReference::reaches(const SurfacePoint& point, const Ray& camera_ray,
                            const Light& light) const {
-    const glm::dvec3 to_light = light.directional ? glm::normalize(light.vector)
-                                                  : light.vector - point.position;
-    // The viewer and the light on two sides: the surface itself is between.
-    const glm::dvec3 n = normal(point.instance, point.face);
-    const bool sides_differ =
-        (glm::dot(n, to_light) > 0.0) != (glm::dot(n, camera_ray.direction) < 0.0);
-    if (sides_differ && scene_.instances[point.instance].casts_shadows) return false;
+    // The viewer and the light on two sides: the surface itself is between. It is too where the light
+    // lies in its plane, whichever side is seen.
+    const glm::dvec3 to_light = towards(light, point.position);
+    const double over = height(point, light);
+    const bool seen_in_front =
+        glm::dot(normal(point.instance, point.face), camera_ray.direction) < 0.0;
+    if (scene_.instances[point.instance].casts_shadows &&
+        (seen_in_front ? over < k_in_plane : over > -k_in_plane))
+        return false;
     const Ignored ignored = [&](std::size_t instance, FaceId face) {
         return !scene_.instances[instance].casts_shadows ||
                (instance == point.instance && face == point.face);

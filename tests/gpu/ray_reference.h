@@ -55,6 +55,9 @@ public:
     /// How many of the scene's lights reach the side of the surface that `camera_ray` sees.
     std::size_t lights_at(const SurfacePoint& point, const Ray& camera_ray) const;
 
+    /// The sine of the smallest angle between the surface's plane and the way to a light.
+    double grazing(const SurfacePoint& point) const;
+
     using Ignored = std::function<bool(std::size_t instance, FaceId face)>;
     /// Whether anything but the ignored faces lies strictly between a point that the camera sees and
     /// the near plane.
@@ -64,15 +67,22 @@ public:
     const glm::dvec3& vertex(std::size_t instance, VertexId vertex) const {
         return vertices_[instance][index(vertex)];
     }
-    /// From a point towards the viewer; for perspective cameras as long as the way there.
-    glm::dvec3 towards_viewer(const glm::dvec3& world) const;
-    double depth_of(const glm::dvec3& world) const;
+    /// A point at the same depth, so many pixels to the right and down.
+    glm::dvec3 displaced(const glm::dvec3& world, glm::dvec2 pixels, glm::dvec2 picture_size) const;
 
 private:
     struct Query;
     static void keep_if_blocking(const RTCFilterFunctionNArguments* arguments);
     bool reaches(const SurfacePoint& point, const Ray& camera_ray, const Light& light) const;
+    // The sine of the angle at which the light stands over the surface, on its front.
+    double height(const SurfacePoint& point, const Light& light) const;
+    static glm::dvec3 towards(const Light& light, const glm::dvec3& world);
     bool is_blocked(Query& query, double end) const;
+    // From a point towards the viewer; for perspective cameras as long as the way there.
+    glm::dvec3 towards_viewer(const glm::dvec3& world) const;
+    double depth_of(const glm::dvec3& world) const;
+    // The side of a pixel at the depth of a point.
+    double pixel_size(const glm::dvec3& world, glm::dvec2 picture_size) const;
     // Twice the area times the unit normal.
     glm::dvec3 normal(std::size_t instance, FaceId face) const;
 

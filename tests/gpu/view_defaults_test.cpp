@@ -35,6 +35,13 @@ TEST_CASE("a fitted perspective camera holds every vertex with the margin, and n
             }
 }
 
+TEST_CASE("a needle that points at the viewer lies wholly in front of the camera") {
+    const Mesh needle(MeshSource{.positions = {{0, 0, 1}, {1e-5f, 0, -1}, {-1e-5f, 0, -1}},
+                                 .triangles = {{0, 1, 2}}});
+    const Camera camera = fit_camera({}, needle, {0, 0, 1}, 1.0);
+    CHECK(camera.eye.z > 1.01);
+}
+
 TEST_CASE("an empty mesh and a single point still give a camera") {
     const Mesh empty{MeshSource{}};
     const Camera camera = fit_camera({}, empty, {0, 0, 1}, 1.0);
@@ -55,6 +62,18 @@ TEST_CASE("the ground lies under every vertex and faces up") {
             REQUIRE(glm::dot(glm::dvec3(position), n) > height);
         for (const Plane& plane : ground.planes())
             CHECK(glm::dot(glm::dvec3(plane.nx, plane.ny, plane.nz), n) == doctest::Approx(1.0));
+    }
+}
+
+TEST_CASE("the ground lies under a flat base far from the origin, after rounding to float") {
+    for (const float offset : {1e3f, 1e6f, 4e6f}) {
+        CAPTURE(offset);
+        MeshSource box = make_built_in_shape("box", 12);
+        for (glm::vec3& position : box.positions)
+            position = position * 100.0f + glm::vec3(0, offset, 0);
+        const Mesh mesh(box);
+        const Mesh ground(make_ground(mesh, {0, 1, 0}, 8.0 * mesh.radius()));
+        CHECK(ground.bounds().high.y < mesh.bounds().low.y);
     }
 }
 
