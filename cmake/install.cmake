@@ -6,8 +6,13 @@ include(CMakePackageConfigHelpers)
 set(rimline_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Rimline)
 
 install(TARGETS rimline_silhouette EXPORT RimlineTargets)
+# Not the headers that only the library's own sources share.
 install(DIRECTORY silhouette DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
-    FILES_MATCHING PATTERN "*.h")
+    FILES_MATCHING PATTERN "*.h"
+    REGEX "/shapes/(circle|shape_makers|tube)\\.h$" EXCLUDE
+    REGEX "/formats/(byte_scanner|gltf_[a-z]+|obj_scan|ply_header|readers|source_file|text_scanner|tinygltf)\\.h$"
+        EXCLUDE
+    REGEX "/hough/octree_order\\.h$" EXCLUDE)
 set(RIMLINE_HAS_ENGINE OFF)
 if(TARGET rimline_engine)
     set(RIMLINE_HAS_ENGINE ON)

@@ -12,6 +12,9 @@
 
 namespace rimline {
 
+// Cameras and lights must lie within k_max_coordinate of the origin, in the coordinates of every
+// instance.
+
 /// A mesh somewhere in the world: world = rotation * object + translation. The octree and its mesh must
 /// outlive every renderer that has drawn them.
 struct SceneInstance {

@@ -1,6 +1,6 @@
 // rimline render: one picture of a model, or of the built-in scene.
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -70,7 +70,9 @@ public:
         app.footer(
             "Without a model a built-in scene is drawn. Camera and light are chosen when not "
             "given.\n"
-            "Every light adds an equal share.\n\n"
+            "Every light adds an equal share. A camera that is chosen looks past the model's "
+            "center where\n"
+            "that fills the picture better.\n\n"
             "Examples:\n"
             "  rimline render\n"
             "  rimline render horse.ply -o horse.png --style toon --ground\n"
@@ -88,6 +90,7 @@ public:
         context.checkpoint();
 
         Scene scene = make_scene(mesh, octree);
+        check_size(scene, mesh);
         std::optional<Mesh> ground;
         std::optional<HoughOctree> ground_octree;
         if (ground_) {
@@ -110,6 +113,17 @@ public:
     }
 
 private:
+    // What is drawn beside the model must lie within the coordinates that silhouettes are found in.
+    void check_size(const Scene& scene, const Mesh& mesh) const {
+        const double ground = ground_ ? 1.5 * k_ground_end * mesh.radius() : 0.0;
+        const glm::dvec3 reach =
+            glm::max(glm::abs(scene.camera.eye), glm::abs(mesh.center()) + ground);
+        if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
+            throw Error(ErrorCode::too_large, model_.model + ": too large to stand before" +
+                                                  (ground_ ? " or to lay a ground under" : "") +
+                                                  ": scale it down, coordinates end at 2^60");
+    }
+
     Style style() const {
         return style_ == "toon" ? Style::toon : style_ == "mask" ? Style::mask : Style::ink;
     }
@@ -131,7 +145,8 @@ private:
             camera.eye = glm::dvec3(*picture_.eye);
             camera.target = picture_.target ? glm::dvec3(*picture_.target) : mesh.center();
             if (camera.eye == camera.target)
-                throw UsageError("--eye and --target are the same point");
+                throw UsageError(picture_.target ? "--eye and --target are the same point"
+                                                 : "--eye is the model's center, where it looks");
             return camera;
         }
         const bool own_scene = model_.model == k_default_model;

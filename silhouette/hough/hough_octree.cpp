@@ -67,6 +67,7 @@ void HoughOctree::test_edges(std::span<const EdgeRecord> records, const Homogene
 
 void HoughOctree::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                           TraversalCounters& counters) const {
+    RIMLINE_CHECK(point.is_valid());
     edges.clear();
     TraversalCounters work;
     const VSphere sphere(point, origin_, greatest_reach());
@@ -121,6 +122,7 @@ void HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoin
                              std::span<std::uint32_t> tree_words, std::vector<FaceId>& flipped,
                              TraversalCounters& counters) const noexcept {
     RIMLINE_CHECK(tree_words.size() == tree_word_count());
+    RIMLINE_CHECK(flipped.capacity() - flipped.size() >= statistics_.faces);
     if (from == to || face_nodes_.empty()) return;
     TraversalCounters work;
     const VSphere old_sphere(from, origin_, greatest_reach());

@@ -65,8 +65,9 @@ struct HoughOctreeStatistics {
 /// Immutable: any number of threads may use one.
 class HoughOctree {
 public:
-    /// `mesh` must outlive the octree. O(faces log faces).
+    /// `mesh` must outlive the octree and stay where it is. O(faces log faces).
     explicit HoughOctree(const Mesh& mesh, const HoughOctreeOptions& options = {});
+    explicit HoughOctree(Mesh&&, const HoughOctreeOptions& = {}) = delete;  // It would be gone.
 
     const Mesh& mesh() const noexcept { return *mesh_; }
     const glm::dvec3& origin() const noexcept { return origin_; }
@@ -84,8 +85,8 @@ public:
     void evaluate_faces(const HomogeneousPoint& point,
                         std::span<std::uint32_t> tree_words) const noexcept;
     /// Appends to `flipped` the faces whose bits differ between the two points, each once, and flips
-    /// them in `tree_words`, which must hold the bits seen from `from`. Does not allocate when `flipped`
-    /// has room. `counters` is added to.
+    /// them in `tree_words`, which must hold the bits seen from `from`. Does not allocate: `flipped` must
+    /// have room for all faces in the tree. `counters` is added to.
     void find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
                     std::span<std::uint32_t> tree_words, std::vector<FaceId>& flipped,
                     TraversalCounters& counters) const noexcept;

@@ -12,6 +12,7 @@ constexpr std::uint32_t k_joining = 0xfffffffeu;
 
 SilhouetteTracker::SilhouetteTracker(const HoughOctree& octree, const HomogeneousPoint& point)
     : octree_(&octree) {
+    RIMLINE_CHECK(point.is_valid());
     const Mesh& m = octree.mesh();
     tree_words_.resize(octree.tree_word_count());
     octree.evaluate_faces(point, tree_words_);
@@ -39,6 +40,7 @@ SilhouetteTracker::SilhouetteTracker(const HoughOctree& octree, const Homogeneou
 }
 
 const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexcept {
+    RIMLINE_CHECK(point.is_valid());
     flipped_.clear();
     added_.clear();
     removed_.clear();

@@ -22,10 +22,11 @@ namespace rimline {
 
 class SilhouetteTracker {
 public:
-    /// Extracts the silhouette from `point`. `octree` must outlive the tracker; many trackers may
-    /// share one octree across threads. Reserves everything that moves will need: up to 28 bytes an
-    /// edge and 12 a face, most of it untouched until a move of that size comes.
+    /// Extracts the silhouette from `point`. `octree` must outlive the tracker and stay where it is;
+    /// many trackers may share one octree across threads. Reserves everything that moves will need: up
+    /// to 28 bytes an edge and 5 a face, most of it untouched until a move of that size comes.
     SilhouetteTracker(const HoughOctree& octree, const HomogeneousPoint& point);
+    SilhouetteTracker(HoughOctree&&, const HomogeneousPoint&) = delete;  // It would be gone.
 
     // A copy would have neither the reserve nor spans of its own.
     SilhouetteTracker(SilhouetteTracker&&) noexcept = default;

@@ -12,6 +12,11 @@
 // derived from these bits, so rounding can move a silhouette by a triangle but never break one.
 // (Definition 2.1.2, with the sign of the figures; its text before has it the other way round.)
 
+#ifdef __FAST_MATH__
+#error \
+    "Rimline decides faces by exact float comparisons: compile what includes it without -ffast-math"
+#endif
+
 #include <array>
 #include <glm/vec3.hpp>
 

@@ -115,6 +115,21 @@ TEST_CASE("several change sets of one frame end in the last one's state") {
     check_equal(gpu->context(), stream, tracker);
 }
 
+TEST_CASE("a stream whose frame never ran asks for the whole state") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("sphere", 2000));
+    const HoughOctree octree(mesh);
+    SilhouetteTracker tracker(octree, HomogeneousPoint::viewpoint({3.0f, 0.0f, 0.0f}));
+    ChangeStream stream(gpu->context(), mesh, 1);
+    stream.begin_frame(0);
+    stream.resend(tracker.sequence(), tracker.silhouette(), tracker.face_words());
+    stream.begin_frame(0);
+    REQUIRE(stream.apply(tracker.move_to(HomogeneousPoint::viewpoint({3.0f, 0.003f, 0.0f}))));
+    stream.invalidate();
+    stream.begin_frame(0);
+    CHECK_FALSE(stream.apply(tracker.move_to(HomogeneousPoint::viewpoint({3.0f, 0.006f, 0.0f}))));
+}
+
 TEST_CASE("a gap in the sequence asks for the whole state") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("sphere", 2000));

@@ -21,6 +21,7 @@ class PackedBruteForce {
 public:
     /// `mesh` must outlive it. Holds 16 bytes a face and 8 an edge.
     explicit PackedBruteForce(const Mesh& mesh);
+    explicit PackedBruteForce(Mesh&&) = delete;  // It would be gone.
 
     /// Replaces `words` by every face's bit, packed as face_bits.h says. O(faces).
     void face_bits(const HomogeneousPoint& point, std::vector<std::uint32_t>& words) const;
