@@ -125,6 +125,7 @@ TEST_CASE("find_flips names exactly the faces whose bits differ") {
             std::vector<std::uint32_t> tree_words(octree.tree_word_count());
             octree.evaluate_faces(from, tree_words);
             std::vector<FaceId> flipped;
+            flipped.reserve(mesh.face_count());
             TraversalCounters counters;
             octree.find_flips(from, to, tree_words, flipped, counters);
             std::vector<FaceId> expected;
