@@ -2,7 +2,7 @@
 
 #include "line_frag.h"
 #include "line_geom.h"
-#include "line_vert.h"
+#include "points_vert.h"
 
 namespace rimline {
 
@@ -10,7 +10,7 @@ LinePass::LinePass(const DeviceContext& context, VkFormat coverage_format)
     : depth_(context, 1),
       layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages,
                                    depth_.layout())),
-      pipeline_(make_graphics_pipeline(context, {.vertex = line_vert,
+      pipeline_(make_graphics_pipeline(context, {.vertex = points_vert,
                                                  .geometry = line_geom,
                                                  .fragment = line_frag,
                                                  .topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST,

@@ -10,6 +10,10 @@ namespace rimline {
 
 namespace {
 
+static_assert(static_cast<int>(Style::ink) == RIMLINE_STYLE_INK &&
+              static_cast<int>(Style::toon) == RIMLINE_STYLE_TOON &&
+              static_cast<int>(Style::mask) == RIMLINE_STYLE_MASK);
+
 // A light's volumes in an orthographic view reach behind everything there is, and no farther than that
 // needs: what they stretch over costs the depth of their sides its precision.
 constexpr double k_greatest_extrusion_times = 65536.0;
@@ -110,7 +114,6 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
             .style = static_cast<std::uint32_t>(scene.style),
             .background = scene.palette.background,
-            .ink = scene.palette.ink,
             .shade = scene.palette.shade};
 }
 
@@ -241,9 +244,9 @@ const ChangeStream& Renderer::follow(std::unique_ptr<Tracked>& tracked, const Ho
 
 DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
     const std::size_t light_count = scene.lights.size();
-    const std::uint64_t instances_at =
-        sizeof(gpu::FrameData) + 4;  // Addresses need multiples of 8.
-    static_assert((sizeof(gpu::FrameData) + 4) % 8 == 0 && sizeof(gpu::InstanceData) % 8 == 0);
+    const std::uint64_t instances_at = sizeof(gpu::FrameData);
+    // Addresses need multiples of 8.
+    static_assert(sizeof(gpu::FrameData) % 8 == 0 && sizeof(gpu::InstanceData) % 8 == 0);
     const std::uint64_t lights_at =
         instances_at + sizeof(gpu::InstanceData) * scene.instances.size();
     const std::uint64_t size =

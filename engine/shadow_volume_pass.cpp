@@ -1,6 +1,6 @@
 #include "engine/shadow_volume_pass.h"
 
-#include "line_vert.h"
+#include "points_vert.h"
 #include "shadow_caps_vert.h"
 #include "shadow_sides_geom.h"
 
@@ -35,7 +35,7 @@ ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, const Attachmen
                                             .stencil = StencilUse::count,
                                             .layout = layout_};
     caps_ = make_graphics_pipeline(context, description);
-    description.vertex = line_vert;
+    description.vertex = points_vert;
     description.geometry = shadow_sides_geom;
     description.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
     sides_ = make_graphics_pipeline(context, description);

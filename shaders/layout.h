@@ -83,17 +83,17 @@ struct FrameData {
     vec2 clip_scale;    // clip.xy = clip_scale * eye.xy
     vec2 clip_z;        // clip.z = clip_z.x * eye.z + clip_z.y * w
     vec2 clip_w;        // clip.w = clip_w.x * eye.z + clip_w.y * w
-    vec2 viewport;      // Width and height in samples of the pass, in pixels.
+    vec2 viewport;      // Width and height of the pass, in pixels.
     vec2 depth_place;   // Where in a pixel its one depth was taken: of samples, the first.
     float line_radius;  // Half of a line's width, in pixels of the pass.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
     uint style;                  // A RIMLINE_STYLE_ value.
     vec3 background;
-    vec3 ink;
     vec3 shade;  // What shadow leaves of a surface's color.
 };
 
+// As the enumerators of Style (engine/scene.h).
 #define RIMLINE_STYLE_INK 0
 #define RIMLINE_STYLE_TOON 1
 #define RIMLINE_STYLE_MASK 2
@@ -124,7 +124,7 @@ struct LightData {
     vec3 color;  // Its share of a fully lit surface.
     float
         extrusion;  // 0: volumes reach infinity. Else how far (directional light) or how many times as
-        // far as the edge (point light), for orthographic views, which infinity is not in.
+    // far as the edge (point light), for orthographic views, which infinity is not in.
 };
 
 #ifndef __cplusplus
@@ -150,7 +150,7 @@ struct DrawConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(EdgeRecord) == 16 && sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
-static_assert(sizeof(FrameData) == 4 * 23);
+static_assert(sizeof(FrameData) == 4 * 20);
 static_assert(sizeof(InstanceData) == 7 * 8 + 4 * (9 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 32);

@@ -155,14 +155,16 @@ public:
         nlohmann::ordered_json cases = nlohmann::ordered_json::array();
         std::string difference;
         for (const std::string& model : models) {
-            const Mesh mesh(load_model(model, subdivide_, FaceRequirement::faces, context));
+            const Mesh mesh = load_mesh(model, subdivide_, context);
             if (instruction_set.empty()) {
                 instruction_set = PackedBruteForce(mesh).instruction_set();
                 if (!context.json)
                     std::printf("%s, one thread; packed brute force uses %s\n\n",
                                 processor_name().c_str(), instruction_set.c_str());
             }
-            for (const CaseResult& result : bench_hough(model, mesh, options_, context)) {
+            const std::vector<CaseResult> results =
+                about_model(model, [&] { return bench_hough(model, mesh, options_, context); });
+            for (const CaseResult& result : results) {
                 if (context.json)
                     cases.push_back(to_json(result));
                 else

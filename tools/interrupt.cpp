@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
+#include <string_view>
 #include <thread>
 
 namespace rimline::tools {
@@ -17,6 +19,19 @@ std::atomic<int> g_signal_received{0};
 bool is_ignored(int signal_number) {
     struct sigaction action {};
     return sigaction(signal_number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+void raise_unblocked(int signal_number) {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, signal_number);
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    raise(signal_number);
+}
+
+// Past stdio, whose locks a thread that hangs in a write may hold.
+void write_line(std::string_view line) {
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());
 }
 
 }  // namespace
@@ -35,8 +50,12 @@ std::stop_token stop_on_interrupt() {
         if (sigwait(&signals, &received) != 0) return;
         g_signal_received = received;
         source.request_stop();
-        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-        for (;;) pause();
+        const timespec grace{k_grace_seconds, 0};
+        int second = 0;
+        do second = sigtimedwait(&signals, nullptr, &grace);
+        while (second < 0 && errno == EINTR);
+        if (second < 0) write_line("rimline: error: cancelled\n");
+        raise_unblocked(second < 0 ? received : second);
     }).detach();
     return source.get_token();
 }
@@ -45,11 +64,7 @@ void end_as_interrupted() {
     const int received = g_signal_received;
     if (received == 0) return;
     std::fflush(nullptr);
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, received);
-    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-    raise(received);
+    raise_unblocked(received);
 }
 
 }  // namespace rimline::tools

@@ -28,10 +28,14 @@ using rimline::tools::Context;
 using rimline::tools::ExitStatus;
 using rimline::tools::UsageError;
 
+constexpr const char* k_version = "rimline " RIMLINE_VERSION;
+constexpr const char* k_json_description = "Print one JSON object and nothing else";
 constexpr const char* k_footer =
     "MODEL is a file (OBJ, PLY, STL, OFF, glTF, GLB) or shape:NAME[:FACES].\n"
     "rimline SUBCOMMAND --help tells a subcommand's options.\n\n"
     "Examples:\n"
+    "  rimline render                     (draws a picture, rimline.png, without any model)\n"
+    "  rimline render bunny.obj -o bunny.png\n"
     "  rimline info bunny.obj\n"
     "  rimline silhouette bunny.obj --from 0.3,0.4,0.5 -o lines.svg\n"
     "  rimline track shape:knot:100000 --step 0.5 --verify";
@@ -55,6 +59,32 @@ ExitStatus report(ExitStatus status, std::string message) {
     return status;
 }
 
+// CLI11's messages are NAME: WHAT. Where WHAT is not a plain sentence, ours.
+std::string plain_words(const CLI::ParseError& e) {
+    const std::string message = e.what();
+    const std::string name = message.substr(0, message.find(": "));
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) != nullptr) {
+        if (message.find("At Most 1 ") != std::string::npos) return name + ": give it only once";
+        if (message.ends_with(" missing")) return name + ": expects a value after it";
+    }
+    const std::size_t choices = message.rfind(" not in {");
+    if (dynamic_cast<const CLI::ValidationError*>(&e) != nullptr && choices != std::string::npos) {
+        const std::size_t value = name.size() + 2;
+        return name + ": expected one of " + message.substr(choices + 8) + ", not '" +
+               message.substr(value, choices - value) + "'";
+    }
+    return message;
+}
+
+// The arguments after the program's name, where `help` and `help SUBCOMMAND` stand for --help.
+std::vector<std::string> arguments_of(int argc, char** argv) {
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    if (arguments.empty() || arguments.front() != "help") return arguments;
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+    return arguments;
+}
+
 ExitStatus report_usage(const std::string& message, const CLI::App& app) {
     const auto parsed = app.get_subcommands();
     const std::string help =
@@ -75,7 +105,7 @@ ExitStatus run(Command& command, const Context& context) {
 ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     CLI::App app("Finds the silhouettes of 3D models, keeps them up to date, and draws with them.",
                  "rimline");
-    app.set_version_flag("--version", "rimline " RIMLINE_VERSION, "Print the version and exit");
+    app.set_version_flag("--version", k_version, "Print the version and exit");
     app.set_help_flag("-h,--help", "Print this help and exit");
     app.require_subcommand(0, 1);
     app.footer(k_footer);
@@ -87,21 +117,28 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         CLI::App* sub = app.add_subcommand(command->name(), command->summary());
         sub->set_help_flag("-h,--help", "Print this help and exit");
         command->add_options(*sub);
-        sub->add_flag("--json", json, "Print one JSON object and nothing else")->group("Output");
+        sub->add_flag("--json", json, k_json_description)->group("Output");
+        // Works everywhere, stands in one help only.
+        sub->set_version_flag("--version", k_version)->group("");
     }
+    app.add_flag("--json", json, k_json_description);
 
     // Before CLI11 takes the --help that follows for the program's own.
-    const auto is_first_argument = [&](const auto& c) { return c->name() == argv[1]; };
-    if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(commands, is_first_argument))
-        return report_usage("there is no subcommand '" + std::string(argv[1]) + "'", app);
+    std::vector<std::string> arguments = arguments_of(argc, argv);
+    const auto first = std::ranges::find_if_not(
+        arguments, [](const std::string& argument) { return argument.starts_with('-'); });
+    const auto is_first = [&](const auto& command) { return command->name() == *first; };
+    if (first != arguments.end() && std::ranges::none_of(commands, is_first))
+        return report_usage("there is no subcommand '" + *first + "'", app);
+    std::ranges::reverse(arguments);  // As CLI11 takes them.
     try {
-        app.parse(argc, argv);
+        app.parse(std::move(arguments));
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) {  // --help and --version arrive as exceptions.
             app.exit(e, std::cout, std::cerr);
             return ExitStatus::success;
         }
-        return report_usage(e.what(), app);
+        return report_usage(plain_words(e), app);
     }
     if (app.get_subcommands().empty()) {
         std::string names;
@@ -109,7 +146,8 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         std::fprintf(stderr,
                      "usage: rimline SUBCOMMAND [MODEL] [options]\n"
                      "subcommands:%s\n"
-                     "rimline --help tells more.\n",
+                     "rimline render alone draws a picture, rimline.png; rimline --help tells "
+                     "more.\n",
                      names.c_str());
         return ExitStatus::wrong_usage;
     }
@@ -134,7 +172,7 @@ int main(int argc, char** argv) {
         report(status, e.what());
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();
     } catch (const std::bad_alloc&) {
-        report(status, "out of memory");
+        report(status, "out of memory; take a smaller model or picture");
     } catch (const std::exception& e) {
         report(status, std::string("unexpected: ") + e.what());
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <new>
 #include <optional>
 #include <string_view>
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::string_view k_shape_prefix = "shape:";
 constexpr std::uint32_t k_max_shape_faces = 1u << 28;
+constexpr const char* k_take_fewer = "; take fewer faces or fewer steps of --subdivide";
 
 std::string shape_names() {
     std::string names;
@@ -58,23 +60,47 @@ std::string model_description() {
            shape_names();
 }
 
-void check_model_name(const std::string& text) { parse_shape(text); }
+void check_model_name(const std::string& text) {
+    if (text.empty())
+        throw CLI::ValidationError("MODEL", "expected a file or shape:NAME[:FACES], not ''");
+    parse_shape(text);
+}
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context) {
     MeshSource source;
     if (const std::optional<ShapeName> shape = parse_shape(model)) {
-        source = make_built_in_shape(shape->name, shape->faces);
+        source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });
     } else {
         Progress progress(context, "reading " + model);
         source = read_mesh_file(model, requirement, progress.call());
     }
     if (subdivide > 0 && !source.triangles.empty()) {
         Progress progress(context, "subdividing " + model);
-        source = subdivide_loop(source, subdivide, progress.call());
+        source =
+            about_model(model, [&] { return subdivide_loop(source, subdivide, progress.call()); });
     }
     context.checkpoint();
     return source;
+}
+
+Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context) {
+    const MeshSource source = load_model(model, subdivide, FaceRequirement::faces, context);
+    return about_model(model, [&] { return Mesh(source); });
+}
+
+void throw_about_model(const std::string& model) {
+    try {
+        throw;
+    } catch (const Error& e) {
+        const std::string message = e.what();
+        if (e.code() == ErrorCode::cancelled || message.starts_with(model + ":")) throw;
+        const char* what_to_do = e.code() == ErrorCode::too_large ? k_take_fewer : "";
+        throw Error(e.code(), model + ": " + message + what_to_do);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::too_large,
+                    model + ": there is not enough memory for it" + k_take_fewer);
+    }
 }
 
 void ModelArgument::add_to(CLI::App& app, Presence presence) {

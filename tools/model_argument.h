@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "silhouette/mesh/formats/mesh_file.h"
+#include "silhouette/mesh/mesh.h"
 #include "silhouette/mesh/mesh_source.h"
 #include "tools/command.h"
 
@@ -16,13 +17,30 @@ namespace rimline::tools {
 /// How a help text names what MODEL may be.
 std::string model_description();
 
-/// Throws CLI::ValidationError when `text` begins with "shape:" and is no built-in shape. Whether a file
-/// is there shows when it is loaded.
+/// Throws CLI::ValidationError when `text` is empty, or begins with "shape:" and is no built-in shape.
+/// Whether a file is there shows when it is loaded.
 void check_model_name(const std::string& text);
 
 /// Reads or makes a model, with progress. Throws Error.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context);
+
+/// The same, of faces, as a mesh.
+Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context);
+
+/// Within a catch block: throws on what was caught, an Error that does not begin with the model's name,
+/// or memory that ran out, as an Error that does.
+[[noreturn]] void throw_about_model(const std::string& model);
+
+/// What `work` returns. Its errors name the model, which the library's own calls do not know.
+template <typename Work>
+auto about_model(const std::string& model, Work&& work) {
+    try {
+        return work();
+    } catch (...) {
+        throw_about_model(model);
+    }
+}
 
 struct ModelArgument {
     std::string model;  ///< Empty when it was optional and not given.
@@ -34,6 +52,9 @@ struct ModelArgument {
     MeshSource load(const Context& context,
                     FaceRequirement requirement = FaceRequirement::faces) const {
         return load_model(model, subdivide, requirement, context);
+    }
+    Mesh load_mesh(const Context& context) const {
+        return tools::load_mesh(model, subdivide, context);
     }
 };
 

@@ -12,9 +12,19 @@ namespace rimline::tools {
 
 namespace {
 
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view k_blanks = " \t";
+    const std::size_t first = text.find_first_not_of(k_blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(k_blanks) - first + 1);
+}
+
 // All of `text` is one number, finite in its type.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
+    // std::from_chars knows no leading plus.
+    if constexpr (std::is_floating_point_v<Number>)
+        if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -118,7 +128,8 @@ glm::vec3 parse_point(const std::string& option, std::string_view text) {
         const std::size_t comma = rest.find(',');
         if ((comma == std::string_view::npos) != (axis == 2))
             reject(option, "three numbers x,y,z", text);
-        const std::optional<double> number = parse_number<double>(rest.substr(0, comma));
+        const std::optional<double> number =
+            parse_number<double>(without_blanks(rest.substr(0, comma)));
         if (!number) reject(option, "three finite numbers x,y,z", text);
         if (std::abs(*number) > double{k_max_coordinate})
             reject(option, "coordinates of at most 2^60, about 1.15e18", text);

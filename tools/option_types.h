@@ -16,7 +16,8 @@
 
 namespace rimline::tools {
 
-/// Three finite numbers `x,y,z`, each within k_max_coordinate. Throws CLI::ValidationError.
+/// Three finite numbers `x,y,z`, each within k_max_coordinate, with blanks around them or not. Throws
+/// CLI::ValidationError.
 glm::vec3 parse_point(const std::string& option, std::string_view text);
 /// The same, and not zero: components below k_min_point_component count as zero.
 glm::vec3 parse_direction(const std::string& option, std::string_view text);

@@ -82,11 +82,11 @@ public:
     ExitStatus run(const Context& context) override {
         OutputFile output(output_);  // A bad path is known before the work.
         if (model_.model.empty()) model_.model = k_default_model;
-        const Mesh mesh(model_.load(context));
+        const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
         const VulkanInstance instance({.validate = picture_.validate});
         const Device device(instance, picture_.device);
-        const HoughOctree octree(mesh);
+        const HoughOctree octree = about_model(model_.model, [&] { return HoughOctree(mesh); });
         context.checkpoint();
 
         Scene scene = make_scene(mesh, octree);

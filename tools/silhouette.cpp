@@ -123,11 +123,13 @@ public:
             file.emplace(output_);
         }
 
-        const Mesh mesh(model_.load(context));
+        const Mesh mesh = model_.load_mesh(context);
         const std::optional<glm::vec3> origin =
             origins_.empty() ? std::nullopt : std::optional(origins_[0]);
-        const Extraction found = method_ == "brute" ? extract_by_brute_force(mesh, point)
-                                                    : extract_by_octree(mesh, point, origin);
+        const Extraction found = about_model(model_.model, [&] {
+            return method_ == "brute" ? extract_by_brute_force(mesh, point)
+                                      : extract_by_octree(mesh, point, origin);
+        });
         context.checkpoint();
 
         const std::vector<FileEdge> edges = in_file_order(mesh, found.edges);
@@ -145,8 +147,7 @@ public:
 private:
     void set_method(const std::string& text) {
         if (std::find(k_methods.begin(), k_methods.end(), text) == k_methods.end())
-            throw CLI::ValidationError("--method",
-                                       "'" + text + "' is not built; octree and brute are");
+            throw CLI::ValidationError("--method", "expected octree or brute, not '" + text + "'");
         method_ = text;
     }
 

@@ -126,22 +126,23 @@ public:
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         constexpr const char* k_group = "Path";
-        app.add_option("--path", path_, "orbit, random, or a file of points, x y z [w] a line")
+        app.add_option("--path", path_,
+                       "orbit, random, or a file of points, x y z or x y z w a line")
             ->type_name("PATH")
             ->capture_default_str()
             ->group(k_group);
         frames_option_ = add_count(app, "--frames", frames_, 1, 10'000'000,
-                                   "Number of frames; of a file the first so many, or all")
+                                   "Number of frames; of a file the first so many, by default all")
                              ->group(k_group);
-        add_number(app, "--radius", radius_, 0.0, 1e9, "Of the orbit, in the model's radii")
-            ->group(k_group);
-        add_number(app, "--step", step_degrees_, -360.0, 360.0,
-                   "Degrees a frame on the orbit (default: a whole turn in all frames)")
-            ->group(k_group);
-        add_direction(app, "--up", up_,
-                      "The orbit's axis (default: y, or z where the file format says so)")
-            ->group(k_group);
-        add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of the random path")->group(k_group);
+        orbit_options_ = {
+            add_number(app, "--radius", radius_, 0.0, 1e9, "Of the orbit, in the model's radii"),
+            add_number(app, "--step", step_degrees_, -360.0, 360.0,
+                       "Degrees a frame on the orbit (default: a whole turn in all frames)"),
+            add_direction(app, "--up", up_,
+                          "The orbit's axis (default: y, or z where the file format says so)")};
+        for (CLI::Option* option : orbit_options_) option->group(k_group);
+        seed_option_ =
+            add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of the random path")->group(k_group);
         app.add_flag("--verify", verify_,
                      "Compare every frame with brute force; exit 3 where one differs")
             ->group("Check");
@@ -157,10 +158,10 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        const bool from_file = path_ != "orbit" && path_ != "random";
+        refuse_options_of_other_paths();
         std::vector<HomogeneousPoint> points;
-        if (from_file) points = read_path(path_);  // A bad path is known before a long load.
-        const Mesh mesh(model_.load(context));
+        if (is_file()) points = points_of_file(context);  // A bad one is known before a long load.
+        const Mesh mesh = model_.load_mesh(context);
         if (path_ == "random") {
             points = random_path(mesh, seed_, frames_);
         } else if (path_ == "orbit") {
@@ -168,11 +169,10 @@ public:
                 mesh.up() == UpAxis::z ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
             points = orbit_path(mesh, up_.value_or(own_up), radius_,
                                 step_degrees_.value_or(360.0 / frames_), frames_);
-        } else if (frames_option_->count() > 0 && frames_ < points.size()) {
-            points.resize(frames_);
         }
 
-        const Track track = follow(mesh, points, verify_, context);
+        const Track track =
+            about_model(model_.model, [&] { return follow(mesh, points, verify_, context); });
         if (context.json)
             print_result(track);
         else
@@ -184,6 +184,32 @@ public:
     }
 
 private:
+    bool is_file() const { return path_ != "orbit" && path_ != "random"; }
+
+    // An option that the path would not heed is a mistake that nothing in the result shows.
+    void refuse_options_of_other_paths() const {
+        if (path_.empty())
+            throw UsageError("--path: expected orbit, random or a file of points, not ''");
+        const auto refuse = [&](const CLI::Option* option, const std::string& owner) {
+            if (option->count() > 0 && path_ != owner)
+                throw UsageError(option->get_name() + ": belongs to --path " + owner +
+                                 ", not to --path " + path_);
+        };
+        for (const CLI::Option* option : orbit_options_) refuse(option, "orbit");
+        refuse(seed_option_, "random");
+    }
+
+    std::vector<HomogeneousPoint> points_of_file(const Context& context) const {
+        Progress progress(context, "reading " + path_);
+        std::vector<HomogeneousPoint> points = read_path(path_, progress.call());
+        if (frames_option_->count() == 0) return points;
+        if (frames_ > points.size())
+            throw UsageError("--frames: " + path_ + " holds " + std::to_string(points.size()) +
+                             " points, fewer than the " + std::to_string(frames_) + " asked for");
+        points.resize(frames_);
+        return points;
+    }
+
     bool verified(const Track& track) const { return verify_ && track.difference.empty(); }
 
     void print_result(const Track& track) const {
@@ -222,6 +248,8 @@ private:
     std::string path_ = "orbit";
     std::uint32_t frames_ = 360;
     CLI::Option* frames_option_ = nullptr;
+    std::vector<CLI::Option*> orbit_options_;
+    CLI::Option* seed_option_ = nullptr;
     double radius_ = 2.0;
     std::optional<double> step_degrees_;
     std::optional<glm::vec3> up_;

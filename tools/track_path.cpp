@@ -1,18 +1,17 @@
 #include "tools/track_path.h"
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <glm/common.hpp>
+#include <new>
 #include <numbers>
-#include <optional>
 #include <random>
 #include <string_view>
-#include <system_error>
 
 #include "silhouette/hough/orbit.h"
+#include "silhouette/mesh/formats/source_file.h"
+#include "silhouette/mesh/formats/text_scanner.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
@@ -46,35 +45,37 @@ HomogeneousPoint viewpoint_in_range(const glm::dvec3& p) {
 
 bool is_zero(const HomogeneousPoint& point) { return point.xyz() == glm::vec3(0.0f); }
 
-HomogeneousPoint parse_line(std::string_view line, const std::string& place) {
-    const auto fail = [&](const std::string& what) -> Error {
-        return {ErrorCode::bad_input, place + ": " + what};
-    };
-    std::array<double, 4> numbers{0.0, 0.0, 0.0, 1.0};
+// The numbers of the scanner's line, which blanks, a comma or both keep apart.
+HomogeneousPoint parse_line(TextScanner& scanner) {
+    constexpr std::array<const char*, 4> k_names{"x", "y", "z", "w"};
+    std::array<float, 4> numbers{0.0f, 0.0f, 0.0f, 1.0f};
     std::size_t count = 0;
-    constexpr std::string_view k_blank = " \t";
-    for (std::size_t at = line.find_first_not_of(k_blank); at != std::string_view::npos;
-         at = line.find_first_not_of(k_blank, at)) {
-        const std::size_t past = std::min(line.find_first_of(k_blank, at), line.size());
-        const std::string_view word = line.substr(at, past - at);
-        at = past;
-        if (count == numbers.size()) throw fail("expected x y z or x y z w, found more");
-        double& number = numbers[count++];
-        const auto parsed = std::from_chars(word.data(), word.data() + word.size(), number);
-        if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size() ||
-            !std::isfinite(number))
-            throw fail("'" + std::string(word) + "' is not a finite number");
+    bool after_comma = false;
+    for (std::string_view token = scanner.token(); !token.empty(); token = scanner.token()) {
+        while (!token.empty()) {
+            if (token[0] == ',') {
+                if (count == 0 || after_comma) scanner.fail("a comma stands where a number should");
+                after_comma = true;
+                token.remove_prefix(1);
+                continue;
+            }
+            if (count == numbers.size()) scanner.fail("expected x y z or x y z w, found more");
+            const std::size_t past = std::min(token.find(','), token.size());
+            numbers[count] = scanner.coordinate(token.substr(0, past), k_names[count]);
+            ++count;
+            after_comma = false;
+            token.remove_prefix(past);
+        }
     }
+    if (after_comma) scanner.fail("the line ends with a comma; a number should follow it");
     if (count < 3)
-        throw fail("expected x y z or x y z w, found " + std::to_string(count) + " numbers");
-    for (std::size_t i = 0; i < 3; ++i)
-        if (std::abs(numbers[i]) > double{k_max_coordinate})
-            throw fail("a coordinate is beyond 2^60, about 1.15e18");
+        scanner.fail("expected x y z or x y z w, found " + std::to_string(count) +
+                     (count == 1 ? " number" : " numbers"));
     const glm::vec3 xyz(numbers[0], numbers[1], numbers[2]);
-    if (numbers[3] == 1.0) return HomogeneousPoint::viewpoint(xyz);
-    if (numbers[3] != 0.0) throw fail("w must be 1, a viewpoint, or 0, a direction");
+    if (numbers[3] == 1.0f) return HomogeneousPoint::viewpoint(xyz);
+    if (numbers[3] != 0.0f) scanner.fail("w must be 1, a viewpoint, or 0, a direction");
     const HomogeneousPoint direction = HomogeneousPoint::direction(xyz);
-    if (is_zero(direction)) throw fail("a direction must not be zero");
+    if (is_zero(direction)) scanner.fail("a direction must not be zero");
     return direction;
 }
 
@@ -132,27 +133,22 @@ std::vector<HomogeneousPoint> random_path(const Mesh& mesh, std::uint32_t seed,
     return points;
 }
 
-std::vector<HomogeneousPoint> read_path(const std::string& file_name) {
-    errno = 0;
-    std::ifstream file(file_name);
-    const auto fail = [&](const std::string& what) {
-        return Error(ErrorCode::io,
-                     file_name + ": cannot read: " +
-                         (errno != 0 ? std::generic_category().message(errno) : what));
-    };
-    if (!file) throw fail("it does not open");
-    std::vector<HomogeneousPoint> points;
-    std::uint64_t number = 0;
-    for (std::string line; std::getline(file, line);) {
-        ++number;
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        if (line.find_first_not_of(" \t") == std::string::npos || line[0] == '#') continue;
-        points.push_back(parse_line(line, file_name + ":" + std::to_string(number)));
+std::vector<HomogeneousPoint> read_path(const std::string& file_name, const LongCall& call) {
+    try {
+        SourceFile file = read_source_file(file_name, call);
+        // The mark some spreadsheets put before UTF-8 text.
+        if (file.bytes.starts_with("\xef\xbb\xbf")) file.bytes.erase(0, 3);
+        TextScanner scanner(file.name, file.bytes, {.comment = '#'});
+        std::vector<HomogeneousPoint> points;
+        while (scanner.next_line()) {
+            if (points.size() % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
+            points.push_back(parse_line(scanner));
+        }
+        if (points.empty()) bad_file(file.name, "it holds no points; write lines of x y z");
+        return points;
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::too_large, file_name + ": there is not enough memory to read it");
     }
-    if (file.bad()) throw fail("reading stopped before the end");
-    if (points.empty())
-        throw Error(ErrorCode::bad_input, file_name + ": it holds no points; write x y z lines");
-    return points;
 }
 
 }  // namespace rimline::tools

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "silhouette/error.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
 
@@ -24,8 +25,10 @@ std::vector<HomogeneousPoint> orbit_path(const Mesh& mesh, glm::vec3 up, double 
 std::vector<HomogeneousPoint> random_path(const Mesh& mesh, std::uint32_t seed,
                                           std::uint32_t frames);
 
-/// One point a line, `x y z` or `x y z w` with w 1 (a viewpoint) or 0 (a direction); empty lines and
-/// lines that begin with # are skipped. Throws Error{bad_input} naming file and line, Error{io}.
-std::vector<HomogeneousPoint> read_path(const std::string& file_name);
+/// One point a line, `x y z` or `x y z w` with w 1 (a viewpoint) or 0 (a direction), the numbers apart by
+/// blanks, by a comma or by both; empty lines, and what follows a #, are skipped. Throws
+/// Error{bad_input} naming file and line, Error{io} for what is no regular file or cannot be read,
+/// Error{too_large} where it does not fit in memory.
+std::vector<HomogeneousPoint> read_path(const std::string& file_name, const LongCall& call);
 
 }  // namespace rimline::tools

@@ -31,9 +31,13 @@ TEST_CASE("a point is exactly three finite numbers in range") {
     CHECK(parse_point("--from", "1,2,3") == glm::vec3(1, 2, 3));
     CHECK(parse_point("--from", "-1.5,0,2e3") == glm::vec3(-1.5f, 0, 2000));
     CHECK(parse_point("--from", "1e-300,-0,1152921504606846976") == glm::vec3(0, 0, 0x1p60f));
+    for (const char* text : {"1, 2, 3", " 1,2,3 ", "1 ,\t2 , 3", "+1,2,+3", "+1, +2, +3e0"}) {
+        CAPTURE(text);
+        CHECK(parse_point("--from", text) == glm::vec3(1, 2, 3));
+    }
     for (const char* text :
          {"",         "1",         "1,2",      "1,2,",  ",1,2",   "1,,2",    "1,2,3,",  "1,2,3,4",
-          " 1,2,3",   "1, 2,3",    "1,2,3 ",   "1,2,x", "1,2,3x", "0x1,2,3", "nan,0,0", "inf,0,0",
+          "1, ,3",    "+-1,2,3",   "++1,2,3",  "1,2,x", "1,2,3x", "0x1,2,3", "nan,0,0", "inf,0,0",
           "1,-inf,0", "1e400,0,0", "1e19,0,0", "1;2;3", "1 2 3",  "[1,2,3]", "--1,2,3"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(parse_point("--from", text), CLI::ValidationError);
@@ -77,7 +81,7 @@ TEST_CASE("a model is a file, or a built-in shape with a sensible number of face
         CHECK_NOTHROW(check_model_name(name));
     }
     for (const char* name :
-         {"shape:", "shape:cube", "shape:box:", "shape:box:0", "shape:box:-1", "shape:box:1.5",
+         {"", "shape:", "shape:cube", "shape:box:", "shape:box:0", "shape:box:-1", "shape:box:1.5",
           "shape:box:12x", "shape:box:268435457", "shape:box:99999999999", "shape:box:1:2"}) {
         CAPTURE(name);
         CHECK_THROWS_AS(check_model_name(name), CLI::ValidationError);

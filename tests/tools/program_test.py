@@ -9,6 +9,7 @@ import json
 import math
 import os
 import re
+import resource
 import signal
 import stat
 import subprocess
@@ -121,10 +122,82 @@ def test_wrong_usage_exits_2():
             ["silhouette", box, "--from", "1,2,3", "--origin", "0,0,0", "--origin", "1,0,0"],
             ["silhouette", box, "--from", "1,2,3", "-o", "lines.pdf"], ["silhouette", box, "--from"],
             ["track", box, "--frames", "0"], ["track", box, "--frames", "2.5"], ["track", box, "--step", "x"],
-            ["track", box, "--up", "0,0,0"], ["track", box, "--radius", "-1"], ["track", box, "--radius", "inf"],
+            ["info", ""], ["info", "--json", "--json=maybe", box], ["help", "frobnicate"], ["--json", "frobnicate"],
+            ["track", box, "--path", ""], ["track", box, "--up", "0,0,0"], ["track", box, "--radius", "-1"], ["track", box, "--radius", "inf"],
             ["bench"], ["bench", "nothing"], ["bench", "hough", box, "--rounds", "0"]):
         line = fail(2, *arguments)
         assert "--help" in line, line
+
+
+def test_help_and_version_stand_wherever_one_looks_for_them():
+    assert run("help").stdout == run("--help").stdout != ""
+    assert run("help", "track").stdout == run("track", "--help").stdout != ""
+    assert "\n  rimline render " in run("help").stdout and "rimline render" in run().stderr
+    for command in COMMANDS:
+        result = run(command, "--version")
+        assert result.returncode == 0 and result.stdout == run("--version").stdout, command
+    before, after = run("--json", "info", "shape:box"), run("info", "shape:box", "--json")
+    assert before.returncode == 0 and before.stdout == after.stdout
+
+
+def test_wrong_usage_is_told_in_plain_words():
+    view = ["silhouette", "shape:box", "--from", "1,2,3"]
+    assert "--from: give it only once" in fail(2, *view, "--from", "1,2,3")
+    assert "--from: expects a value" in fail(2, "silhouette", "shape:box", "--from")
+    assert "--method: expected octree or brute, not 'foo'" in fail(2, *view, "--method", "foo")
+    assert "SUITE: expected one of {hough}, not 'foo'" in fail(2, "bench", "foo")
+    assert "MODEL: expected a file or shape:NAME" in fail(2, "info", "")
+    apart = succeed("silhouette", "shape:box", "--from", " 1, 2 ,+3")
+    assert apart["edges"] == succeed(*view)["edges"]
+
+
+def test_track_refuses_the_options_of_other_paths():
+    with tempfile.TemporaryDirectory() as folder:
+        points = os.path.join(folder, "points.txt")
+        with open(points, "w") as file:
+            file.write("1,2,3\n  # a comment\n4 5 6\n")
+        track = ["track", "shape:box", "--path"]
+        values = {"--radius": "7", "--step": "3", "--up": "0,1,0", "--seed": "4"}
+        for path, own in (("orbit", ("--radius", "--step", "--up")), ("random", ("--seed",)), (points, ())):
+            for option, value in values.items():
+                if option in own:
+                    check_track(succeed(*track, path, option, value, "--frames", "2"), 2)
+                else:
+                    owner = "random" if option == "--seed" else "orbit"
+                    assert f"{option}: belongs to --path {owner}, not to --path {path}" in fail(
+                        2, *track, path, option, value)
+        line = fail(2, *track, points, "--frames", "3")
+        assert line.startswith(f"rimline: error: --frames: {points} holds 2 points"), line
+        check_track(succeed(*track, points, "--frames", "2"), 2)
+
+
+def test_a_pipe_is_no_path_and_does_not_keep_the_program_waiting():
+    with tempfile.TemporaryDirectory() as folder:
+        pipe = os.path.join(folder, "pipe")
+        os.mkfifo(pipe)
+        for path in (pipe, "/dev/zero"):
+            line = fail(1, "track", "shape:box", "--path", path)
+            assert line.startswith(f"rimline: error: {path}: is not a regular file"), line
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+
+
+def test_what_is_too_large_is_refused_by_its_name():
+    for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "hough"]):
+        line = fail(1, *command, "shape:sphere:10", "--subdivide", "14")
+        assert line.startswith("rimline: error: shape:sphere:10: 20 faces refined 14 times"), line
+        assert "; take fewer" in line
+    # The sanitizers' own memory does not fit under such a limit.
+    if run("--version", preexec_fn=limit_memory).returncode != 0:
+        return
+    # The first does not hold the shape, the second not its mesh.
+    for shape in ("shape:knot:200000000", "shape:knot:16000000"):
+        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "hough"]):
+            result = run(*command, shape, preexec_fn=limit_memory)
+            assert result.returncode == 1, (result.returncode, result.stderr)
+            assert result.stderr.startswith(f"rimline: error: {shape}: there is not enough memory"), result.stderr
 
 
 def test_bad_input_exits_1_with_one_line_that_names_it():
@@ -264,6 +337,28 @@ def test_an_interrupt_ends_the_program_by_its_signal_and_leaves_nothing():
             assert process.returncode == -number, (process.returncode, err)
             assert out == "" and err == "rimline: error: cancelled\n", (out, err)
             assert os.listdir(folder) == []
+
+
+def test_an_interrupt_ends_the_program_where_nothing_asks_for_it():
+    with tempfile.TemporaryDirectory() as folder:
+        pipe = os.path.join(folder, "pipe.svg")
+        os.mkfifo(pipe)  # Opening it waits for a reader, and there is none.
+        for signals in ((signal.SIGTERM,), (signal.SIGINT, signal.SIGTERM)):
+            process = subprocess.Popen([PROGRAM, "silhouette", "shape:box", "--from", "3,2,1", "-o", pipe],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(0.5)
+            for number in signals:
+                process.send_signal(number)
+                time.sleep(0.2)
+            start = time.monotonic()
+            try:
+                _, err = process.communicate(timeout=60)
+            finally:
+                process.kill()  # Else one that hangs would outlive its test.
+            assert process.returncode == -signals[-1], (process.returncode, err)
+            assert err == ("rimline: error: cancelled\n" if len(signals) == 1 else ""), err
+            # The second signal ends it at once; without one it had its seconds of grace.
+            assert len(signals) == 1 or time.monotonic() - start < 4
 
 
 def test_track_verifies_every_path():

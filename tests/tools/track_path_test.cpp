@@ -1,10 +1,12 @@
 #include "tools/track_path.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <stop_token>
 #include <string>
 
 #include "silhouette/error.h"
@@ -21,7 +23,7 @@ std::string refusal(const tests::ScratchFolder& folder, const std::string& text)
     const std::string name = (folder / "path.txt").string();
     tests::write_bytes(name, text);
     try {
-        read_path(name);
+        read_path(name, {});
     } catch (const Error& e) {
         CHECK(e.code() == ErrorCode::bad_input);
         const std::string message = e.what();
@@ -84,7 +86,7 @@ TEST_CASE("a random path mixes jumps, small steps, returns, vertices and directi
 TEST_CASE("a file of points is read line by line") {
     const tests::ScratchFolder folder;
     tests::write_bytes(folder / "path.txt", "# a path\n1 2 3\n\n  4\t5 6 1\r\n0 0 -1 0\n7 8 9");
-    const auto points = read_path((folder / "path.txt").string());
+    const auto points = read_path((folder / "path.txt").string(), {});
     REQUIRE(points.size() == 4);
     CHECK(points[0] == HomogeneousPoint::viewpoint({1, 2, 3}));
     CHECK(points[1] == HomogeneousPoint::viewpoint({4, 5, 6}));
@@ -92,16 +94,61 @@ TEST_CASE("a file of points is read line by line") {
     CHECK(points[3] == HomogeneousPoint::viewpoint({7, 8, 9}));
 }
 
+TEST_CASE("blanks, a comma or both stand between the numbers of a point, and comments anywhere") {
+    const tests::ScratchFolder folder;
+    for (const char* line :
+         {"1,2,3", "1, 2, 3", "1 , 2 ,3", "1,2 3", "+1,2,+3", "1,2,3,1", "  # indented\n1 2 3",
+          "1 2 3 # behind", "1,2,3# close behind", "1 2 3\r# old Mac",
+          "\xef\xbb\xbf"
+          "1,2,3\r\n"}) {
+        CAPTURE(line);
+        tests::write_bytes(folder / "path.txt", line);
+        const auto points = read_path((folder / "path.txt").string(), {});
+        REQUIRE(points.size() == 1);
+        CHECK(points[0] == HomogeneousPoint::viewpoint({1, 2, 3}));
+    }
+}
+
+TEST_CASE("a path that is no regular file is refused at once, without waiting for a writer") {
+    const tests::ScratchFolder folder;
+    const std::string pipe = (folder / "pipe").string();
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    for (const std::string& name : {pipe, std::string("/dev/zero"), (folder / "").string()}) {
+        CAPTURE(name);
+        try {
+            read_path(name, {});
+            FAIL("it was read");
+        } catch (const Error& e) {
+            CHECK(e.code() == ErrorCode::io);
+            CHECK(std::string(e.what()).starts_with(name + ": "));
+        }
+    }
+}
+
+TEST_CASE("reading a file of points stops when asked to") {
+    const tests::ScratchFolder folder;
+    tests::write_bytes(folder / "path.txt", "1 2 3\n");
+    std::stop_source source;
+    source.request_stop();
+    try {
+        read_path((folder / "path.txt").string(), {source.get_token(), {}});
+        FAIL("it went on");
+    } catch (const Error& e) {
+        CHECK(e.code() == ErrorCode::cancelled);
+    }
+}
+
 TEST_CASE("a file of points that is not one is refused by line") {
     const tests::ScratchFolder folder;
     for (const char* line :
-         {"1 2", "1", "1 2 3 1 5", "1 2 x", "1,2,3", "1 2 nan", "1 inf 3", "1 2 3 2", "1 2 3 0.5",
-          "0 0 0 0", "1e-30 0 0 0", "1e19 0 0", "1 2 3 # no", "+1 2 3", "1e400 0 0"}) {
+         {"1 2",      "1",        "1 2 3 1 5", "1 2 x",     "1,,2,3",  ",1,2,3",
+          "1,2,3,",   "1,2,3,1,", "1,2 , ,3",  ",",         "1;2;3",   "+-1 2 3",
+          "1 2 nan",  "1 inf 3",  "1 2 3 2",   "1 2 3 0.5", "0 0 0 0", "1e-30 0 0 0",
+          "1e19 0 0", "1 2 # 3",  "1e400 0 0"}) {
         CAPTURE(line);
         CHECK(refusal(folder, std::string("1 2 3\n") + line + "\n4 5 6\n").find(":2: ") == 0);
     }
     CHECK(refusal(folder, "").find("no points") != std::string::npos);
     CHECK(refusal(folder, "# nothing\n\n").find("no points") != std::string::npos);
-    CHECK_THROWS_AS(read_path((folder / "gone.txt").string()), Error);
-    CHECK_THROWS_AS(read_path(folder / ""), Error);
+    CHECK_THROWS_AS(read_path((folder / "gone.txt").string(), {}), Error);
 }
