@@ -272,7 +272,9 @@ TEST_CASE("glTF: what is wrong is named with its place") {
     CHECK(has(replaced(R"("buffer": 0)", R"("buffer": 3)"), "bufferView 0 has no buffer"));
     CHECK(has(replaced(R"("POSITION": 0)", R"("POSITION": 9)"), "accessors[9]: does not exist"));
     CHECK(has(replaced("base64,", "base64,*"), "a.gltf: "));
-    CHECK(has(replaced(R"("byteLength": 52)", R"("byteLength": 51)"), "a.gltf: "));
+    CHECK(has(replaced(R"("byteLength": 52)", R"("byteLength": 53)"),
+              "buffers[0]: byteLength is 53 but 'data:application/octet-stream;base64,AAA...' has "
+              "only 52"));
     CHECK(
         has(replaced(R"("mode": 0)", R"("indices": 0)"), "accessors[0]: should be of type SCALAR"));
     CHECK(has(
@@ -337,4 +339,75 @@ TEST_CASE("glTF: buffers are taken from beside the file only, and must be as lon
     CHECK(has(error_of("a.gltf", sample_gltf(R"({"byteLength": 186})")), "buffers[0]: has no uri"));
     CHECK(has(error_of("a.glb", glb_of(sample_gltf(R"({"byteLength": 186})"), "1234")),
               "the binary chunk has only 4 bytes"));
+}
+
+TEST_CASE("glTF: data URIs of any media type, with or without padding, escapes or base64") {
+    const std::string data = base64(sample_gltf_buffer() + "x");
+    REQUIRE(data.ends_with("=="));
+    const std::string bare = data.substr(0, data.size() - 2);
+    std::string escaped;
+    for (const char c : sample_gltf_buffer()) {
+        const auto byte = static_cast<unsigned char>(c);
+        constexpr std::string_view k_hex = "0123456789aBcDeF";
+        escaped.append(1, '%').append(1, k_hex[byte / 16]).append(1, k_hex[byte % 16]);
+    }
+    for (const std::string& uri : {"data:;base64," + data, "data:application/x-foo;base64," + data,
+                                   "data:text/plain;charset=utf-8;base64," + data,
+                                   "data:application/gltf-buffer;base64," + bare,
+                                   "data:;base64," + bare + "%3D%3d", "data:," + escaped}) {
+        CAPTURE(uri.substr(0, 40));
+        const MeshSource source =
+            read_text("a.gltf", sample_gltf(R"({"byteLength": 186, "uri": ")" + uri + "\"}"));
+        CHECK(source.positions == sample_positions());
+        CHECK(source.triangles == sample_triangles());
+    }
+    for (const std::string& uri :
+         {"data:;base64,*" + data.substr(1), "data:;base64," + data.substr(1),
+          "data:;base64," + bare + "=", "data:;base64,=" + data.substr(1),
+          "data:;base64," + data.substr(0, 16), std::string("data:;base64"),
+          "data:," + escaped + "%4"}) {
+        CAPTURE(uri.substr(0, 40));
+        const std::string message =
+            error(sample_gltf(R"({"byteLength": 186, "uri": ")" + uri + "\"}"));
+        CAPTURE(message);
+        CHECK(message.starts_with("a.gltf: buffers[0]: "));
+        CHECK(message.size() < 160);
+    }
+}
+
+TEST_CASE("glTF: buffers may share a uri, and one that nobody needs may have none") {
+    const ScratchFolder folder;
+    folder.write("all.bin", sample_gltf_buffer());
+    const auto with_second = [](const std::string& second) {
+        std::string bytes = sample_gltf(R"({"byteLength": 186, "uri": "all.bin"}, )" + second);
+        const std::string view = R"({"buffer": 0, "byteOffset": 156)";
+        return bytes.replace(bytes.find(view), view.size(), R"({"buffer": 1, "byteOffset": 156)");
+    };
+    const MeshSource shared = read_mesh_file(
+        folder.write("a.gltf", with_second(R"({"byteLength": 186, "uri": "all.bin"})")));
+    CHECK(shared.positions == sample_positions());
+    CHECK(shared.triangles == sample_triangles());
+    CHECK(read_mesh_file(folder.write("b.gltf", sample_gltf(R"({"byteLength": 186,
+"uri": "all.bin"}, {"byteLength": 4000000})")))
+              .triangles == sample_triangles());
+    CHECK_THROWS_WITH_AS(
+        read_mesh_file(folder.write("c.gltf", with_second(R"({"byteLength": 186})"))),
+        ((folder.path() / "c.gltf").string() +
+         ": accessors[1]: buffers[1]: has no uri, and there is no binary chunk for it")
+            .c_str(),
+        Error);
+}
+
+TEST_CASE("glTF: a file that needs a later version than 2.0 is refused") {
+    const auto with = [](const std::string& asset) {
+        std::string bytes = sample_gltf_embedded();
+        const std::string old = R"({"version": "2.0"})";
+        return error(bytes.replace(bytes.find(old), old.size(), asset));
+    };
+    CHECK(with(R"({"version": "2.1"})").empty());
+    CHECK(with(R"({"version": "2.1", "minVersion": "2.0"})").empty());
+    CHECK(has(with(R"({"version": "2.1", "minVersion": "2.1"})"),
+              "asset.minVersion: the file needs a reader of glTF version '2.1'"));
+    CHECK(has(with(R"({"version": "2.0", "minVersion": "3.0"})"), "asset.minVersion: "));
+    CHECK(has(with(R"({"version": "2.0", "minVersion": 2})"), "asset.minVersion: should be a str"));
 }

@@ -24,6 +24,33 @@ TEST_CASE("A byte order mark before text does not matter") {
     CHECK(read_text("a.gltf", "\xef\xbb\xbf" + sample_gltf_embedded()).triangles.size() == 5);
 }
 
+TEST_CASE(
+    "A byte order mark may begin a binary STL's header, and does not shift the places of errors") {
+    const std::string mark = "\xef\xbb\xbf";
+    const std::string stl = sample_stl_binary(mark + "made by a test");
+    CHECK(read_text("a.stl", stl).positions == sample_soup());
+    CHECK(has(error_of("a.stl", stl.substr(0, 300)), "a.stl: byte 80: 5 facets are declared"));
+    CHECK(has(error_of("a.glb", mark + sample_glb()), "begins with 'glTF'"));
+    CHECK(has(error_of("a.ply", mark), "the file is empty"));
+    for (const SampleFile& sample : sample_files()) {
+        if (sample.name.ends_with(".glb") || sample.name == "binary.stl" ||
+            sample.name == "solid.stl")
+            continue;
+        CAPTURE(sample.name);
+        CHECK(read_text(sample.name, mark + sample.bytes).triangles.size() == 5);
+    }
+    CHECK(has(error_of("a.gltf", mark + "{\"asset\": !}"), "a.gltf: byte 14: "));
+    CHECK(has(error_of("a.gltf", "{\"asset\": !}"), "a.gltf: byte 11: "));
+    const std::string ply =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float "
+        "x\nproperty float y\nproperty float z\nend_header\n";
+    Bytes values;
+    values.add(0.0f).add(NAN).add(0.0f);
+    CHECK(has(error_of("a.ply", mark + ply + values.str()),
+              "byte " + std::to_string(3 + ply.size() + 4) + ": y is not a finite number"));
+    CHECK(has(error_of("a.obj", mark + "v 1 2 x\n"), "a.obj:1: 'x' is not a number"));
+}
+
 TEST_CASE("Files that are missing, folders, pipes, empty or unknown are refused with the reason") {
     const ScratchFolder folder;
     const auto error = [](const std::filesystem::path& path) {

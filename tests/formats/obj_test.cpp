@@ -77,7 +77,7 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
                              "v 1 2 3 x",
                              "v 1,5 2 3",
                              "vn 1 2",
-                             "vn 1 2 nan",
+                             "vn 1 2 x",
                              "vn 1 2 3 4",
                              "vt",
                              "vt x",
@@ -116,4 +116,36 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
     CHECK(has(error("f 1 2 5"), "index 5 is out of range; there are 4 of the vertices"));
     CHECK(has(error("f 0 1 2"), "index 0 in OBJ, where numbering begins at 1"));
     CHECK(has(error("v x 1 0"), "'x' is not a number"));
+}
+
+TEST_CASE("OBJ: numbers that are not used may be anything that exporters write for numbers") {
+    for (const std::string line :
+         {"vn nan nan nan", "vn -nan(ind) inf -inf", "vn 1e30 0 0", "vt 0 nan", "vt 1e300",
+          "v 1 2 3 nan", "v 1 2 3 nan nan nan", "v 1 2 3 1e30 0 0 1"}) {
+        CAPTURE(line);
+        CHECK(error_of("a.obj", k_square + line + "\nf 1 2 3\n").empty());
+    }
+    CHECK(error_of("a.obj", k_square + "vn 0 0 up\n") ==
+          "a.obj:5: 'up' is not a number; a normal's component should stand here");
+    CHECK(has(error_of("a.obj", k_square + "v 1 2 3 red\n"), "a.obj:5: 'red' is not a number"));
+}
+
+TEST_CASE("OBJ: a name that ends with a backslash leaves the next line alone") {
+    for (const std::string keyword : {"g", "o", "s", "usemtl", "mtllib"})
+        for (const std::string end : {"\n", "\r\n", "\r"})
+            for (const std::string name : {" C:\\tmp\\", " \\", "\\", " a \\ b\\"}) {
+                CAPTURE(keyword);
+                CAPTURE(name);
+                const std::string before = k_square + keyword + name + end;
+                CHECK(read_text("a.obj", before + "f 1 2 3" + end + "f 1 3 4").triangles ==
+                      Triangles{{0, 1, 2}, {0, 2, 3}});
+                CHECK(has(error_of("a.obj", before + "f 1 2 9" + end), "a.obj:6: index 9"));
+            }
+}
+
+TEST_CASE("OBJ: the end mark of DOS may be the last byte, and only that") {
+    for (const std::string end : {"\n\x1a", "\x1a"})
+        CHECK(read_text("a.obj", k_square + "f 1 2 3" + end).triangles == Triangles{{0, 1, 2}});
+    CHECK(has(error_of("a.obj", k_square + "f 1 2 3\n\x1a\n"), "a.obj:6: '?' is no OBJ"));
+    CHECK(has(error_of("a.obj", k_square + "\x1a\nf 1 2 3\n"), "a.obj:5: '?' is no OBJ"));
 }

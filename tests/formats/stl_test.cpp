@@ -52,3 +52,18 @@ TEST_CASE("STL: what is wrong is named with its line or byte") {
     bytes.replace(80, 4, "\xff\xff\xff\xff");
     CHECK(has(error(bytes), "a.stl: byte 80: 4294967295 facets are declared"));
 }
+
+TEST_CASE("STL: normals that an old Microsoft library wrote are not looked into") {
+    const auto with = [](const std::string& normal, const std::string& x) {
+        return "solid\nfacet normal " + normal + "\nouter loop\nvertex 0 0 0\nvertex " + x +
+               " 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+    };
+    for (const char* normal : {"-1.#IND -1.#IND -1.#IND", "1.#QNAN 1.#QNAN0 -1.#IND00",
+                               "1.#INF -1.#INF000 0", "nan(ind) -nan(ind) nan"}) {
+        CAPTURE(normal);
+        CHECK(error_of("a.stl", with(normal, "1")).empty());
+    }
+    CHECK(has(error_of("a.stl", with("1.#ODD 0 0", "1")), "a.stl:2: '1.#ODD' is not a number"));
+    CHECK(has(error_of("a.stl", with("1.# 0 0", "1")), "a.stl:2: '1.#' is not a number"));
+    CHECK(has(error_of("a.stl", with("0 0 1", "1.#INF")), "a.stl:5: '1.#INF' is not a number"));
+}

@@ -1,5 +1,5 @@
-// glTF 2 and GLB: gltf_scene.h makes sure of the document, tinygltf builds the model and decodes its
-// buffers, gltf_accessor.h reads the numbers, and the node tree is flattened here.
+// glTF 2 and GLB: gltf_scene.h makes sure of the document, tinygltf builds the model, gltf_buffers.h
+// has the bytes, gltf_accessor.h reads the numbers, and the node tree is flattened here.
 //
 // A mesh that two nodes name is there twice. Transforms are applied in double and rounded once. One
 // that mirrors turns triangles inside out, so their corners are turned round again. Skins and morph
@@ -11,10 +11,10 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
-#include <set>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
 #include "silhouette/mesh/formats/gltf_accessor.h"
+#include "silhouette/mesh/formats/gltf_buffers.h"
 #include "silhouette/mesh/formats/gltf_scene.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/tinygltf.h"
@@ -28,93 +28,8 @@ namespace {
 constexpr std::size_t k_max_vertices = std::size_t{1} << 28;
 constexpr std::size_t k_max_triangles = std::size_t{1} << 28;
 
-// Where tinygltf gets its buffers from.
-struct Buffers {
-    const SourceFile& file;
-    const GltfScene& scene;
-    std::string_view binary_chunk;
-    std::uint64_t bytes_read = 0;
-
-    [[noreturn]] void fail(std::size_t i, const std::string& what) const {
-        bad_file(file.name, "buffers[" + std::to_string(i) + "]: " + what);
-    }
-
-    void check_uris() const {
-        std::set<std::string_view> seen;
-        for (std::size_t i = 0; i < scene.buffers.size(); ++i) {
-            const GltfBuffer& buffer = scene.buffers[i];
-            if (buffer.size_bytes == 0) fail(i, "byteLength is 0");
-            if (buffer.uri.starts_with("data:")) continue;
-            if (buffer.uri.empty() && (i != 0 || binary_chunk.data() == nullptr))
-                fail(i, "has no uri, and there is no binary chunk for it");
-            if (!seen.insert(buffer.uri).second) fail(i, "another buffer has the same uri");
-        }
-    }
-
-    // %20 and its kind.
-    std::string decoded(std::size_t i) const {
-        const std::string& uri = scene.buffers[i].uri;
-        const auto digit = [&](std::size_t at) {
-            const char c = at < uri.size() ? uri[at] : '\0';
-            if (c >= '0' && c <= '9') return c - '0';
-            if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-            if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-            fail(i, "uri " + excerpt(uri) + " has a bad escape");
-        };
-        std::string text;
-        for (std::size_t at = 0; at < uri.size(); ++at) {
-            if (uri[at] != '%') {
-                text += uri[at];
-                continue;
-            }
-            text += static_cast<char>(digit(at + 1) * 16 + digit(at + 2));
-            at += 2;
-        }
-        return text;
-    }
-
-    void read(std::size_t i, std::vector<unsigned char>& out) {
-        const GltfBuffer& buffer = scene.buffers[i];
-        SourceFile external;
-        std::string_view bytes = binary_chunk;
-        if (!buffer.uri.empty()) {
-            if (buffer.uri.size() > 4096) fail(i, "uri is longer than a path can be");
-            const std::filesystem::path relative = decoded(i);
-            const bool leaves = std::any_of(relative.begin(), relative.end(), [](const auto& part) {
-                return part == ".." || part.string().find('\0') != std::string::npos;
-            });
-            if (relative.is_absolute() || leaves || buffer.uri.find(':') != std::string::npos)
-                fail(i, "uri " + excerpt(buffer.uri) + " does not name a file beside this one");
-            try {
-                external = read_source_file(file.folder / relative, {});
-            } catch (const Error& e) {
-                throw Error(e.code(),
-                            file.name + ": buffers[" + std::to_string(i) + "]: " + e.what());
-            }
-            bytes = external.bytes;
-        }
-        if (bytes.size() < buffer.size_bytes)
-            fail(i, "byteLength is " + std::to_string(buffer.size_bytes) + " but " +
-                        (buffer.uri.empty() ? "the binary chunk" : excerpt(buffer.uri)) +
-                        " has only " + std::to_string(bytes.size()) + " bytes");
-        bytes_read += buffer.size_bytes;
-        bytes = bytes.substr(0, buffer.size_bytes);
-        out.assign(bytes.begin(), bytes.end());
-    }
-};
-
-tinygltf::Model parse_model(const SourceFile& file, const GltfScene& scene, Buffers& buffers) {
-    buffers.check_uris();
+tinygltf::Model parse_model(const SourceFile& file, const GltfScene& scene) {
     tinygltf::TinyGLTF parser;
-    parser.SetFsCallbacks(
-        {[](const std::string&, void*) { return true; },
-         [](const std::string& path, void*) { return path; },
-         [](std::vector<unsigned char>* out, std::string*, const std::string& path, void* user) {
-             // gltf_scene.h wrote the name: a buffer's number. A folder would stand before it.
-             static_cast<Buffers*>(user)->read(std::stoul(path), *out);
-             return true;
-         },
-         nullptr, &buffers});
     tinygltf::Model model;
     std::string error;
     std::string warning;
@@ -124,14 +39,15 @@ tinygltf::Model parse_model(const SourceFile& file, const GltfScene& scene, Buff
     try {
         done = parser.LoadASCIIFromString(&model, &error, &warning, scene.document.data(),
                                           static_cast<unsigned>(scene.document.size()), "");
-    } catch (const Error&) {
-        throw;
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& e) {
         error = e.what();
     }
     if (!done) {
+        // It may quote the file at any length.
+        constexpr std::size_t k_longest = 200;
+        error.resize(std::min(error.size(), k_longest));
         std::replace(error.begin(), error.end(), '\n', ' ');
         bad_file(file.name, "tinygltf cannot read it: " + error);
     }
@@ -165,9 +81,12 @@ glm::dmat4 local_transform(const std::string& file, const tinygltf::Node& node,
 
 class Flattener {
 public:
-    Flattener(const SourceFile& file, const tinygltf::Model& model, std::uint64_t file_bytes,
+    Flattener(const SourceFile& file, const tinygltf::Model& model, const GltfBuffers& buffers,
               const LongCall& call)
-        : file_(file.name), model_(model), call_(call), accessors_(file_, model, file_bytes) {}
+        : file_(file.name),
+          model_(model),
+          call_(call),
+          accessors_(file_, model, buffers, file.bytes.size() + buffers.bytes_read()) {}
 
     MeshSource run() {
         if (model_.nodes.empty()) {
@@ -321,16 +240,16 @@ MeshSource read_document(const SourceFile& file, std::string_view json, std::siz
                          std::string_view binary_chunk, const LongCall& call) {
     const GltfScene scene = read_gltf_scene(file.name, json, first_byte);
     parse_checkpoint(call, 0.3);
-    Buffers buffers{file, scene, binary_chunk};
-    const tinygltf::Model model = parse_model(file, scene, buffers);
+    const GltfBuffers buffers(file, scene.buffers, binary_chunk);
+    const tinygltf::Model model = parse_model(file, scene);
     parse_checkpoint(call, 0.6);
-    return Flattener(file, model, file.bytes.size() + buffers.bytes_read, call).run();
+    return Flattener(file, model, buffers, call).run();
 }
 
 }  // namespace
 
 MeshSource read_gltf(const SourceFile& file, const LongCall& call) {
-    return read_document(file, file.bytes, 0, {}, call);
+    return read_document(file, file.text(), file.text_begin, {}, call);
 }
 
 // A GLB is a header (magic, version, length) and chunks (length, type, bytes): JSON, then perhaps BIN.

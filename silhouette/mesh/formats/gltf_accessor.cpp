@@ -55,9 +55,12 @@ GltfAccessors::Elements GltfAccessors::elements(int accessor, const char* part, 
     if (view_number < 0 || static_cast<std::size_t>(view_number) >= model_.bufferViews.size())
         fail(accessor, where + "bufferView " + std::to_string(view_number) + " does not exist");
     const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_number)];
-    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size())
+    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= buffers_.size())
         fail(accessor, where + "bufferView " + std::to_string(view_number) + " has no buffer");
-    const auto& data = model_.buffers[static_cast<std::size_t>(view.buffer)].data;
+    const std::string_view data = buffers_[static_cast<std::size_t>(view.buffer)];
+    if (data.data() == nullptr)
+        fail(accessor, where + "buffers[" + std::to_string(view.buffer) +
+                           "]: has no uri, and there is no binary chunk for it");
     if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
         fail(accessor, where + "bufferView " + std::to_string(view_number) +
                            " reaches beyond its buffer of " + std::to_string(data.size()) +
@@ -71,7 +74,7 @@ GltfAccessors::Elements GltfAccessors::elements(int accessor, const char* part, 
         fail(accessor, where + std::to_string(count) +
                            " elements reach beyond their bufferView of " +
                            std::to_string(view.byteLength) + " bytes");
-    return {reinterpret_cast<const char*>(data.data()) + view.byteOffset + offset, stride};
+    return {data.data() + view.byteOffset + offset, stride};
 }
 
 const tinygltf::Accessor& GltfAccessors::accessor_of_type(int accessor, int type,

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "silhouette/mesh/formats/gltf_buffers.h"
+
 namespace tinygltf {
 struct Accessor;
 class Model;
@@ -16,10 +18,11 @@ namespace rimline {
 
 class GltfAccessors {
 public:
-    /// `file` and `model` must outlive this. `file_bytes` is the size of the file and its buffers: an
+    /// `file`, `model` and `buffers` must outlive this. `file_bytes` is the size of the file and its buffers: an
     /// accessor without a buffer view is as many zeros as it says, and may not say more than that.
-    GltfAccessors(const std::string& file, const tinygltf::Model& model, std::uint64_t file_bytes)
-        : file_(file), model_(model), file_bytes_(file_bytes) {}
+    GltfAccessors(const std::string& file, const tinygltf::Model& model, const GltfBuffers& buffers,
+                  std::uint64_t file_bytes)
+        : file_(file), model_(model), buffers_(buffers), file_bytes_(file_bytes) {}
 
     /// Three numbers an element, of any component type, normalised where the accessor says so.
     std::vector<glm::dvec3> positions(int accessor) const;
@@ -41,6 +44,7 @@ private:
 
     const std::string& file_;
     const tinygltf::Model& model_;
+    const GltfBuffers& buffers_;
     std::uint64_t file_bytes_;
 };
 

@@ -152,6 +152,13 @@ void check_version_and_extensions(const Place& root) {
     const std::string version = asset.at("version").string();
     if (!version.starts_with("2."))
         asset.fail("glTF version " + excerpt(version) + " is not supported; version 2 is");
+    // The least a reader must know; what 2.0 is, later versions may only add to.
+    if (const auto least = asset.find("minVersion")) {
+        const std::string text = least->string();
+        if (text != "2.0" && !text.starts_with("1.") && !text.starts_with("0."))
+            least->fail("the file needs a reader of glTF version " + excerpt(text) +
+                        "; this one reads 2.0, so export it for that");
+    }
     if (const auto required = root.find("extensionsRequired"))
         for (const Place& extension : required->items())
             if (!is_harmless(extension.string()))
@@ -197,10 +204,6 @@ GltfScene read_gltf_scene(const std::string& name, std::string_view text, std::s
     for (const Place& place : root.objects("buffers")) {
         GltfBuffer buffer{static_cast<std::uint64_t>(place.at("byteLength").integer()), {}};
         if (const auto uri = place.find("uri")) buffer.uri = uri->string();
-        const bool embedded = buffer.uri.starts_with("data:");
-        copy["buffers"].push_back(
-            {{"byteLength", buffer.size_bytes},
-             {"uri", embedded ? buffer.uri : std::to_string(scene.buffers.size())}});
         scene.buffers.push_back(std::move(buffer));
     }
     for (const Place& place : root.objects("bufferViews")) {

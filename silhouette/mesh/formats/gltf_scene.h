@@ -3,9 +3,9 @@
 // A strict reading of a glTF file's JSON, before tinygltf parses it.
 //
 // tinygltf cuts integers to 32 bits, takes a property of the wrong type for a missing one, recurses as
-// deep as the file nests, opens every image, and refuses index accessors without a buffer view, which
-// the format allows. So it is given a document of our own making: buffers, views, accessors, meshes,
-// nodes and scenes, each property of the right type, and nothing else. Indices travel as one more
+// deep as the file nests, opens every image, knows few data URIs, and refuses index accessors without a buffer view, which
+// the format allows. So it is given a document of our own making: views, accessors, meshes, nodes and
+// scenes, each property of the right type, and nothing else. Buffers are read by gltf_buffers.h. Indices travel as one more
 // vertex attribute, k_gltf_indices.
 
 #include <cstdint>
@@ -23,12 +23,11 @@ constexpr const char* k_gltf_indices = "_RIMLINE_INDICES";
 
 struct GltfBuffer {
     std::uint64_t size_bytes;
-    std::string uri;  ///< Empty: the binary chunk of a GLB.
+    std::string uri;  ///< Empty: the binary chunk of a GLB, or nothing.
 };
 
 struct GltfScene {
-    std::string
-        document;  ///< What tinygltf may read. Buffer i's uri is "i" where it is not a data URI.
+    std::string document;  ///< What tinygltf may read.
     std::vector<GltfBuffer> buffers;
 };
 

@@ -42,12 +42,13 @@ bool is_off_word(std::string_view word) {
 }
 
 // By content, and by name where content does not say: a binary STL that is cut short, an OFF that
-// begins with its counts, an OBJ that begins with anything.
+// begins with its counts, an OBJ that begins with anything. Binary STL first: its 80 bytes of header
+// may look like anything, a byte order mark too.
 Reader choose_reader(const SourceFile& file, const std::string& extension) {
-    const std::string_view bytes = file.bytes;
     if (is_sized_as_binary_stl(file.bytes)) return read_stl_binary;
+    if (file.bytes.starts_with("glTF")) return read_glb;
+    const std::string_view bytes = file.text();
     if (begins_as_ply(bytes)) return read_ply;
-    if (bytes.starts_with("glTF")) return read_glb;
 
     TextScanner scanner(file.name, bytes, {.comment = '#'});
     const std::string_view word = scanner.word();
@@ -78,8 +79,8 @@ MeshSource read_mesh_file(const std::filesystem::path& path, FaceRequirement req
         call.checkpoint(0.0);
         SourceFile file = read_source_file(path, call);
         // The mark some editors put before UTF-8 text.
-        if (file.bytes.starts_with("\xef\xbb\xbf")) file.bytes.erase(0, 3);
-        if (file.bytes.empty()) bad_file(file.name, "the file is empty");
+        if (file.bytes.starts_with("\xef\xbb\xbf")) file.text_begin = 3;
+        if (file.text().empty()) bad_file(file.name, "the file is empty");
         MeshSource source = choose_reader(file, lower_extension(path))(file, call);
         if (source.triangles.empty() && requirement == FaceRequirement::faces)
             bad_file(file.name,

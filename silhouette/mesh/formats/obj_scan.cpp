@@ -17,6 +17,9 @@ constexpr std::array<std::string_view, 34> k_ignored{
     "lod",  "deg",  "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
     "bmat", "step", "curv",     "curv2",    "parm",       "trim",      "hole",   "scrv",   "sp",
     "end",  "con",  "vp",       "vw",       "t",          "csh",       "scmp"};
+// Those of them that hold names, which may be Windows paths: a backslash at the end is part of one.
+constexpr std::array<std::string_view, 9> k_named{
+    "g", "s", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"};
 // Statements that make faces in ways that are not understood here.
 constexpr std::array<std::string_view, 7> k_unsupported{"surf", "fo",  "call", "bsp",
                                                         "bzp",  "cdc", "cdp"};
@@ -30,7 +33,7 @@ public:
     Scan(const SourceFile& file, const LongCall& call)
         : file_(file),
           call_(call),
-          scanner_(file.name, file.bytes, {.comment = '#', .continuations = true}) {}
+          scanner_(file.name, text_of(file), {.comment = '#', .continuations = true}) {}
 
     ObjScan run() {
         for (std::uint64_t i = 1; scanner_.next_line(); ++i) {
@@ -42,10 +45,18 @@ public:
     }
 
 private:
+    // Without the end mark (Ctrl-Z) of DOS.
+    static std::string_view text_of(const SourceFile& file) {
+        std::string_view text = file.text();
+        if (text.ends_with('\x1a')) text.remove_suffix(1);
+        return text;
+    }
+
     // What an index counts, with the greatest one used before that many were there. Most files list
     // vertices first; the format does not ask for it.
     struct Numbered {
         const char* name;
+        const char* number;  // One of the numbers that one has.
         std::uint64_t count = 0;
         std::int64_t greatest_early = 0;
         std::uint64_t line_of_greatest = 0;
@@ -64,6 +75,8 @@ private:
             read_references("a line", 2, [](std::string_view) {});
         else if (keyword == "p")
             read_references("a point element", 1, [](std::string_view) {});
+        else if (holds(k_named, keyword))
+            scanner_.skip_free_text();
         else if (holds(k_unsupported, keyword))
             scanner_.fail("the statement " + excerpt(keyword) +
                           " is not supported; export the model as polygons in one file");
@@ -83,7 +96,7 @@ private:
         result_.statements += '\n';
         int more = 0;
         for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++more)
-            scanner_.coordinate(t, "a vertex's weight or colour");
+            scanner_.skip_number(t, "a vertex's weight or colour");
         if (more != 0 && more != 1 && more != 3 && more != 4)
             scanner_.fail("a vertex with " + std::to_string(3 + more) +
                           " numbers; it has 3, 4 (with a weight), 6 or 7 (with a colour)");
@@ -94,13 +107,13 @@ private:
     }
 
     void read_numbers(Numbered& kind, int least, int most) {
-        for (int i = 0; i < least; ++i) scanner_.coordinate(kind.name);
+        for (int i = 0; i < least; ++i) scanner_.skip_number(kind.number);
         for (int i = least; i < most; ++i) {
             const std::string_view token = scanner_.token();
             if (token.empty()) break;
-            scanner_.coordinate(token, kind.name);
+            scanner_.skip_number(token, kind.number);
         }
-        scanner_.expect_end_of_line(kind.name);
+        scanner_.expect_end_of_line(kind.number);
         ++kind.count;
     }
 
@@ -173,9 +186,9 @@ private:
     const LongCall& call_;
     TextScanner scanner_;
     ObjScan result_;
-    Numbered vertices_{"the vertices"};
-    Numbered textures_{"the texture coordinates"};
-    Numbered normals_{"the normals"};
+    Numbered vertices_{"the vertices", "a vertex's coordinate"};
+    Numbered textures_{"the texture coordinates", "a texture coordinate"};
+    Numbered normals_{"the normals", "a normal's component"};
 };
 
 }  // namespace

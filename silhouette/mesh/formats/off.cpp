@@ -1,4 +1,5 @@
-// OFF and its kin: [ST][C][N]OFF, then counts, then a line for each vertex and each face.
+// OFF and its kin: [ST][C][N]OFF, then counts, then vertices, then a line for each face. As Geomview
+// reads it: numbers, but for those at a face's end, may be spread over lines as one likes.
 //
 // A vertex is x y z, with N a normal (3 numbers), with C a colour (3 or 4), with ST a texture
 // coordinate (2), in this order. A face is its corner count, its corners and up to four numbers of
@@ -35,39 +36,84 @@ OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
     return kind;
 }
 
-glm::vec3 read_vertex(TextScanner& scanner, const OffKind& kind) {
-    glm::vec3 position;
-    for (int axis = 0; axis < 3; ++axis)
-        position[axis] = scanner.coordinate("a vertex's coordinate");
-    const int least = (kind.normal ? 3 : 0) + (kind.colour ? 3 : 0) + (kind.texture ? 2 : 0);
-    for (int i = 0; i < least; ++i) scanner.skip_number("a vertex's normal, colour or texture");
-    if (kind.colour)
-        if (const std::string_view alpha = scanner.token(); !alpha.empty())
-            scanner.skip_number(alpha, "a vertex's colour");
-    scanner.expect_end_of_line("a vertex (the file's first word says what one holds)");
-    return position;
+// The next token of this line or of later ones.
+std::string_view expect_word(TextScanner& scanner, const char* what) {
+    const std::string_view word = scanner.word();
+    if (word.empty()) scanner.fail(std::string("the file ends where ") + what + " should follow");
+    return word;
 }
 
-void read_face(TextScanner& scanner, std::uint64_t vertex_count,
-               std::vector<std::uint32_t>& polygon) {
-    const std::int64_t corners = scanner.integer("a face's corner count");
-    if (corners < 3)
-        scanner.fail("a face has " + std::to_string(corners) + " corners; it needs 3 or more");
-    polygon.clear();
-    for (std::int64_t i = 0; i < corners; ++i) {
-        const std::int64_t v = scanner.integer("a vertex index");
-        if (v < 0 || static_cast<std::uint64_t>(v) >= vertex_count)
-            scanner.fail("vertex index " + std::to_string(v) + " is out of range; the file has " +
-                         std::to_string(vertex_count) + " vertices, numbered from 0");
-        polygon.push_back(static_cast<std::uint32_t>(v));
+class OffReader {
+public:
+    OffReader(TextScanner& scanner, OffKind kind) : scanner_(scanner), kind_(kind) {}
+
+    glm::vec3 read_vertex() {
+        const char* const what = "another vertex's number";
+        std::string_view token = expect_word(scanner_, what);
+        const std::uint64_t line = scanner_.line();
+        if (line == last_line_ && crowded_line_ == 0) crowded_line_ = line;
+        const int fixed = 3 + (kind_.normal ? 3 : 0) + (kind_.texture ? 2 : 0);
+        // Geomview writes four numbers of colour, others three: where a vertex has a line to itself,
+        // the line says how many.
+        if (kind_.colour && line != last_line_) colours_ = tokens_left() + 1 == fixed + 3 ? 3 : 4;
+        glm::vec3 position;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis > 0) token = expect_word(scanner_, what);
+            position[axis] = scanner_.coordinate(token, "a vertex's coordinate");
+        }
+        const int more = fixed - 3 + (kind_.colour ? colours_ : 0);
+        for (int i = 0; i < more; ++i)
+            scanner_.skip_number(expect_word(scanner_, what),
+                                 "a vertex's normal, colour or texture");
+        last_line_ = scanner_.line();
+        return position;
     }
-    for (int i = 0; i < 4; ++i) {
-        const std::string_view colour = scanner.token();
-        if (colour.empty()) return;
-        scanner.skip_number(colour, "a face's colour");
+
+    // A face ends its line, as up to four numbers of colour may follow its corners there.
+    void read_face(std::uint64_t vertex_count, std::vector<std::uint32_t>& polygon) {
+        const std::int64_t corners =
+            scanner_.integer(expect_word(scanner_, "another face"), "a face's corner count");
+        if (corners < 3)
+            fail("a face has " + std::to_string(corners) + " corners; it needs 3 or more");
+        polygon.clear();
+        for (std::int64_t i = 0; i < corners; ++i) {
+            const std::int64_t v =
+                scanner_.integer(expect_word(scanner_, "a vertex index"), "a vertex index");
+            if (v < 0 || static_cast<std::uint64_t>(v) >= vertex_count)
+                fail("vertex index " + std::to_string(v) + " is out of range; the file has " +
+                     std::to_string(vertex_count) + " vertices, numbered from 0");
+            polygon.push_back(static_cast<std::uint32_t>(v));
+        }
+        for (int i = 0; i < 4; ++i) {
+            const std::string_view colour = scanner_.token();
+            if (colour.empty()) return;
+            scanner_.skip_number(colour, "a face's colour");
+        }
+        scanner_.expect_end_of_line("a face");
     }
-    scanner.expect_end_of_line("a face");
-}
+
+private:
+    int tokens_left() const {
+        TextScanner ahead = scanner_;
+        int count = 0;
+        while (!ahead.token().empty()) ++count;
+        return count;
+    }
+
+    // Undeclared colours shift every number behind them: then the vertices are where to look.
+    [[noreturn]] void fail(const std::string& what) const {
+        scanner_.fail(crowded_line_ == 0
+                          ? what
+                          : what + " (line " + std::to_string(crowded_line_) +
+                                " holds more than one vertex has in a file of this kind)");
+    }
+
+    TextScanner& scanner_;
+    OffKind kind_;
+    int colours_ = 4;
+    std::uint64_t last_line_ = 0;     // Where the last vertex ended.
+    std::uint64_t crowded_line_ = 0;  // The first where one vertex ends and another begins.
+};
 
 std::uint64_t read_count(TextScanner& scanner, std::string_view token, const char* what) {
     const std::int64_t count = scanner.integer(token, what);
@@ -78,7 +124,7 @@ std::uint64_t read_count(TextScanner& scanner, std::string_view token, const cha
 }  // namespace
 
 MeshSource read_off(const SourceFile& file, const LongCall& call) {
-    TextScanner scanner(file.name, file.bytes, {.comment = '#'});
+    TextScanner scanner(file.name, file.text(), {.comment = '#'});
     scanner.expect_line("OFF's first word");
     std::string_view token = scanner.token();
     OffKind kind;
@@ -87,16 +133,16 @@ MeshSource read_off(const SourceFile& file, const LongCall& call) {
         token = scanner.token();
         if (token == "BINARY")
             scanner.fail("binary OFF is not supported; convert it to text OFF or to PLY");
-        if (token.empty()) {
-            scanner.expect_line("the counts of vertices and faces");
-            token = scanner.token();
-        }
+        if (token.empty()) token = expect_word(scanner, "the counts of vertices and faces");
     }
     const std::uint64_t vertex_count = read_count(scanner, token, "the vertex count");
-    const std::uint64_t face_count = read_count(scanner, scanner.token(), "the face count");
-    if (const std::string_view edges = scanner.token(); !edges.empty())
-        read_count(scanner, edges, "the edge count");  // Nobody counts edges right; it is not used.
-    scanner.expect_end_of_line("the counts");
+    const std::uint64_t counts_line = scanner.line();
+    const std::uint64_t face_count =
+        read_count(scanner, expect_word(scanner, "the face count"), "the face count");
+    // Nobody counts edges right, and the count is not used. Some leave it out, at the line's end.
+    const std::string_view edges =
+        scanner.line() == counts_line ? scanner.token() : expect_word(scanner, "the edge count");
+    if (!edges.empty()) read_count(scanner, edges, "the edge count");
     // A vertex takes at least "0 0 0" and a line's end, a face "3 0 0 0".
     const std::uint64_t bytes = scanner.remaining() + 1;
     if (vertex_count > bytes / 6 || face_count > (bytes - 6 * vertex_count) / 8)
@@ -106,23 +152,22 @@ MeshSource read_off(const SourceFile& file, const LongCall& call) {
     if (vertex_count > k_max_file_vertices)
         throw Error(ErrorCode::too_large, file.name + ": more than 2^32 vertices");
 
+    OffReader reader(scanner, kind);
     MeshSource source;
     source.positions.reserve(vertex_count);
     for (std::uint64_t i = 0; i < vertex_count; ++i) {
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
-        scanner.expect_line("another vertex");
-        source.positions.push_back(read_vertex(scanner, kind));
+        source.positions.push_back(reader.read_vertex());
     }
     source.triangles.reserve(face_count);
     std::vector<std::uint32_t> polygon;
     Triangulator triangulator;
     for (std::uint64_t i = 0; i < face_count; ++i) {
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
-        scanner.expect_line("another face");
-        read_face(scanner, vertex_count, polygon);
+        reader.read_face(vertex_count, polygon);
         triangulator.triangulate(source.positions, polygon, source.triangles);
     }
-    if (scanner.next_line())
+    if (!scanner.word().empty())
         scanner.fail("there is more after the last face; a count at the beginning is too small");
     return source;
 }

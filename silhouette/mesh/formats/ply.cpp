@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 #include <span>
+#include <utility>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
 #include "silhouette/mesh/formats/ply_header.h"
@@ -17,6 +19,25 @@ namespace rimline {
 
 namespace {
 
+bool is_floating(ScalarType type) noexcept {
+    return type == ScalarType::float32 || type == ScalarType::float64;
+}
+
+// The least and the greatest value of a type, which is a floating-point one only where indices are.
+std::pair<std::int64_t, std::int64_t> range_of(ScalarType type) noexcept {
+    switch (type) {
+        case ScalarType::int8: return {-0x80, 0x7f};
+        case ScalarType::uint8: return {0, 0xff};
+        case ScalarType::int16: return {-0x8000, 0x7fff};
+        case ScalarType::uint16: return {0, 0xffff};
+        case ScalarType::int32: return {-0x80000000ll, 0x7fffffff};
+        case ScalarType::uint32: return {0, 0xffffffffll};
+        case ScalarType::float32:
+        case ScalarType::float64: break;
+    }
+    return {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()};
+}
+
 // The two encodings behind one set of operations. An element of a text file is a line.
 
 class TextBody {
@@ -27,10 +48,25 @@ public:
 
     void begin_element(const char* what) { scanner_.expect_line(what); }
     void end_element(const char* what) { scanner_.expect_end_of_line(what); }
-    float coordinate(ScalarType, const char* what) { return scanner_.coordinate(what); }
-    std::int64_t integer(ScalarType, const char* what) { return scanner_.integer(what); }
-    void skip(ScalarType, std::uint64_t count, const char* what) {
-        for (std::uint64_t i = 0; i < count; ++i) scanner_.skip_number(what);
+    float coordinate(ScalarType type, const char* what) {
+        if (is_floating(type)) return scanner_.coordinate(what);
+        return static_cast<float>(integer(type, what));
+    }
+    std::int64_t integer(ScalarType type, const char* what) {
+        const std::int64_t value = scanner_.integer(what);
+        if (const auto [least, most] = range_of(type); value < least || value > most)
+            scanner_.fail(std::string(what) + " is " + std::to_string(value) +
+                          ", which its declared type cannot hold; that goes from " +
+                          std::to_string(least) + " to " + std::to_string(most));
+        return value;
+    }
+    void skip(ScalarType type, std::uint64_t count, const char* what) {
+        for (std::uint64_t i = 0; i < count; ++i) {
+            if (is_floating(type))
+                scanner_.skip_number(what);
+            else
+                integer(type, what);
+        }
     }
     /// Whether the rest of the file could hold `count` values.
     bool could_hold(std::uint64_t count, ScalarType) const noexcept {
@@ -51,7 +87,8 @@ private:
 class BinaryBody {
 public:
     BinaryBody(const SourceFile& file, const PlyHeader& header)
-        : scanner_(file.name, file.bytes, header.body_offset,
+        : bytes_(file.bytes),
+          scanner_(file.name, file.bytes, header.body_offset,
                    header.encoding == PlyEncoding::binary_big_endian ? std::endian::big
                                                                      : std::endian::little) {}
 
@@ -66,7 +103,9 @@ public:
         return count <= scanner_.remaining() / size_bytes(type);
     }
     void expect_end() {
-        if (scanner_.remaining() != 0)
+        // Some writers end the last line, though the data has none.
+        const std::size_t left = scanner_.remaining();
+        if (left != 0 && !(left <= 2 && bytes_.ends_with(left == 1 ? "\n" : "\r\n")))
             scanner_.fail(std::to_string(scanner_.remaining()) +
                           " bytes follow the last element; a count in the header is too small, or "
                           "the file went through a text conversion");
@@ -75,6 +114,7 @@ public:
     [[noreturn]] void fail(const std::string& what) const { scanner_.fail(what); }
 
 private:
+    std::string_view bytes_;
     ByteScanner scanner_;
 };
 

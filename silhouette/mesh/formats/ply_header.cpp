@@ -134,12 +134,12 @@ const PlyElement* PlyHeader::find(std::string_view element) const noexcept {
 
 PlyHeader read_ply_header(const SourceFile& file) {
     PlyHeader header{};
-    TextScanner scanner(file.name, file.bytes);
+    const std::string_view bytes = file.text();
+    TextScanner scanner(file.name, bytes);
     scanner.expect_line("'ply'");
     if (scanner.token() != "ply") scanner.fail("a PLY file begins with a line 'ply'");
     scanner.expect_end_of_line("'ply'");
     // Where lines end with a bare CR, a line feed after end_header's is the first byte of the data.
-    const std::string_view bytes = file.bytes;
     const std::size_t newline = bytes.find_first_of("\r\n");
     const bool bare_cr = newline != std::string_view::npos && bytes[newline] == '\r' &&
                          newline + 1 < bytes.size() && bytes[newline + 1] != '\n';
@@ -177,6 +177,7 @@ PlyHeader read_ply_header(const SourceFile& file) {
         scanner.skip_line();
         header.body_offset = scanner.offset();
     }
+    header.body_offset += file.text_begin;
     header.body_line = scanner.line() + 1;
     check_counts(file, header);
     return header;

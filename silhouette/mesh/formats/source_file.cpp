@@ -35,14 +35,14 @@ std::string reason(int error_number) { return std::generic_category().message(er
 }  // namespace
 
 SourceFile read_source_file(const std::filesystem::path& path, const LongCall& call) {
-    SourceFile file{path.string(), {}, path.parent_path()};
+    SourceFile file{path.string(), {}, path.parent_path(), 0};
     // Without O_NONBLOCK, opening a pipe would wait for its writer.
     const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (descriptor.get() < 0) io_error(file.name, "cannot open it: " + reason(errno));
     struct stat status {};
     if (::fstat(descriptor.get(), &status) != 0)
         io_error(file.name, "cannot read it: " + reason(errno));
-    if (S_ISDIR(status.st_mode)) io_error(file.name, "is a directory; name a model file in it");
+    if (S_ISDIR(status.st_mode)) io_error(file.name, "is a directory; name a file in it");
     if (!S_ISREG(status.st_mode))
         io_error(file.name, "is not a regular file; copy its contents to one");
 

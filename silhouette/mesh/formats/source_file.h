@@ -18,6 +18,10 @@ struct SourceFile {
     std::string name;  ///< As the caller gave the path: every message begins with it.
     std::string bytes;
     std::filesystem::path folder;  ///< Where the files lie that it refers to.
+    /// Where its text begins: behind a byte order mark. The binary formats have none.
+    std::size_t text_begin = 0;
+
+    std::string_view text() const noexcept { return std::string_view(bytes).substr(text_begin); }
 };
 
 /// Reads all of a regular file. Throws Error{io} for one that is missing, is no regular file or cannot

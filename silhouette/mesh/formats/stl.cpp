@@ -61,7 +61,7 @@ void read_facet(TextScanner& scanner, MeshSource& source) {
 MeshSource read_stl_text(const SourceFile& file, const LongCall& call) {
     MeshSource source;
     source.up = UpAxis::z;
-    TextScanner scanner(file.name, file.bytes);
+    TextScanner scanner(file.name, file.text());
     for (bool first = true;; first = false) {
         const std::string_view word = scanner.word();
         if (word.empty() && !first) break;

@@ -41,6 +41,16 @@ bool is_below_one(std::string_view number) noexcept {
     return exponent < -place;
 }
 
+// What printf of Microsoft's C library made of NaN and infinity until 2015, cut or filled up with zeros
+// to the precision that was asked for.
+bool is_old_microsoft_nan(std::string_view token) noexcept {
+    if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+    if (!token.starts_with("1.#")) return false;
+    token.remove_prefix(3);
+    token = token.substr(0, token.find_last_not_of('0') + 1);
+    return token == "IND" || token == "QNAN" || token == "SNAN" || token == "INF";
+}
+
 }  // namespace
 
 std::optional<float> parse_float(std::string_view token) noexcept {
@@ -108,6 +118,12 @@ void TextScanner::finish_line() {
 
 void TextScanner::skip_line() { finish_line(); }
 
+void TextScanner::skip_free_text() {
+    if (state_ != State::in_line) return;
+    while (at_ < text_.size() && !is_newline(text_[at_])) ++at_;
+    finish_line();
+}
+
 bool TextScanner::next_line() {
     for (;;) {
         finish_line();
@@ -169,7 +185,7 @@ std::int64_t TextScanner::integer(std::string_view token, const char* what) cons
 
 void TextScanner::skip_number(std::string_view token, const char* what) const {
     if (token.empty()) fail(std::string("the line ends where ") + what + " should follow");
-    if (!parse_float(token))
+    if (!parse_float(token) && !is_old_microsoft_nan(token))
         fail(excerpt(token) + " is not a number; " + what + " should stand here");
 }
 

@@ -41,11 +41,14 @@ public:
     void expect_end_of_line(const char* what);
     /// Ends the current line, whatever it still holds.
     void skip_line();
+    /// The same, where what it holds is free text: a backslash at its end joins nothing to it.
+    void skip_free_text();
 
     /// The next token of the current line as a number. `what` names it in errors.
     float coordinate(const char* what) { return coordinate(token(), what); }
     std::int64_t integer(const char* what) { return integer(token(), what); }
-    /// A number that is not used: NaN and infinities are let pass, as exporters write them.
+    /// A number that is not used: NaN and infinities are let pass, as exporters write them, also in
+    /// the way of Microsoft's C library before 2015: -1.#IND, 1.#QNAN.
     void skip_number(const char* what) { skip_number(token(), what); }
 
     /// A given token of the current line as a number.

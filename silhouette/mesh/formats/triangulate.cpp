@@ -107,12 +107,12 @@ private:
         return top;
     }
     void build_grid();
-    std::uint32_t column_of(double x) const noexcept { return cell_of(x - low_.x, cell_size_.x); }
-    std::uint32_t row_of(double y) const noexcept { return cell_of(y - low_.y, cell_size_.y); }
-    std::uint32_t cell_of(double distance, double cell) const noexcept {
-        if (!(cell > 0.0)) return 0;
-        const double i = std::floor(distance / cell);
-        return static_cast<std::uint32_t>(std::clamp(i, 0.0, static_cast<double>(grid_side_ - 1)));
+    std::uint32_t column_of(double x) const noexcept { return cell_of(x - low_.x, columns_); }
+    std::uint32_t row_of(double y) const noexcept { return cell_of(y - low_.y, rows_); }
+    std::uint32_t cell_of(double distance, std::uint32_t count) const noexcept {
+        if (count == 1) return 0;
+        const double i = std::floor(distance / cell_size_);
+        return static_cast<std::uint32_t>(std::clamp(i, 0.0, static_cast<double>(count - 1)));
     }
 
     std::span<const glm::vec3> positions_;
@@ -122,19 +122,19 @@ private:
     std::vector<Candidate> blocked_;  // Taken when nothing is open: the polygon crosses itself.
     std::vector<Waiting> waiting_;
     Corner some_corner_ = 0;
-    // Reflex corners by cell of a square grid over the polygon, rebuilt as they become fewer.
+    // Reflex corners by cell of a grid over all of them, about as many cells as corners and those
+    // square: the tips of a comb's teeth lie in one row. Rebuilt as they become fewer.
     std::vector<std::uint32_t> cell_begin_;
     std::vector<Corner> cell_corners_;
-    glm::dvec2 low_{}, cell_size_{};
-    std::uint32_t grid_side_ = 1;
+    glm::dvec2 low_{};
+    double cell_size_ = 1.0;
+    std::uint32_t columns_ = 1, rows_ = 1;
     std::size_t reflex_count_ = 0;
     std::size_t gridded_count_ = 0;
     std::uint64_t tests_left_ = 0;
 };
 
 void Triangulator::EarClipper::build_grid() {
-    const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(reflex_count_)));
-    grid_side_ = std::clamp(side, 1u, 1024u);
     gridded_count_ = reflex_count_;
     bool first = true;
     glm::dvec2 high{};
@@ -144,10 +144,19 @@ void Triangulator::EarClipper::build_grid() {
         high = first ? n.at : glm::max(high, n.at);
         first = false;
     }
-    cell_size_ = (high - low_) / static_cast<double>(grid_side_);
-    cell_begin_.assign(std::size_t{grid_side_} * grid_side_ + 1, 0);
+    const glm::dvec2 extent = high - low_;
+    const double cells = static_cast<double>(std::max<std::size_t>(reflex_count_, 1));
+    // Not below extent / cells, where the corners lie on a line or nearly so.
+    cell_size_ =
+        std::max(std::sqrt(extent.x * extent.y / cells), std::max(extent.x, extent.y) / cells);
+    const auto count = [&](double size) {
+        return static_cast<std::uint32_t>(cell_size_ > 0.0 ? size / cell_size_ : 0.0) + 1;
+    };
+    columns_ = count(extent.x);
+    rows_ = count(extent.y);
+    cell_begin_.assign(std::size_t{columns_} * rows_ + 1, 0);
     const auto cell = [&](const Node& n) {
-        return std::size_t{row_of(n.at.y)} * grid_side_ + column_of(n.at.x);
+        return std::size_t{row_of(n.at.y)} * columns_ + column_of(n.at.x);
     };
     for (const Node& n : nodes_)
         if (n.alive && n.reflex) ++cell_begin_[cell(n) + 1];
@@ -174,11 +183,13 @@ Corner Triangulator::EarClipper::blocker_of(Corner corner) {
     const std::uint32_t first_column = column_of(low.x);
     const std::uint32_t last_column = column_of(high.x);
     for (std::uint32_t row = row_of(low.y); row <= last_row; ++row) {
-        const std::size_t first = std::size_t{row} * grid_side_ + first_column;
+        const std::size_t first = std::size_t{row} * columns_ + first_column;
         const std::uint32_t begin = cell_begin_[first];
         const std::uint32_t end = cell_begin_[first + (last_column - first_column) + 1];
-        tests_left_ -= std::min<std::uint64_t>(tests_left_, 1 + (end - begin));
+        if (tests_left_ > 0) --tests_left_;
         for (std::uint32_t i = begin; i < end; ++i) {
+            // Only what is looked at: the first corner of a long row often blocks.
+            if (tests_left_ > 0) --tests_left_;
             const Node& other = nodes_[cell_corners_[i]];
             if (!other.alive || !other.reflex) continue;
             const glm::dvec2 p = other.at;
