@@ -23,7 +23,7 @@ if(TARGET rimline_engine)
 endif()
 
 install(EXPORT RimlineTargets NAMESPACE rimline:: DESTINATION ${rimline_package_folder})
-configure_package_config_file(cmake/RimlineConfig.cmake.in ${PROJECT_BINARY_DIR}/RimlineConfig.cmake
+configure_package_config_file(tools/package/RimlineConfig.cmake.in ${PROJECT_BINARY_DIR}/RimlineConfig.cmake
     INSTALL_DESTINATION ${rimline_package_folder})
 # Nothing is promised between 0.x versions.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/RimlineConfigVersion.cmake
