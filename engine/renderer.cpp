@@ -192,7 +192,7 @@ void Renderer::prepare_targets(VkExtent2D size) {
 
 void Renderer::prepare_instances(const Scene& scene) {
     const auto is_kept = [&](std::size_t i) {
-        return i < instances_.size() && instances_[i].octree == scene.instances[i].octree &&
+        return instances_[i].octree == scene.instances[i].octree &&
                instances_[i].lights.size() <= scene.lights.size();
     };
     bool all_kept = instances_.size() <= scene.instances.size();

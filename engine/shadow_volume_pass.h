@@ -9,6 +9,7 @@
 // The count is kept modulo 256: exactly 256 triangles in a row cast no shadow.
 //
 // Caps lie on their own surfaces; depth is compared strictly, so that a surface does not shade itself.
+// Where the light lies in a face's plane the sides lie on it too; there the surface pass asks the bit.
 // Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
 // Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.1.
 

@@ -34,7 +34,8 @@ void SurfacePass::record_lit(VkCommandBuffer commands, const DrawList& list,
                              std::size_t light) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, lit_);
     for (const DrawnInstance& instance : list.instances) {
-        push_draw_constants(commands, layout_, list, instance, &instance.lights[light], 1);
+        const DrawnLight& drawn = instance.lights[light];
+        push_draw_constants(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 2);
         vkCmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
     }
 }

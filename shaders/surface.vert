@@ -7,14 +7,32 @@
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 normal;
+// Where the light grazes the face: the side it reaches, 1 the front or 2 the back, by the face's bit; a
+// surface seen from its other side shades itself. The stencil says so too, but there the sides of the
+// face's own volume lie in the surface, and which is in front is rounding. Elsewhere 0: the stencil is
+// surer, for at a silhouette the hidden back of a surface can win a pixel on its edge.
+layout(location = 2) flat out uint grazed_side;
+
+const float k_grazing = 1e-3;  // The sine of the angle between light and face.
 
 precise gl_Position;
+
+uint side_grazed(uint face, TriangleRecord triangle) {
+    const vec3 corner = draw.instance.data.positions.at[triangle.v0];
+    const vec3 across = cross(draw.instance.data.positions.at[triangle.v1] - corner,
+                              draw.instance.data.positions.at[triangle.v2] - corner);
+    const vec4 light = draw.light.data.light;
+    const vec3 to_light = light.xyz - light.w * corner;
+    if (abs(dot(across, to_light)) > k_grazing * length(across) * length(to_light)) return 0u;
+    return 2u - (draw.light.data.face_words.at[face / 32u] >> (face % 32u) & 1u);
+}
 
 void main() {
     const uint face = gl_VertexIndex / 3u;
     const uint corner = gl_VertexIndex % 3u;
     const TriangleRecord triangle = draw.instance.data.triangles.at[face];
     const uint vertex = corner == 0u ? triangle.v0 : corner == 1u ? triangle.v1 : triangle.v2;
+    grazed_side = draw.choice == 1u ? side_grazed(face, triangle) : 0u;
     position = draw.instance.data.positions.at[vertex];
     normal = draw.instance.data.corner_normals.at[gl_VertexIndex];
     gl_Position = clip_from_object(draw.frame, draw.instance, position);

@@ -217,13 +217,6 @@ double RayReference::height(const SurfacePoint& point, const Light& light) const
     return glm::dot(n, to_light) / (glm::length(n) * glm::length(to_light));
 }
 
-double RayReference::grazing(const SurfacePoint& point) const {
-    double least = 1.0;
-    for (const Light& light : scene_.lights)
-        least = std::min(least, std::abs(height(point, light)));
-    return least;
-}
-
 bool RayReference::reaches(const SurfacePoint& point, const Ray& camera_ray,
                            const Light& light) const {
     // The viewer and the light on two sides: the surface itself is between. It is too where the light

@@ -55,9 +55,6 @@ public:
     /// How many of the scene's lights reach the side of the surface that `camera_ray` sees.
     std::size_t lights_at(const SurfacePoint& point, const Ray& camera_ray) const;
 
-    /// The sine of the smallest angle between the surface's plane and the way to a light.
-    double grazing(const SurfacePoint& point) const;
-
     using Ignored = std::function<bool(std::size_t instance, FaceId face)>;
     /// Whether anything but the ignored faces lies strictly between a point that the camera sees and
     /// the near plane.

@@ -3,11 +3,9 @@
 //
 // A pixel may differ from the rays only where the rays themselves change within a pixel: next to the
 // edge of a shadow or of a surface, where the rasteriser's grid of places within a pixel decides. How
-// near that was found is printed with how many pixels there were. Two things are let through besides:
-//   - surfaces that lie in the light's direction. The sides of their own volumes lie in them, and which
-//     is in front hangs on the last bits of depth. (Every style but the mask leaves them dark anyway.)
-//   - single pixels, one in a million. Sides and caps of a volume come from different stages; where a
-//     driver rounds their common corners apart, a pixel's center may fall between.
+// near that was found is printed with how many pixels there were. One thing is let through besides:
+// single pixels, one in a million. Sides and caps of a volume come from different stages; where a driver
+// rounds their common corners apart, a pixel's center may fall between.
 
 #include <doctest/doctest.h>
 
@@ -39,9 +37,6 @@ constexpr int k_nothing = -1;  // A pixel without a surface; others are the numb
 
 // Of the pixels with a surface, over all draws of a case.
 constexpr double k_greatest_differing_share = 2e-4;
-
-// The sine of the angle between light and surface below which their order in depth is rounding.
-constexpr double k_grazing = 1e-4;
 
 // Draws with a single wrong pixel, of the pixels with a surface: so many, and one for each case.
 constexpr double k_greatest_speck_share = 1e-6;
@@ -98,11 +93,6 @@ double distance_to_boundary(const RayReference& rays, glm::dvec2 place, int valu
     return std::numeric_limits<double>::infinity();
 }
 
-bool is_grazed(const RayReference& rays, glm::dvec2 place) {
-    const auto surface = rays.first_surface(rays.camera_ray(place, glm::dvec2(k_size)));
-    return surface && rays.grazing(*surface) < k_grazing;
-}
-
 // Draws scenes with one renderer, as one program would, and compares each with rays.
 class Comparison {
 public:
@@ -114,9 +104,8 @@ public:
         const double share = differing_ / std::max(1.0, surface_);
         std::printf(
             "%s: %d draws, %.0f of %.0f pixels differ (%.4f%%), at most %.3f px off; "
-            "%.0f specks, %.0f grazed\n",
-            name_.c_str(), draws_, differing_, surface_, 100.0 * share, farthest_, specks_,
-            grazed_);
+            "%.0f specks\n",
+            name_.c_str(), draws_, differing_, surface_, 100.0 * share, farthest_, specks_);
         CHECK(surface_ > 1000.0 * draws_);
         CHECK(lit_ > 0.01 * surface_);
         CHECK(lit_ < 0.99 * surface_);
@@ -141,10 +130,6 @@ public:
             surface_ += expected == k_nothing ? 0.0 : 1.0;
             lit_ += expected > 0 ? 1.0 : 0.0;
             if (drawn[at] == expected) continue;
-            if (is_grazed(rays, place)) {
-                grazed_ += 1.0;
-                continue;
-            }
             differing_ += 1.0;
             if (wrong.size() > 1000)
                 break;  // Enough to see what is wrong; the search below is slow.
@@ -177,7 +162,6 @@ private:
     double differing_ = 0.0;
     double farthest_ = 0.0;
     double specks_ = 0.0;
-    double grazed_ = 0.0;
 };
 
 SceneInstance instance_of(const Model& model, const glm::dmat3& rotation = glm::dmat3(1.0),
