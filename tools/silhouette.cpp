@@ -51,7 +51,7 @@ Extraction extract_by_brute_force(const Mesh& mesh, const HomogeneousPoint& poin
 Extraction extract_by_octree(const Mesh& mesh, const HomogeneousPoint& point,
                              const std::optional<glm::vec3>& origin) {
     HoughOctreeOptions options;
-    if (origin) options.origin = glm::dvec3(*origin);
+    if (origin) options.origins.push_back(glm::dvec3(*origin));
     const HoughOctree octree(mesh, options);
     Extraction result;
     time_extraction(result, [&] { octree.extract(point, result.edges, result.counters); });

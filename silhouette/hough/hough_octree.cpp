@@ -1,92 +1,109 @@
 #include "silhouette/hough/hough_octree.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <glm/geometric.hpp>
 
-#include "silhouette/hough/octree_order.h"
+#include "silhouette/hough/block_kernels.h"
 
 namespace rimline {
 
 namespace {
 
-// Up to 32 bits of a packed array from any position, which it must be one word longer for.
-std::uint32_t bits_from(std::span<const std::uint32_t> words, std::uint32_t position) {
-    const std::uint64_t pair = std::uint64_t{words[position / 32 + 1]} << 32 | words[position / 32];
-    return static_cast<std::uint32_t>(pair >> (position % 32));
+// A v-sphere thick enough for both points is tested once where two are tested twice, but holds up to
+// twice as much as differs between the two, and cannot tell what certainly flips. It wins while the
+// step is no wider than blocks are.
+constexpr double k_thick_step = 2.0;
+
+bool is_small_step(const HomogeneousPoint& from, const HomogeneousPoint& to, const BoxTree& tree) {
+    if (from.w != to.w) return false;
+    const double step = glm::length(glm::dvec3(to.xyz()) - glm::dvec3(from.xyz()));
+    return step <= k_thick_step * tree.mean_block_radius();
 }
 
-void flip_bits_from(std::span<std::uint32_t> words, std::uint32_t position, std::uint32_t mask) {
-    const std::uint64_t pair = std::uint64_t{mask} << (position % 32);
-    words[position / 32] ^= static_cast<std::uint32_t>(pair);
-    words[position / 32 + 1] ^= static_cast<std::uint32_t>(pair >> 32);
+void list_flips(std::uint32_t block, std::uint32_t lanes, std::span<std::uint16_t> bits,
+                std::vector<std::uint32_t>& flipped) {
+    bits[block] = static_cast<std::uint16_t>(bits[block] ^ lanes);
+    for (; lanes != 0; lanes &= lanes - 1)
+        flipped.push_back(block * k_block_size +
+                          static_cast<std::uint32_t>(std::countr_zero(lanes)));
 }
-
-std::uint32_t front_bits(std::span<const Plane> planes, const HomogeneousPoint& point) {
-    std::uint32_t bits = 0;
-    for (std::uint32_t i = 0; i < planes.size(); ++i)
-        bits |= std::uint32_t{is_front(planes[i], point)} << i;
-    return bits;
-}
-
-std::uint32_t low_bits(std::uint32_t count) { return count == 32 ? ~0u : (1u << count) - 1; }
-
-// A depth-first walk's pending work. Its depth is bounded (octree_order.h), so it never allocates.
-template <typename Visit>
-class Stack {
-public:
-    bool is_empty() const noexcept { return size_ == 0; }
-    void push(const Visit& visit) noexcept { items_[size_++] = visit; }
-    Visit pop() noexcept { return items_[--size_]; }
-
-private:
-    std::uint32_t size_ = 0;
-    std::array<Visit, k_octree_max_stack> items_;
-};
 
 }  // namespace
 
-// Results are stored before it is known whether they count: a branch would be taken at random.
-void HoughOctree::test_edges(std::span<const EdgeRecord> records, const HomogeneousPoint& point,
-                             std::vector<EdgeId>& edges) const {
+BlockScratch HoughOctree::make_scratch() const {
+    std::size_t most = 0;
+    for (const FaceBlocks& blocks : face_blocks_) most = std::max(most, blocks.planes.size());
+    for (const EdgeBlocks& blocks : edge_blocks_) most = std::max(most, blocks.planes.size());
+    return BlockScratch(static_cast<std::uint32_t>(most));
+}
+
+std::string_view HoughOctree::instruction_set() { return kernels::instruction_set(); }
+
+// What integers cannot decide; once in two hundred blocks.
+void HoughOctree::decide_edges(std::span<const EdgeId> edges, const HomogeneousPoint& point,
+                               std::uint32_t count, BlockScratch& scratch) const noexcept {
     const std::uint32_t inconsistent = mesh_->edges_of_class(EdgeClass::inconsistent).first;
-    std::array<EdgeId, 64> found;
-    while (!records.empty()) {
-        std::size_t count = 0;
-        const auto block = records.first(std::min(records.size(), found.size()));
-        for (const EdgeRecord& record : block) {
-            const bool differ =
-                is_front(planes_[record.owner], point) != is_front(record.other, point);
-            found[count] = record.edge;
-            count += differ != (index(record.edge) >= inconsistent);
+    for (std::uint32_t j = 0; j < count; ++j) {
+        for (std::uint32_t doubts = scratch.found_doubts[j]; doubts != 0; doubts &= doubts - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(doubts));
+            const EdgeId edge =
+                edges[std::size_t{scratch.found_block[j]} * k_block_size + lane];
+            const std::array<FaceId, 2>& faces = mesh_->edge(edge).faces;
+            const bool differ = is_front(mesh_->plane(faces[0]), point) !=
+                                is_front(mesh_->plane(faces[1]), point);
+            const bool is_on = differ != (index(edge) >= inconsistent);
+            scratch.found_lanes[j] |= std::uint32_t{is_on} << lane;
         }
-        edges.insert(edges.end(), found.data(), found.data() + count);
-        records = records.subspan(block.size());
     }
 }
 
-void HoughOctree::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
-                          TraversalCounters& counters) const {
-    RIMLINE_CHECK(point.is_valid());
-    edges.clear();
-    TraversalCounters work;
-    const VSphere sphere(point, origin_, greatest_reach());
-    Stack<std::uint32_t> stack;
-    if (!edge_nodes_.empty()) stack.push(0);
-    while (!stack.is_empty()) {
-        const Node& node = edge_nodes_[stack.pop()];
-        if (node.begin == node.end) continue;
-        ++work.box_checks;
-        if (sphere.side_of(node.box, node.reach) != VSphereSide::mixed) continue;
-        for (std::uint32_t k = node.child_count; k-- > 0;) stack.push(node.first_child + k);
-        if (node.child_count > 0) continue;
-        test_edges(std::span(edges_).subspan(node.begin, node.end - node.begin), point, edges);
-        work.edge_checks += node.end - node.begin;
+void HoughOctree::decide_faces(const FaceBlocks& blocks, const HomogeneousPoint& point,
+                               std::span<const std::uint16_t> bits, std::uint32_t count,
+                               BlockScratch& scratch) const noexcept {
+    for (std::uint32_t j = 0; j < count; ++j) {
+        for (std::uint32_t doubts = scratch.found_doubts[j]; doubts != 0; doubts &= doubts - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(doubts));
+            const std::uint32_t block = scratch.found_block[j];
+            const FaceId face = faces_[(blocks.first_block + block) * k_block_size + lane];
+            const bool was_front = (bits[block] >> lane & 1u) != 0;
+            const bool flips = is_front(mesh_->plane(face), point) != was_front;
+            scratch.found_lanes[j] |= std::uint32_t{flips} << lane;
+        }
     }
-    test_edges(explicit_edges_, point, edges);
-    work.edge_checks += explicit_edges_.size();
-    work.face_checks = 2 * work.edge_checks;
+}
 
+void HoughOctree::extract_blocks(const EdgeBlocks& blocks, const HomogeneousPoint& point,
+                                 std::vector<EdgeId>& edges, TraversalCounters& work,
+                                 BlockScratch& scratch) const {
+    if (blocks.planes.empty()) return;
+    const BlockPoint seen_from = blocks.space.seen_from(point);
+    std::uint64_t nodes = 0;
+    const std::uint32_t count =
+        blocks.tree.block_count() == 0
+            ? kernels::take_all(blocks.frames, static_cast<std::uint32_t>(blocks.planes.size()),
+                                seen_from, scratch)
+            : kernels::find_mixed(
+                  blocks.tree, blocks.frames,
+                  BoxQuery(point, blocks.space.origin, blocks.tree.greatest_reach()), seen_from,
+                  scratch, nodes);
+    const std::uint32_t found = kernels::test_edges(blocks, seen_from, count, scratch);
+    decide_edges(blocks.edges, point, found, scratch);
+    // Vectors are stored whole, so one more block must fit.
+    const std::size_t old_size = edges.size();
+    std::size_t new_size = old_size;
+    for (std::uint32_t j = 0; j < found; ++j)
+        new_size += static_cast<std::size_t>(std::popcount(scratch.found_lanes[j]));
+    edges.resize(new_size + k_block_size);
+    kernels::write_edges(blocks.edges, found, scratch, edges.data() + old_size);
+    edges.resize(new_size);
+    work.box_checks += nodes * k_node_width;
+    work.face_checks += 2 * std::uint64_t{count} * k_block_size;
+    work.edge_checks += std::uint64_t{count} * k_block_size;
+}
+
+void HoughOctree::extract_nonmanifold(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                                      TraversalCounters& work) const {
     const Mesh::EdgeRange nonmanifold = mesh_->edges_of_class(EdgeClass::nonmanifold);
     for (std::uint32_t e = nonmanifold.first; e < nonmanifold.last; ++e) {
         const std::span<const FaceId> faces = mesh_->faces_of(EdgeId{e});
@@ -98,72 +115,73 @@ void HoughOctree::extract(const HomogeneousPoint& point, std::vector<EdgeId>& ed
         work.face_checks += faces.size();
     }
     work.edge_checks += nonmanifold.size();
-    counters += work;
 }
 
-void HoughOctree::evaluate_faces(const HomogeneousPoint& point,
-                                 std::span<std::uint32_t> tree_words) const noexcept {
-    RIMLINE_CHECK(tree_words.size() == tree_word_count());
-    std::fill(tree_words.begin(), tree_words.end(), 0u);
-    for (std::uint32_t begin = 0; begin < faces_.size(); begin += 32) {
-        const std::uint32_t count = std::min(32u, statistics_.faces - begin);
-        tree_words[begin / 32] = front_bits(std::span(planes_).subspan(begin, count), point);
+void HoughOctree::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                          TraversalCounters& counters, BlockScratch& scratch) const {
+    RIMLINE_CHECK(point.is_valid());
+    edges.clear();
+    for (const EdgeBlocks& blocks : edge_blocks_)
+        extract_blocks(blocks, point, edges, counters, scratch);
+    extract_nonmanifold(point, edges, counters);
+}
+
+void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::uint16_t> bits,
+                                 BlockScratch& scratch) const noexcept {
+    RIMLINE_CHECK(bits.size() == block_count());
+    std::fill(bits.begin(), bits.end(), std::uint16_t{0});
+    for (const FaceBlocks& blocks : face_blocks_) {
+        if (blocks.planes.empty()) continue;
+        const BlockPoint seen_from = blocks.space.seen_from(point);
+        const std::span own_bits = bits.subspan(blocks.first_block, blocks.planes.size());
+        const std::uint32_t count = kernels::take_all(
+            blocks.frames, static_cast<std::uint32_t>(blocks.planes.size()), seen_from, scratch);
+        const std::uint32_t found =
+            kernels::test_faces(blocks, seen_from, count, own_bits, scratch);
+        decide_faces(blocks, point, own_bits, found, scratch);
+        for (std::uint32_t j = 0; j < found; ++j)
+            own_bits[scratch.found_block[j]] = static_cast<std::uint16_t>(scratch.found_lanes[j]);
     }
-}
-
-void HoughOctree::flip(std::uint32_t begin, std::uint32_t mask, std::span<std::uint32_t> tree_words,
-                       std::vector<FaceId>& flipped) const noexcept {
-    flip_bits_from(tree_words, begin, mask);
-    for (; mask != 0; mask &= mask - 1)
-        flipped.push_back(faces_[begin + static_cast<std::uint32_t>(std::countr_zero(mask))]);
 }
 
 void HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
-                             std::span<std::uint32_t> tree_words, std::vector<FaceId>& flipped,
-                             TraversalCounters& counters) const noexcept {
-    RIMLINE_CHECK(tree_words.size() == tree_word_count());
-    RIMLINE_CHECK(flipped.capacity() - flipped.size() >= statistics_.faces);
-    if (from == to || face_nodes_.empty()) return;
-    TraversalCounters work;
-    const VSphere old_sphere(from, origin_, greatest_reach());
-    const VSphere new_sphere(to, origin_, greatest_reach());
-    // What is certain of a node is certain of its children, whose boxes lie in its own.
-    struct Visit {
-        std::uint32_t node;
-        VSphereSide old_side, new_side;
-    };
-    Stack<Visit> stack;
-    stack.push({0, VSphereSide::mixed, VSphereSide::mixed});
-    while (!stack.is_empty()) {
-        auto [n, old_side, new_side] = stack.pop();
-        const Node& node = face_nodes_[n];
-        if (old_side == VSphereSide::mixed) {
-            old_side = old_sphere.side_of(node.box, node.reach);
-            ++work.box_checks;
-        }
-        if (new_side == VSphereSide::mixed) {
-            new_side = new_sphere.side_of(node.box, node.reach);
-            ++work.box_checks;
-        }
-        const bool certain = old_side != VSphereSide::mixed && new_side != VSphereSide::mixed;
-        if (certain && old_side == new_side) continue;
-        if (!certain && node.child_count > 0) {
-            for (std::uint32_t k = node.child_count; k-- > 0;)
-                stack.push({node.first_child + k, old_side, new_side});
-            continue;
-        }
-        for (std::uint32_t begin = node.begin; begin < node.end; begin += 32) {
-            const std::uint32_t count = std::min(32u, node.end - begin);
-            std::uint32_t mask = low_bits(count);
-            if (!certain) {
-                mask &= bits_from(tree_words, begin) ^
-                        front_bits(std::span(planes_).subspan(begin, count), to);
-                work.face_checks += count;
-            }
-            flip(begin, mask, tree_words, flipped);
-        }
+                             std::span<std::uint16_t> bits, std::vector<std::uint32_t>& flipped,
+                             TraversalCounters& counters, BlockScratch& scratch) const noexcept {
+    RIMLINE_CHECK(bits.size() == block_count());
+    RIMLINE_CHECK(flipped.capacity() - flipped.size() >= faces_.size());
+    if (from == to) return;
+    for (const FaceBlocks& blocks : face_blocks_) {
+        if (blocks.planes.empty()) continue;
+        const BoxTree& tree = blocks.tree;
+        const glm::dvec3& origin = blocks.space.origin;
+        const BlockPoint seen_from = blocks.space.seen_from(to);
+        const std::span own_bits = bits.subspan(blocks.first_block, blocks.planes.size());
+        std::uint64_t nodes = 0;
+        std::uint32_t certain_count = 0;
+        const std::uint32_t count =
+            is_small_step(from, to, tree)
+                ? kernels::find_mixed(
+                      tree, blocks.frames,
+                      BoxQuery::between(from, to, origin, tree.greatest_reach()), seen_from,
+                      scratch, nodes)
+                : kernels::find_changing(tree, blocks.frames,
+                                         BoxQuery(from, origin, tree.greatest_reach()),
+                                         BoxQuery(to, origin, tree.greatest_reach()), seen_from,
+                                         scratch, certain_count, nodes);
+        const std::uint32_t found =
+            kernels::test_faces(blocks, seen_from, count, own_bits, scratch);
+        decide_faces(blocks, to, own_bits, found, scratch);
+        for (std::uint32_t j = 0; j < found; ++j)
+            list_flips(blocks.first_block + scratch.found_block[j], scratch.found_lanes[j], bits,
+                       flipped);
+        for (std::uint32_t i = 0; i < certain_count; ++i)
+            for (std::uint32_t b = scratch.certain[i].first; b < scratch.certain[i].last; ++b)
+                list_flips(blocks.first_block + b,
+                           b + 1 == blocks.planes.size() ? blocks.last_lanes : 0xffffu, bits,
+                           flipped);
+        counters.box_checks += nodes * k_node_width;
+        counters.face_checks += std::uint64_t{count} * k_block_size;
     }
-    counters += work;
 }
 
 }  // namespace rimline

@@ -1,133 +1,96 @@
 #include "silhouette/hough/silhouette_tracker.h"
 
+#include <bit>
+
 namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_no_slot = 0xffffffffu;
-// An edge that has joined in this move and has no slot yet: on the silhouette all the same.
-constexpr std::uint32_t k_joining = 0xfffffffeu;
+constexpr std::size_t k_prefetch_ahead = 12;
+
+// Time in the unit of one edge of a flipped face looked at, as measured: an edge among sixteen of a
+// block, a box among eight, an edge of the silhouette written and compared.
+std::uint64_t cost_of_extraction(const TraversalCounters& work, std::size_t silhouette_size) {
+    return work.edge_checks / 4 + work.box_checks / 8 + 3 * silhouette_size;
+}
 
 }  // namespace
 
 SilhouetteTracker::SilhouetteTracker(const HoughOctree& octree, const HomogeneousPoint& point)
-    : octree_(&octree) {
+    : octree_(&octree), scratch_(octree.make_scratch()), record_(make_record(point)) {}
+
+SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
     RIMLINE_CHECK(point.is_valid());
-    const Mesh& m = octree.mesh();
-    tree_words_.resize(octree.tree_word_count());
-    octree.evaluate_faces(point, tree_words_);
-    face_words_.assign(face_word_count(m.face_count()), 0);
-    for (std::uint32_t f = 0; f < m.face_count(); ++f)
-        if (rimline::is_front(m.plane(FaceId{f}), point)) face_words_[f / 32] |= 1u << (f % 32);
-    construction_counters_.face_checks = 2 * std::uint64_t{m.face_count()};
+    const Mesh& m = octree_->mesh();
+    bits_.resize(octree_->block_count());
+    octree_->evaluate_faces(point, bits_, scratch_);
+    std::vector<std::uint32_t> face_words(face_word_count(m.face_count()), 0);
+    for (std::uint32_t b = 0; b < bits_.size(); ++b) {
+        for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
+            const FaceId face = octree_->face_at(
+                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes)));
+            face_words[index(face) / 32] |= 1u << (index(face) % 32);
+        }
+    }
+    construction_counters_.face_checks = std::uint64_t{octree_->block_count()} * k_block_size;
 
-    // Borders come last and never join.
+    flips_.assign(octree_->block_count() + 1, 0);
+    flipped_positions_.reserve(std::size_t{octree_->block_count()} * k_block_size);
     const std::uint32_t edge_count = m.edges_of_class(EdgeClass::border).first;
-    slots_.reserve(edge_count);
-    octree.extract(point, slots_, construction_counters_);
-    slot_of_.assign(edge_count, k_no_slot);
-    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) slot_of_[index(slots_[slot])] = slot;
-
-    flipped_.reserve(m.face_count());
-    added_.reserve(edge_count);
-    removed_.reserve(edge_count);
-    removed_slots_.reserve(edge_count);
-    slot_writes_.reserve(edge_count);
-    word_writes_.reserve(face_words_.size());
-    word_flips_.assign(face_words_.size(), 0);
-    changes_.point = point;
-    changes_.silhouette_size = static_cast<std::uint32_t>(slots_.size());
+    toggled_.resize(edge_count + 1);
+    extracted_.reserve(edge_count + HoughOctree::k_extraction_slack);
+    octree_->extract(point, extracted_, extraction_counters_, scratch_);
+    construction_counters_ += extraction_counters_;
+    return SilhouetteRecord(m, point, std::move(face_words), extracted_);
 }
 
 const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexcept {
     RIMLINE_CHECK(point.is_valid());
-    flipped_.clear();
-    added_.clear();
-    removed_.clear();
-    removed_slots_.clear();
-    slot_writes_.clear();
-    word_writes_.clear();
-    changes_.counters = {};
+    TraversalCounters counters;
+    flipped_positions_.clear();
+    octree_->find_flips(this->point(), point, bits_, flipped_positions_, counters, scratch_);
+    record_.begin_move();
+    for (const std::uint32_t position : flipped_positions_)
+        record_.flip_face(octree_->face_at(position));
+    record_.end_faces();
 
-    octree_->find_flips(changes_.point, point, tree_words_, flipped_, changes_.counters);
-    turn_faces();
-    find_changed_edges();
-    update_slots();
-
-    changes_.point = point;
-    ++changes_.sequence;
-    changes_.silhouette_size = static_cast<std::uint32_t>(slots_.size());
-    changes_.flipped = flipped_;
-    changes_.added = added_;
-    changes_.removed = removed_;
-    changes_.slots = slot_writes_;
-    changes_.words = word_writes_;
-    return changes_;
+    const std::uint64_t cost_of_update = 3 * flipped_positions_.size();
+    was_extracted_ =
+        cost_of_update > cost_of_extraction(extraction_counters_, record_.slots().size());
+    if (was_extracted_) {
+        extraction_counters_ = {};
+        octree_->extract(point, extracted_, extraction_counters_, scratch_);
+        counters += extraction_counters_;
+        record_.replace_edges(extracted_);
+    } else {
+        toggle_edges(counters);
+    }
+    return record_.end_move(point, counters);
 }
 
-void SilhouetteTracker::turn_faces() noexcept {
-    // A face flips once a move, so a word's flips are zero until the first of them.
-    for (const FaceId face : flipped_) {
-        const std::uint32_t word = index(face) / 32;
-        if (word_flips_[word] == 0) word_writes_.push_back({word, 0});
-        word_flips_[word] |= 1u << (index(face) % 32);
+// An edge changes when one of its faces flips and the other does not. Results are stored before it is
+// known whether they count: a branch would be taken at random.
+void SilhouetteTracker::toggle_edges(TraversalCounters& counters) noexcept {
+    for (const std::uint32_t position : flipped_positions_) {
+        std::uint16_t& flips = flips_[position / k_block_size];
+        flips = static_cast<std::uint16_t>(flips | 1u << (position % k_block_size));
     }
-    for (WordWrite& write : word_writes_) {
-        face_words_[write.word] ^= word_flips_[write.word];
-        word_flips_[write.word] = 0;
-        write.bits = face_words_[write.word];
-    }
-}
-
-void SilhouetteTracker::find_changed_edges() noexcept {
-    // All bits are final here, and slot_of_ follows at once: an edge met again, from another face that
-    // flipped, is seen to be where it belongs.
-    for (const FaceId face : flipped_) {
-        for (const EdgeId edge : mesh().edges_of(face)) {
-            if (index(edge) >= slot_of_.size()) continue;  // A border.
-            ++changes_.counters.edge_checks;
-            std::uint32_t& slot = slot_of_[index(edge)];
-            const bool was = slot != k_no_slot;
-            if (was == is_on_silhouette(mesh(), edge, face_words_)) continue;
-            if (was) {
-                removed_.push_back(edge);
-                removed_slots_.push_back(slot);
-                slots_[slot] = k_no_edge;
-                slot = k_no_slot;
-            } else {
-                added_.push_back(edge);
-                slot = k_joining;
-            }
+    std::size_t count = 0;
+    const std::size_t flip_count = flipped_positions_.size();
+    for (std::size_t i = 0; i < flip_count; ++i) {
+        if (i + k_prefetch_ahead < flip_count)
+            __builtin_prefetch(&octree_->neighbours_of(flipped_positions_[i + k_prefetch_ahead]));
+        const HoughOctree::Neighbours& neighbours =
+            octree_->neighbours_of(flipped_positions_[i]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t other = neighbours.positions[k];
+            toggled_[count] = neighbours.edges[k];
+            count += (flips_[other / k_block_size] >> (other % k_block_size) & 1u) == 0;
         }
     }
-}
-
-// With r edges removed and a added, the new end is e = size - r + a. Below e, holes are filled by the
-// added and, when those run out, by the survivors of the tail [e, size): exactly as many as are needed.
-void SilhouetteTracker::update_slots() noexcept {
-    const auto old_size = static_cast<std::uint32_t>(slots_.size());
-    const auto new_size = static_cast<std::uint32_t>(old_size + added_.size() - removed_.size());
-    std::size_t next_added = 0;
-    std::uint32_t tail = old_size;
-    for (const std::uint32_t hole : removed_slots_) {
-        if (hole >= new_size) continue;
-        if (next_added < added_.size()) {
-            write_slot(hole, added_[next_added++]);
-            continue;
-        }
-        do --tail;
-        while (slots_[tail] == k_no_edge);
-        write_slot(hole, slots_[tail]);
-    }
-    slots_.resize(new_size);
-    for (std::uint32_t slot = old_size; slot < new_size; ++slot)
-        write_slot(slot, added_[next_added++]);
-}
-
-void SilhouetteTracker::write_slot(std::uint32_t slot, EdgeId edge) noexcept {
-    slots_[slot] = edge;
-    slot_of_[index(edge)] = slot;
-    slot_writes_.push_back({slot, edge});
+    for (const std::uint32_t position : flipped_positions_) flips_[position / k_block_size] = 0;
+    counters.edge_checks += 3 * flip_count;
+    record_.toggle_edges(std::span(toggled_).first(count));
 }
 
 }  // namespace rimline

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/hough/random_walk.h"
+#include "tests/hough/support/random_walk.h"
 #include "tests/hough/shadow_consumer.h"
 
 namespace rimline::tests {

@@ -6,8 +6,9 @@
 
 #include "silhouette/hough/baselines/brute_force.h"
 #include "tests/hough/against_brute_force.h"
-#include "tests/hough/hard_meshes.h"
-#include "tests/hough/probe_points.h"
+#include "tests/hough/support/hard_meshes.h"
+#include "tests/hough/support/origin_lists.h"
+#include "tests/hough/support/probe_points.h"
 
 namespace rimline {
 namespace {
@@ -29,24 +30,15 @@ TEST_CASE("extraction equals brute force on every made mesh") {
     }
 }
 
-TEST_CASE("extraction equals brute force from every origin and with every bucket size") {
-    const std::uint32_t points = 200;
+TEST_CASE("extraction equals brute force from every origin and with several") {
+    const std::uint32_t points = 60;
     for (const auto& [name, source] : tests::made_meshes(1000)) {
         CAPTURE(name);
         const Mesh mesh(source);
-        const double r = mesh.radius();
-        const glm::dvec3 c = mesh.center();
-        const glm::dvec3 vertex = mesh.vertex_count() > 0 ? glm::dvec3(mesh.positions()[0]) : c;
-        for (const glm::dvec3& origin :
-             {glm::dvec3(0.0), vertex, c + glm::dvec3(r / 3.0, r / 7.0, -r / 5.0),
-              c + glm::dvec3(0.0, 100.0 * r, 0.0)}) {
-            for (const std::uint32_t bucket_size : {1u, 5u, 64u}) {
-                CAPTURE(origin.x);
-                CAPTURE(origin.y);
-                CAPTURE(bucket_size);
-                tests::check_extraction(HoughOctree(mesh, {origin, bucket_size}), points / 4 + 1,
-                                        22);
-            }
+        for (const std::vector<glm::dvec3>& origins : tests::origin_lists(mesh)) {
+            CAPTURE(origins.size());
+            CAPTURE(origins[0].x);
+            tests::check_extraction(HoughOctree(mesh, {origins}), points, 22);
         }
     }
 }
@@ -68,7 +60,7 @@ TEST_CASE("the SFO edges are the silhouette from the origin") {
         const Mesh mesh(source);
         if (mesh.edges_of_class(EdgeClass::nonmanifold).size() > 0) continue;
         const glm::dvec3 origin(glm::vec3(mesh.center()));  // One that a viewpoint can be.
-        const HoughOctreeStatistics s = HoughOctree(mesh, {origin, 16}).statistics();
+        const HoughOctreeStatistics s = HoughOctree(mesh, {{origin}}).statistics();
         const std::size_t seen =
             brute_force_silhouette(mesh, HomogeneousPoint::viewpoint(glm::vec3(origin))).size();
         // The face bit from there is a rounded product; the side of the origin is not. They part only
@@ -77,14 +69,13 @@ TEST_CASE("the SFO edges are the silhouette from the origin") {
     }
 }
 
-TEST_CASE("faces of one plane share a leaf and are settled by one box") {
+TEST_CASE("faces of one plane are settled by one box") {
     MeshSource source;
     for (const auto& hard : tests::hard_meshes())
         if (hard.name == "coplanar fan") source = hard.source;
     const Mesh mesh(source);
     REQUIRE(mesh.face_count() == 10000);
-    const HoughOctree octree(mesh, {glm::dvec3(0.0), 16});
-    CHECK(octree.statistics().leaves <= 20);
+    const HoughOctree octree(mesh, {{glm::dvec3(0.0)}});
     std::vector<EdgeId> edges;
     TraversalCounters counters;
     octree.extract(HomogeneousPoint::viewpoint({0.3f, 2.0f, 0.1f}), edges, counters);
@@ -118,25 +109,29 @@ TEST_CASE("find_flips names exactly the faces whose bits differ") {
         CAPTURE(name);
         const Mesh mesh(source);
         const HoughOctree octree(mesh);
+        BlockScratch scratch = octree.make_scratch();
         tests::ProbePoints probes(mesh, seed);
         for (std::uint32_t i = 0; i < 100; ++i) {
             const HomogeneousPoint from = probes.next();
             const HomogeneousPoint to = probes.next();
-            std::vector<std::uint32_t> tree_words(octree.tree_word_count());
-            octree.evaluate_faces(from, tree_words);
-            std::vector<FaceId> flipped;
-            flipped.reserve(mesh.face_count());
+            std::vector<std::uint16_t> bits(octree.block_count());
+            octree.evaluate_faces(from, bits, scratch);
+            std::vector<std::uint32_t> positions;
+            positions.reserve(octree.block_count() * k_block_size);
             TraversalCounters counters;
-            octree.find_flips(from, to, tree_words, flipped, counters);
+            octree.find_flips(from, to, bits, positions, counters, scratch);
+            std::vector<FaceId> flipped;
+            for (const std::uint32_t position : positions)
+                flipped.push_back(octree.face_at(position));
             std::vector<FaceId> expected;
             for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
                 if (is_front(mesh.plane(FaceId{f}), from) != is_front(mesh.plane(FaceId{f}), to))
                     expected.push_back(FaceId{f});
             std::sort(flipped.begin(), flipped.end());
             REQUIRE(flipped == expected);
-            std::vector<std::uint32_t> expected_words(octree.tree_word_count());
-            octree.evaluate_faces(to, expected_words);
-            REQUIRE(tree_words == expected_words);
+            std::vector<std::uint16_t> expected_bits(octree.block_count());
+            octree.evaluate_faces(to, expected_bits, scratch);
+            REQUIRE(bits == expected_bits);
         }
     }
 }

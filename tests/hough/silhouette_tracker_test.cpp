@@ -11,8 +11,9 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/hough/against_brute_force.h"
 #include "tests/hough/allocation_count.h"
-#include "tests/hough/hard_meshes.h"
-#include "tests/hough/random_walk.h"
+#include "tests/hough/support/hard_meshes.h"
+#include "tests/hough/support/origin_lists.h"
+#include "tests/hough/support/random_walk.h"
 #include "tests/hough/shadow_consumer.h"
 
 namespace rimline {
@@ -30,18 +31,15 @@ TEST_CASE("every move of a random walk equals brute force on every made mesh") {
     }
 }
 
-TEST_CASE("moves are right from every origin and with every bucket size") {
+TEST_CASE("moves are right from every origin and with several") {
     for (const auto& [name, source] : tests::made_meshes(600)) {
         CAPTURE(name);
         const Mesh mesh(source);
-        const double r = mesh.radius();
-        for (const glm::dvec3& origin :
-             {glm::dvec3(0.0), mesh.center() + glm::dvec3(r, 0.1 * r, 0.0)})
-            for (const std::uint32_t bucket_size : {1u, 40u}) {
-                CAPTURE(origin.x);
-                CAPTURE(bucket_size);
-                tests::check_walk(HoughOctree(mesh, {origin, bucket_size}), 40, 32);
-            }
+        for (const std::vector<glm::dvec3>& origins : tests::origin_lists(mesh)) {
+            CAPTURE(origins.size());
+            CAPTURE(origins[0].x);
+            tests::check_walk(HoughOctree(mesh, {origins}), 40, 32);
+        }
     }
 }
 

@@ -7,8 +7,8 @@
 
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
-#include "tests/hough/hard_meshes.h"
-#include "tests/hough/probe_points.h"
+#include "tests/hough/support/hard_meshes.h"
+#include "tests/hough/support/probe_points.h"
 
 namespace rimline {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/hough/probe_points.h"
+#include "tests/hough/support/probe_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "silhouette/hough/baselines/brute_force.h"
-#include "tests/hough/hard_meshes.h"
-#include "tests/hough/probe_points.h"
+#include "tests/hough/support/hard_meshes.h"
+#include "tests/hough/support/probe_points.h"
 
 using namespace rimline;
 

@@ -1,4 +1,4 @@
-#include "tests/hough/hard_meshes.h"
+#include "tests/hough/support/hard_meshes.h"
 
 #include <cmath>
 #include <numbers>

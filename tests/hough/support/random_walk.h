@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/hough/probe_points.h"
+#include "tests/hough/support/probe_points.h"
 
 namespace rimline::tests {
 

@@ -1,0 +1,57 @@
+#pragma once
+
+// Anchored cones: where all faces of a cluster are front, and where all are back.
+//
+// P. Sander, X. Gu, S. Gortler, H. Hoppe, J. Snyder, Silhouette Clipping, SIGGRAPH 2000. From any point
+// in the intersection of the outer half-spaces of a cluster's faces all of them are front; a cone with
+// apex A, axis a and half angle π/2 - θ lies in that intersection when the normals are within θ of a and
+// A is. From a viewpoint in the front cone, or in the back cone, which opens the other way, no edge of the
+// cluster is on the silhouette. A direction is in a cone when it is as a vector.
+//
+// The authors merge edges bottom up, keep some in inner nodes and place apexes by linear programming.
+// Here clusters are the nodes of a packed tree over edges with similar planes, axes are the centers of
+// nearly the smallest cone around the normals, and an apex is the first point of the axis line through
+// the middle of the cluster's vertices that all half-spaces hold.
+//
+// When is that certain? Let S = sin θ + m with m = 2^-18. For v = p - wA with cos(v, a) > S the angle to
+// any normal is so far below π/2 that n·v > |n||v| sin m; and n·A - d >= 2^-20 |A||n| is made sure of at
+// construction, on the rounded apex. As |p| <= |v| + |A|, n·p - w*d is beyond 3.1u|n||p|, what a bit may
+// be wrong by (v_sphere.h), ten times over. Floats take v once (u) and v·a and |v|² with three products
+// and two sums each: cos(v, a) is off by less than 16u = 2^-20, a quarter of m. Vectors so short that
+// squares are subnormal settle nothing; directions, whose length does not matter, are scaled first.
+
+#include <array>
+
+#include "silhouette/hough/baselines/edge_leaves.h"
+#include "silhouette/hough/baselines/silhouette_method.h"
+
+namespace rimline {
+
+class ConeTree final : public SilhouetteMethod {
+public:
+    explicit ConeTree(const Mesh& mesh);
+
+    void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                 TraversalCounters& counters) override;
+
+private:
+    using Lanes = std::array<float, k_fan_out>;
+    struct alignas(64) Group {
+        std::array<Lanes, 3> axis{}, front_apex{}, back_apex{};
+        Lanes sine_squared{};  // S²; infinite for a node that has no cones.
+    };
+    // Lanes whose front or back cone holds the point.
+    struct InCone {
+        static std::uint32_t run(const Group& group, const HomogeneousPoint& p);
+    };
+
+    void build_cones(std::uint32_t level, std::uint32_t node, std::span<const EdgeId> edges);
+
+    const Mesh* mesh_;
+    PackedTree tree_;
+    std::vector<Group> groups_;
+    EdgeLeaves edge_leaves_;
+    KernelPointer<InCone> in_cone_;
+};
+
+}  // namespace rimline

@@ -1,0 +1,26 @@
+#include "silhouette/hough/block_set.h"
+
+#include <glm/geometric.hpp>
+
+namespace rimline {
+
+PlaneVector BlockSpace::vector_of(const Plane& plane) const noexcept {
+    const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
+    return {n.x, n.y, n.z, (double{plane.d} - glm::dot(n, origin)) / length};
+}
+
+// Vectors are stored whole, at any block.
+BlockScratch::BlockScratch(std::uint32_t most_blocks) {
+    constexpr std::size_t k_slack = 64;
+    const std::size_t most_nodes = most_blocks / k_node_width + 1 + k_slack;
+    for (std::vector<std::uint32_t>& nodes : frontier) nodes.resize(most_nodes);
+    block.resize(most_blocks + k_slack);
+    threshold.resize(most_blocks + k_slack);
+    margin.resize(most_blocks + k_slack);
+    found_block.resize(most_blocks + k_slack);
+    found_lanes.resize(most_blocks + k_slack);
+    found_doubts.resize(most_blocks + k_slack);
+    certain.resize(most_blocks + k_slack);
+}
+
+}  // namespace rimline

@@ -1,0 +1,80 @@
+#pragma once
+
+// What one origin's part of the index reads: blocks of sixteen faces for moves, blocks of sixteen edges
+// for extraction, and a tree over each. Room to work in, for one thread.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "silhouette/hough/box_tree.h"
+#include "silhouette/hough/plane_block.h"
+#include "silhouette/mesh/ids.h"
+#include "silhouette/mesh/plane.h"
+
+namespace rimline {
+
+/// The frames of the eight blocks below a node of the lowest level (BlockFrame).
+struct alignas(64) NodeFrames {
+    float center[4][k_node_width];
+    float step_inverse[k_node_width];
+};
+
+/// Where the planes of one set of blocks are measured from, and by.
+struct BlockSpace {
+    glm::dvec3 origin{};
+    double length = 1.0;  ///< No less than any |dO|.
+
+    BlockPoint seen_from(const HomogeneousPoint& point) const noexcept {
+        return {point, origin, length};
+    }
+    PlaneVector vector_of(const Plane& plane) const noexcept;
+};
+
+/// The lanes in use of a set's last block; all of them in every other.
+struct FaceBlocks {
+    BlockSpace space;
+    BoxTree tree;
+    std::vector<NodeFrames> frames;
+    std::vector<PlaneBlock> planes;
+    std::uint32_t first_block = 0;  ///< Its number among the blocks of all origins.
+    std::uint32_t last_lanes = 0;
+};
+
+/// Of both faces of an edge; that of the second negated where both run the edge the same way, so that an
+/// edge is on the silhouette when the two bits differ.
+using EdgePlanes = std::array<PlaneBlock, 2>;
+
+struct EdgeBlocks {
+    BlockSpace space;
+    BoxTree tree;  ///< Empty where every block is looked at always.
+    std::vector<NodeFrames> frames;
+    std::vector<EdgePlanes> planes;
+    std::vector<EdgeId> edges;  ///< Sixteen a block; k_no_edge beyond the last.
+    std::uint32_t last_lanes = 0;
+};
+
+/// Blocks [first, last).
+struct BlockRun {
+    std::uint32_t first, last;
+};
+
+/// Blocks that no box has settled, with the threshold and the margin of each (plane_block.h), and what
+/// came of them. Arrays have room for whole vectors beyond the last block.
+struct BlockScratch {
+    BlockScratch() = default;
+    explicit BlockScratch(std::uint32_t most_blocks);
+
+    std::array<std::vector<std::uint32_t>, 2> frontier;
+    std::vector<std::uint32_t> block;
+    std::vector<std::int32_t> threshold;
+    std::vector<std::int32_t> margin;
+    std::vector<std::uint32_t> found_block;
+    std::vector<std::uint32_t> found_lanes;
+    std::vector<std::uint32_t> found_doubts;
+    std::vector<BlockRun> certain;
+};
+
+}  // namespace rimline

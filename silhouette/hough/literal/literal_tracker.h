@@ -1,0 +1,112 @@
+#pragma once
+
+// The thesis's two ways to follow a moving silhouette point (3.4.2, 3.4.3), with its counts.
+//
+// Both find the faces whose Hough points may lie in the active region, set their bits, and examine the
+// edges of those that turned (the edge list of 3.3.2). A node certainly contained in the region turns
+// all its faces, untested, as 3.4.4 says; 3.4.2 and 3.4.3 would test them, which `contained_faces`
+// counts.
+//
+//   full traversal   From the root, down every node whose PBV is not certainly apart from the region.
+//
+//   incremental      Breadth-first from the active set, the tiles (search_cells.h) that may meet the
+//                    previous v-sphere, to neighbours whose OBV may meet the region, and within them
+//                    as above. Those that may meet the new v-sphere are the next active set.
+//
+// Why the walk misses nothing. Let Z be the thin shell around each v-sphere where a bit is uncertain,
+// and A the region with both shells. Every face that turns has its point in A. Each connected part of A
+// reaches the previous v-sphere's shell: move a point towards the origin or away from it, as it lies
+// outside or inside the previous v-sphere, and it meets that v-sphere before it leaves A, because a ray
+// from the origin is inside a v-sphere up to one place and outside from there. (Where it never does, on
+// rays that stay inside a half-space for ever, A reaches the plane far away.) A path within A from a
+// face's point to the shell crosses tiles that meet A, each beside the next. If it stays within the
+// root, its end is in a tile of the active set; if not, it leaves through a tile at the root's boundary.
+// So the walk starts from both: the active set, and the tiles at the boundary that meet A, which are
+// found from the root by their OBVs. They lie along curves, and are few.
+//
+// The text starts from the active set alone, tests PBVs, and has no empty octants. What it loses is shown
+// by `incremental_as_written`: where parts of the v-sphere meet only empty octants, as near the origin of
+// most meshes; where a v-sphere enters the root from outside; when the active set is empty, from then on
+// everything. It is there to be counted. Its silhouettes are not right.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "silhouette/hough/literal/active_region.h"
+#include "silhouette/hough/literal/literal_counters.h"
+#include "silhouette/hough/literal/literal_octree.h"
+#include "silhouette/mesh/face_bits.h"
+
+namespace rimline {
+
+enum class LiteralUpdate : std::uint8_t { full_traversal, incremental, incremental_as_written };
+
+struct LiteralTrackerOptions {
+    LiteralUpdate update = LiteralUpdate::incremental;
+    /// Without it, a node contained in the region is descended into like any other that meets it.
+    bool turn_contained_nodes = true;
+};
+
+class LiteralTracker {
+public:
+    /// Extracts the silhouette from `point` (3.4.1), tests every face, and finds the first active set.
+    /// `octree` must outlive the tracker and stay where it is.
+    LiteralTracker(const LiteralOctree& octree, const HomogeneousPoint& point,
+                   const LiteralTrackerOptions& options = {});
+    LiteralTracker(LiteralOctree&&, const HomogeneousPoint&,
+                   const LiteralTrackerOptions& = {}) = delete;  // It would be gone.
+
+    /// Moves to `point`. Returns the work of this move. One thread at a time.
+    const LiteralCounters& move_to(const HomogeneousPoint& point);
+
+    const HomogeneousPoint& point() const noexcept { return point_; }
+    /// In no particular order. Valid until the tracker moves, as the other spans are.
+    std::span<const EdgeId> silhouette() const noexcept { return silhouette_; }
+    std::span<const std::uint32_t> face_words() const noexcept { return face_words_; }
+    /// The faces that turned in the last move, each once.
+    std::span<const FaceId> turned() const noexcept { return turned_; }
+    /// Tiles, or nodes as written, that the next incremental move starts from; none otherwise.
+    std::size_t active_set_size() const noexcept { return active_.size(); }
+    /// Of the last move; of the construction before the first.
+    const LiteralCounters& counters() const noexcept { return counters_; }
+
+private:
+    void begin_active_set();
+    void begin_active_set(const ActiveRegion& region, std::uint32_t cell);
+    void begin_active_set_as_written(const VSphere& sphere, std::uint32_t node);
+    void walk(const ActiveRegion& region);
+    void walk_as_written(const ActiveRegion& region);
+
+    void enqueue_boundary(const ActiveRegion& region, std::uint32_t cell);
+    void enqueue(std::uint32_t vertex);
+    RegionSides sides_of_cell(const ActiveRegion& region, std::uint32_t cell);
+
+    void search(const ActiveRegion& region, std::uint32_t node);
+    void search_as_written(const ActiveRegion& region, std::uint32_t node);
+    void turn_node(const OctreeNode& node, VSphereSide side);
+    void check_faces(const OctreeNode& node);
+    void set_bit(FaceId face, bool front);
+    void update_edges();
+
+    const LiteralOctree* octree_;
+    LiteralTrackerOptions options_;
+    HomogeneousPoint point_;
+    LiteralCounters counters_;
+
+    std::vector<std::uint32_t> face_words_;
+    std::vector<FaceId> turned_;
+    std::vector<EdgeId> silhouette_;
+    std::vector<std::uint32_t> slot_of_;  // By edge: where it is in silhouette_, or k_no_slot.
+
+    // The walk. What a move has tested and enqueued is stamped with its number.
+    std::vector<std::uint32_t> active_;
+    std::vector<std::uint32_t> next_active_;
+    std::vector<std::uint32_t> queue_;
+    std::vector<std::uint64_t> tested_at_;
+    std::vector<std::uint64_t> enqueued_at_;
+    std::vector<RegionSides> sides_;  // Where tested_at_ is this move.
+    std::uint64_t move_ = 0;
+};
+
+}  // namespace rimline

@@ -1,0 +1,62 @@
+#include "silhouette/hough/plane_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace rimline {
+
+namespace {
+
+constexpr double k_steps = 16383.0;
+constexpr double k_weight_length = 32000.0;
+
+}  // namespace
+
+BlockFrame BlockFrame::around(std::span<const PlaneVector> planes) noexcept {
+    BlockFrame frame{{}, 0x1p20f};
+    if (planes.empty()) return frame;
+    double half_width = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto [low, high] = std::minmax_element(
+            planes.begin(), planes.end(),
+            [i](const PlaneVector& a, const PlaneVector& b) { return a[i] < b[i]; });
+        frame.center[i] = static_cast<float>(0.5 * ((*low)[i] + (*high)[i]));
+        const double center = double{frame.center[i]};
+        half_width = std::max({half_width, (*high)[i] - center, center - (*low)[i]});
+    }
+    // The greatest power of two below k_steps / half_width; half_width is at most 2 or so.
+    while (half_width * double{frame.step_inverse} > k_steps) frame.step_inverse *= 0.5f;
+    return frame;
+}
+
+void BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
+                        PlaneBlock& block) const noexcept {
+    const auto steps = [&](std::size_t i) {
+        const double offset = plane[i] - double{center[i]};
+        return static_cast<std::int16_t>(std::lround(offset * double{step_inverse}));
+    };
+    block.normal_xy[2 * lane] = steps(0);
+    block.normal_xy[2 * lane + 1] = steps(1);
+    block.normal_z_distance[2 * lane] = steps(2);
+    block.normal_z_distance[2 * lane + 1] = steps(3);
+}
+
+BlockPoint::BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin,
+                       double length) noexcept {
+    const glm::dvec3 p(point.xyz());
+    const glm::dvec3 q = p - double{point.w} * origin;
+    const PlaneVector weights_exact{q.x, q.y, q.z, -double{point.w} * length};
+    double squares = 0.0;
+    for (const double weight : weights_exact) squares += weight * weight;
+    // A direction of no length sees no face: all weights are zero, nothing is certain.
+    const double scale = squares > 0.0 ? k_weight_length / std::sqrt(squares) : 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        scaled[i] = static_cast<float>(scale * weights_exact[i]);
+        weights[i] = static_cast<std::int16_t>(std::lround(scale * weights_exact[i]));
+    }
+    // Beyond what a block can decide it does not matter how far.
+    spread = static_cast<float>(std::min(scale * 0x3.4p-24 * glm::length(p) + 0.0305, 1e30));
+}
+
+}  // namespace rimline

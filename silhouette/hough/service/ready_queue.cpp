@@ -1,0 +1,80 @@
+#include "silhouette/hough/service/ready_queue.h"
+
+namespace rimline {
+
+// Sequential consistency is needed where one thread writes a and reads b while another writes b and
+// reads a: a pusher fills incoming_ and then looks for sleepers, a worker counts itself among the
+// sleepers, or says that it has arrived, and then looks into incoming_. One of the two sees the other.
+
+void ReadyQueue::push(Node& node) noexcept {
+    // Only pushes and a take of everything: a node cannot leave and return below another's feet.
+    node.next_ready = incoming_.load(std::memory_order_relaxed);
+    while (!incoming_.compare_exchange_weak(node.next_ready, &node)) {
+    }
+    wake_one();
+}
+
+ReadyQueue::Node* ReadyQueue::pop() noexcept {
+    while (!closed_) {
+        if (Node* node = take()) return node;
+        ++sleepers_;
+        // Up again, unless somebody has counted us out and calls: then that call is ours to take.
+        if ((closed_ || !is_empty()) && withdraw()) continue;
+        calls_.acquire();
+        sleepers_ &= ~k_on_its_way;
+    }
+    return nullptr;
+}
+
+void ReadyQueue::close() noexcept {
+    closed_ = true;
+    // Without the throttle of wake_one(): who sleeps now is woken, who would sleep sees closed_.
+    const std::uint32_t asleep = sleepers_.exchange(0) & ~k_on_its_way;
+    if (asleep > 0) calls_.release(asleep);
+}
+
+ReadyQueue::Node* ReadyQueue::take() noexcept {
+    Node* node = nullptr;
+    bool more = false;
+    {
+        const std::lock_guard lock(mutex_);
+        if (first_ == nullptr) {
+            Node* last_in = incoming_.exchange(nullptr);
+            while (last_in != nullptr) {
+                Node* before = last_in->next_ready;
+                last_in->next_ready = first_;
+                first_ = last_in;
+                last_in = before;
+            }
+        }
+        if (first_ == nullptr) return nullptr;
+        node = first_;
+        first_ = node->next_ready;
+        more = first_ != nullptr;
+    }
+    if (more) wake_one();
+    return node;
+}
+
+bool ReadyQueue::is_empty() noexcept {
+    const std::lock_guard lock(mutex_);
+    return first_ == nullptr && incoming_ == nullptr;
+}
+
+bool ReadyQueue::withdraw() noexcept {
+    std::uint32_t state = sleepers_;
+    while ((state & ~k_on_its_way) != 0)
+        if (sleepers_.compare_exchange_weak(state, state - 1)) return true;
+    return false;
+}
+
+void ReadyQueue::wake_one() noexcept {
+    std::uint32_t state = sleepers_;
+    while (state != 0 && (state & k_on_its_way) == 0)
+        if (sleepers_.compare_exchange_weak(state, (state - 1) | k_on_its_way)) {
+            calls_.release();
+            return;
+        }
+}
+
+}  // namespace rimline

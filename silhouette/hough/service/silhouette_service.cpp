@@ -1,0 +1,266 @@
+#include "silhouette/hough/service/silhouette_service.h"
+
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "silhouette/hough/service/latest_value.h"
+
+namespace rimline {
+
+namespace {
+
+struct Posted {
+    HomogeneousPoint point{};
+    PublishedChange::Clock::time_point time{};
+};
+
+std::uint32_t worker_count(std::uint32_t asked) noexcept {
+    if (asked > 0) return asked;
+    const std::uint32_t at_once = std::thread::hardware_concurrency();  // 0 when unknown.
+    return at_once > 1 ? at_once - 1 : 1;
+}
+
+// The slot's number, and how often it has been used, from 1 on.
+constexpr TrackerId make_id(std::uint32_t use, std::uint32_t index) noexcept {
+    return TrackerId{std::uint64_t{use} << 32 | index};
+}
+constexpr std::uint32_t index_of(TrackerId id) noexcept { return static_cast<std::uint32_t>(id); }
+
+}  // namespace
+
+// A place for one tracker after another. Which tracker it is may change under the feet of whoever
+// finds it by an old id or pops it from the queue, so each looks again under a lock of its own:
+//
+//     posting   the mailbox's writing end; never held by a worker
+//     moving    the tracker, the mailbox's reading end, the outbox's writing end
+//
+// `owner` is written under both and read under either. `posting` and the outbox's lock are taken
+// inside `moving`, never the other way round. On cache lines of its own, for the poster's sake.
+struct alignas(64) SilhouetteService::Slot : ReadyQueue::Node {
+    explicit Slot(std::uint32_t max_pending) : outbox(max_pending) {}
+
+    std::mutex posting;
+    LatestValue<Posted> latest;
+    // In the queue or in a worker's hands, and therefore in those of one worker at most.
+    std::atomic<bool> scheduled{false};
+
+    std::mutex moving;
+    std::optional<SilhouetteTracker> tracker;
+    TrackerId owner = k_no_tracker;
+    std::uint32_t uses = 0;
+    ChangeOutbox outbox;
+};
+
+struct SilhouetteService::Block {
+    explicit Block(std::uint32_t max_pending) {
+        slots.reserve(k_block_size);
+        for (std::uint32_t i = 0; i < k_block_size; ++i)
+            slots.push_back(std::make_unique<Slot>(max_pending));
+    }
+    std::vector<std::unique_ptr<Slot>> slots;
+};
+
+SilhouetteService::SilhouetteService(const SilhouetteServiceOptions& options)
+    : max_pending_(options.max_pending), worker_count_(rimline::worker_count(options.workers)) {
+    RIMLINE_CHECK(options.max_pending > 0);
+    workers_.reserve(worker_count_);
+    try {
+        for (std::uint32_t i = 0; i < worker_count_; ++i) workers_.emplace_back([this] { work(); });
+    } catch (const std::system_error& error) {
+        const std::size_t started = workers_.size();
+        stop();
+        throw Error(ErrorCode::io, "cannot start worker thread " + std::to_string(started + 1) +
+                                       " of " + std::to_string(worker_count_) + ": " +
+                                       error.what());
+    }
+}
+
+SilhouetteService::~SilhouetteService() {
+    RIMLINE_CHECK(waiting_ == 0);
+    stop();
+    for (const std::atomic<Block*>& block : blocks_) delete block.load();
+}
+
+TrackerId SilhouetteService::add(const HoughOctree& octree, const HomogeneousPoint& point) {
+    SilhouetteTracker tracker(octree, point);
+    const std::uint32_t index = claim_slot();
+    Slot& place = slot(index);
+    const std::scoped_lock lock(place.moving, place.posting);
+    place.tracker.emplace(std::move(tracker));
+    place.owner = make_id(++place.uses, index);
+    place.outbox.open(place.owner);
+    return place.owner;
+}
+
+bool SilhouetteService::remove(TrackerId id) {
+    Slot& place = slot(id);
+    std::optional<SilhouetteTracker> tracker;
+    {
+        const std::lock_guard moving(place.moving);
+        const std::lock_guard posting(place.posting);
+        if (place.owner != id) return false;
+        place.owner = k_no_tracker;
+        place.tracker.swap(
+            tracker);  // Its memory takes a while to free; nobody should wait for that.
+        Posted dropped;
+        place.latest.take(dropped);  // The next tracker does not go there.
+        place.outbox.close();
+    }
+    // The slot may still be scheduled. Whoever pops it finds no tracker, or the next one with nothing
+    // to do, or with something, and then it was scheduled for that as well.
+    const std::lock_guard lock(slots_mutex_);
+    free_slots_.push_back(index_of(id));
+    return true;
+}
+
+bool SilhouetteService::post(TrackerId id, const HomogeneousPoint& point) noexcept {
+    RIMLINE_CHECK(point.is_valid());
+    Slot& place = slot(id);
+    const Posted posted{point, PublishedChange::Clock::now()};
+    bool superseded = false;
+    {
+        const std::lock_guard posting(place.posting);
+        if (place.owner != id || stopped_) return false;
+        superseded = place.latest.store(posted);
+    }
+    schedule(place);
+    posts_.fetch_add(1, std::memory_order_relaxed);
+    if (superseded) superseded_.fetch_add(1, std::memory_order_relaxed);
+    return true;
+}
+
+Taken SilhouetteService::take(TrackerId id, PublishedChange& change) noexcept {
+    Slot& place = slot(id);
+    const ChangeOutbox::TakeResult result = place.outbox.take(id, change);
+    // A worker that found no room has left the tracker. One that finds it now, with the outbox's lock
+    // after ours, finds room.
+    if (result.made_room && place.latest.has_unread()) schedule(place);
+    return result.taken;
+}
+
+bool SilhouetteService::snapshot(TrackerId id, SilhouetteSnapshot& snapshot) {
+    Slot& place = slot(id);
+    bool made_room = false;
+    {
+        const std::lock_guard moving(place.moving);
+        if (place.owner != id) return false;
+        snapshot.assign(*place.tracker);
+        made_room = place.outbox.drop_pending();
+    }
+    if (made_room && place.latest.has_unread()) schedule(place);
+    return true;
+}
+
+bool SilhouetteService::wait_for_change(TrackerId id) noexcept {
+    Slot& place = slot(id);
+    ++waiting_;
+    const bool has_change = place.outbox.wait(id);
+    --waiting_;
+    return has_change;
+}
+
+void SilhouetteService::wait_idle() noexcept {
+    ++waiting_;
+    {
+        std::unique_lock lock(idle_mutex_);
+        idle_.wait(lock, [this] { return scheduled_ == 0 || stopped_; });
+    }
+    --waiting_;
+}
+
+void SilhouetteService::stop() noexcept {
+    const std::lock_guard lock(stop_mutex_);
+    stopped_ = true;
+    ready_.close();
+    for (std::thread& worker : workers_) worker.join();
+    workers_.clear();
+    {
+        // As in count_unscheduled().
+        const std::lock_guard idle(idle_mutex_);
+    }
+    idle_.notify_all();
+    const std::lock_guard slots(slots_mutex_);
+    for (std::uint32_t i = 0; i < slot_count_; ++i) slot(i).outbox.end_waits();
+}
+
+SilhouetteServiceCounters SilhouetteService::counters() const noexcept {
+    return {posts_, superseded_, moves_, lost_};
+}
+
+SilhouetteService::Slot& SilhouetteService::slot(std::uint32_t index) noexcept {
+    Block* block = blocks_[index / k_block_size].load(std::memory_order_acquire);
+    RIMLINE_CHECK(block != nullptr);
+    return *block->slots[index % k_block_size];
+}
+
+SilhouetteService::Slot& SilhouetteService::slot(TrackerId id) noexcept {
+    RIMLINE_CHECK(id != k_no_tracker && index_of(id) < k_block_size * k_max_blocks);
+    return slot(index_of(id));
+}
+
+std::uint32_t SilhouetteService::claim_slot() {
+    const std::lock_guard lock(slots_mutex_);
+    // Under the lock: stop() ends the waits of all slots that were claimed before.
+    if (stopped_) throw Error(ErrorCode::cancelled, "the silhouette service has been stopped");
+    if (!free_slots_.empty()) {
+        const std::uint32_t index = free_slots_.back();
+        free_slots_.pop_back();
+        return index;
+    }
+    if (slot_count_ == k_block_size * k_max_blocks)
+        throw Error(ErrorCode::too_large, "a silhouette service holds " +
+                                              std::to_string(slot_count_) + " trackers at most");
+    if (slot_count_ % k_block_size == 0) {
+        free_slots_.reserve(slot_count_ + k_block_size);  // remove() does not allocate.
+        blocks_[slot_count_ / k_block_size].store(new Block(max_pending_),
+                                                  std::memory_order_release);
+    }
+    return slot_count_++;
+}
+
+void SilhouetteService::schedule(Slot& slot) noexcept {
+    ++scheduled_;  // First: whoever finds the slot scheduled may go on to wait_idle().
+    if (slot.scheduled.exchange(true, std::memory_order_acq_rel))
+        count_unscheduled();
+    else
+        ready_.push(slot);
+}
+
+void SilhouetteService::count_unscheduled() noexcept {
+    if (--scheduled_ > 0) return;
+    {
+        // Empty, but after it every wait either sees the count or hears the notification.
+        const std::lock_guard lock(idle_mutex_);
+    }
+    idle_.notify_all();
+}
+
+void SilhouetteService::work() noexcept {
+    while (ReadyQueue::Node* node = ready_.pop()) {
+        Slot& slot = static_cast<Slot&>(*node);
+        move(slot);
+        give_back(slot);
+    }
+}
+
+void SilhouetteService::move(Slot& slot) noexcept {
+    // Among workers it is free; it keeps out snapshot() and remove().
+    const std::lock_guard moving(slot.moving);
+    Posted posted;
+    if (!slot.tracker || !slot.outbox.has_room() || !slot.latest.take(posted)) return;
+    const ChangeSet& changes = slot.tracker->move_to(posted.point);
+    moves_.fetch_add(1, std::memory_order_relaxed);
+    if (!slot.outbox.publish(changes, posted.time)) lost_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void SilhouetteService::give_back(Slot& slot) noexcept {
+    // Whoever posted or made room while the slot was scheduled has left it to us: their exchange in
+    // schedule() came before ours here, so what they did before it is seen below.
+    slot.scheduled.exchange(false, std::memory_order_acq_rel);
+    if (slot.latest.has_unread() && slot.outbox.has_room()) schedule(slot);
+    count_unscheduled();
+}
+
+}  // namespace rimline
