@@ -1,10 +1,8 @@
 // rimline bench: measures, against baselines, what it has checked first.
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,9 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "silhouette/hough/baselines/brute_force_packed.h"
-#include "silhouette/mesh/mesh.h"
+#include "tools/bench_growth.h"
 #include "tools/bench_hough.h"
+#include "tools/bench_machine.h"
+#include "tools/bench_methods.h"
+#include "tools/bench_report.h"
+#include "tools/bench_service.h"
+#include "tools/bench_service_report.h"
+#include "tools/bench_targets.h"
 #include "tools/command.h"
 #include "tools/model_argument.h"
 #include "tools/option_types.h"
@@ -23,15 +26,33 @@ namespace rimline::tools {
 
 namespace {
 
-std::string processor_name() {
-    std::ifstream cpu_info("/proc/cpuinfo");
-    for (std::string line; std::getline(cpu_info, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos)
-            return line.substr(colon + 2);
-    }
-    return "unknown";
-}
+constexpr const char* k_footer =
+    "Every result is compared with brute force before anything is timed; exit 3 where one differs.\n"
+    "Times are microseconds of one thread, for one point or frame: of each point the least of all\n"
+    "rounds, then the median, mean and high quantiles over the points. A ratio is a method's median\n"
+    "over that of the octree or tracker: above 1, ours is faster. Rounds of the methods alternate.\n"
+    "boxes, faces, edges are how many were tested.\n\n"
+    "  octree, tracker    the index, and what follows a moving point in it\n"
+    "  packed             brute force for wide registers: all face bits, then all edges\n"
+    "  packed tracker     all face bits, those that flipped, their edges: the same change set\n"
+    "  packed, bits only  the face bits alone: less than any update has to do\n"
+    "  scalar             the plain loop over faces and edges, at some of the points\n"
+    "  plain loop         reads all planes and counts front faces: the machine's own speed\n"
+    "  fresh tracker      on a random path with jumps: all face bits, the octree's extraction, and\n"
+    "                     the change set from comparing; what an update must not much exceed\n"
+    "  streamed           the bytes of the changes, beside those of the whole state\n"
+    "  VTK                vtkPolyDataSilhouette, the filter's update alone, where Python has VTK 9\n\n"
+    "Above a million faces the amounts shrink in proportion, to 60 points at least. On the bunny and\n"
+    "igea, packed also has a ceiling: what it took on a known machine, scaled by the plain loop.\n"
+    "--check asks: bunny extraction 2x; igea 5x, update 10x, streamed 1/4, VTK 300x; igea with\n"
+    "--subdivide 2 15x, update 20x; on all three a worst update of 1.5x, 200 bytes a face. Of any\n"
+    "other model, only that neither is slower than brute force.\n\n"
+    "Examples:\n"
+    "  rimline bench hough bunny.obj igea.ply --check\n"
+    "  rimline bench hough igea.ply --subdivide 2 --json\n"
+    "  rimline bench hough igea.ply --methods\n"
+    "  rimline bench hough shape:knot --growth\n"
+    "  rimline bench service igea.ply --trackers 64";
 
 // In the folders of RIMLINE_MODELS.
 std::optional<std::string> find_model(const std::string& file_name) {
@@ -54,56 +75,10 @@ std::vector<std::string> usual_models() {
     return models;
 }
 
-double ratio(const MethodResult& baseline, const MethodResult& ours) {
-    return baseline.median_us / ours.median_us;
-}
-
-void print_table(const CaseResult& result) {
-    std::printf("%s, %s: %u faces, %.0f edges on the silhouette", result.name.c_str(),
-                result.model.c_str(), result.faces, result.mean_size);
-    if (result.mean_flips > 0.0) std::printf(", %.0f faces turn a frame", result.mean_flips);
-    std::printf("; octree built in %.1f ms\n", result.build_ms);
-    if (!result.difference.empty()) {
-        std::printf("  not measured: it differs from brute force: %s\n\n",
-                    result.difference.c_str());
-        return;
-    }
-    std::printf("  %-18s %12s %12s %9s %12s %12s %12s\n", "method", "median us", "mean us", "ratio",
-                "box checks", "face checks", "edge checks");
-    const MethodResult& ours = result.methods.front();
-    for (const MethodResult& method : result.methods)
-        std::printf("  %-18s %12.2f %12.2f %8.2fx %12llu %12llu %12llu\n", method.method.c_str(),
-                    method.median_us, method.mean_us, ratio(method, ours),
-                    static_cast<unsigned long long>(method.counters.box_checks),
-                    static_cast<unsigned long long>(method.counters.face_checks),
-                    static_cast<unsigned long long>(method.counters.edge_checks));
-    for (const MethodResult& method : result.methods)
-        if (ratio(method, ours) < 1.0)
-            std::printf("  here the %s LOSES to %s: it takes %.2f times as long\n",
-                        ours.method.c_str(), method.method.c_str(), 1.0 / ratio(method, ours));
-    std::printf("\n");
-}
-
-nlohmann::ordered_json to_json(const CaseResult& result) {
-    nlohmann::ordered_json methods = nlohmann::ordered_json::array();
-    for (const MethodResult& method : result.methods)
-        methods.push_back({{"method", method.method},
-                           {"median_us", method.median_us},
-                           {"mean_us", method.mean_us},
-                           {"ratio", ratio(method, result.methods.front())},
-                           {"counters",
-                            {{"box_checks", method.counters.box_checks},
-                             {"face_checks", method.counters.face_checks},
-                             {"edge_checks", method.counters.edge_checks}}}});
-    return {{"case", result.name},
-            {"model", result.model},
-            {"faces", result.faces},
-            {"edges", result.edges},
-            {"build_ms", result.build_ms},
-            {"mean_silhouette", result.mean_size},
-            {"mean_flips", result.mean_flips},
-            {"verified", result.difference.empty()},
-            {"methods", std::move(methods)}};
+ExitStatus report_difference(const std::string& difference) {
+    if (difference.empty()) return ExitStatus::success;
+    std::fprintf(stderr, "rimline: error: %s differs from brute force\n", difference.c_str());
+    return ExitStatus::check_failed;
 }
 
 class BenchCommand final : public Command {
@@ -112,10 +87,12 @@ public:
     std::string summary() const override { return "Measure against baselines, checked first"; }
 
     void add_options(CLI::App& app) override {
-        app.add_option("SUITE", suite_, "What to measure: hough, the octree and its tracker")
+        app.add_option("SUITE", suite_,
+                       "What to measure: hough, the octree and its tracker; service, many trackers "
+                       "on threads of their own")
             ->type_name("")
             ->required()
-            ->check(CLI::IsMember({"hough"}));
+            ->check(CLI::IsMember({"hough", "service"}));
         app.add_option_function<std::vector<std::string>>(
                "MODELS",
                [this](const std::vector<std::string>& texts) {
@@ -124,71 +101,229 @@ public:
                },
                model_description() +
                    " (default: stanford-bunny.obj and igea.ply of the folders in RIMLINE_MODELS, "
-                   "or "
-                   "built-in shapes)")
+                   "or built-in shapes)")
             ->type_name("");
-        add_subdivide(app, subdivide_)->group("Model");
-        constexpr const char* k_group = "Amount";
-        add_count(app, "--viewpoints", options_.viewpoints, 1, 1'000'000,
-                  "Points of static extraction, at 1, 2 and 3 radii")
-            ->group(k_group);
-        add_count(app, "--frames", options_.frames, 1, 1'000'000,
-                  "Steps of half a degree on an orbit at 2 radii")
-            ->group(k_group);
-        add_count(app, "--rounds", options_.rounds, 1, 1000,
-                  "Times that each is measured; the least counts")
-            ->group(k_group);
-        app.footer(
-            "A ratio is a method's median over that of the octree or tracker: above 1, ours is "
-            "faster.\n"
-            "packed is brute force laid out for wide registers, scalar the plain loop. A case "
-            "whose\n"
-            "results differ from scalar brute force is not measured; exit 3.\n\n"
-            "Examples:\n"
-            "  rimline bench hough bunny.obj igea.ply\n"
-            "  rimline bench hough shape:knot:20000 --subdivide 2 --json");
+        subdivide_option_ = add_subdivide(app, subdivide_)->group("Model");
+        add_kinds(app);
+        add_amounts(app);
+        app.footer(k_footer);
     }
 
     ExitStatus run(const Context& context) override {
-        const std::vector<std::string> models = models_.empty() ? usual_models() : models_;
-        std::string instruction_set;
-        nlohmann::ordered_json cases = nlohmann::ordered_json::array();
-        std::string difference;
-        for (const std::string& model : models) {
-            const Mesh mesh = load_mesh(model, subdivide_, context);
-            if (instruction_set.empty()) {
-                instruction_set = PackedBruteForce(mesh).instruction_set();
-                if (!context.json)
-                    std::printf("%s, one thread; packed brute force uses %s\n\n",
-                                processor_name().c_str(), instruction_set.c_str());
-            }
-            const std::vector<CaseResult> results =
-                about_model(model, [&] { return bench_hough(model, mesh, options_, context); });
-            for (const CaseResult& result : results) {
-                if (context.json)
-                    cases.push_back(to_json(result));
-                else
-                    print_table(result);
-                if (difference.empty() && !result.difference.empty())
-                    difference = result.name + ", " + result.model + ": " + result.difference;
-            }
-        }
-        if (context.json)
-            print_json({{"machine", {{"cpu", processor_name()}, {"packed", instruction_set}}},
-                        {"viewpoints", options_.viewpoints},
-                        {"frames", options_.frames},
-                        {"rounds", options_.rounds},
-                        {"cases", std::move(cases)}});
-        if (difference.empty()) return ExitStatus::success;
-        std::fprintf(stderr, "rimline: error: %s differs from brute force\n", difference.c_str());
-        return ExitStatus::check_failed;
+        refuse_options_of_others();
+        machine_ = this_machine();
+        if (suite_ == "service") return run_service(context);
+        if (growth_) return run_growth(context);
+        if (methods_) return run_methods(context);
+        return run_hough(context);
     }
 
 private:
+    void add_kinds(CLI::App& app) {
+        constexpr const char* k_group = "Kind";
+        check_option_ = app.add_flag("--check", check_,
+                                     "Compare the ratios with what is asked of them; exit 3 where "
+                                     "one is missed");
+        methods_option_ = app.add_flag("--methods", methods_,
+                                       "Measure every method there is, in place of the cases");
+        growth_option_ = app.add_flag("--growth", growth_,
+                                      "Measure a shape at growing sizes, or a file and its "
+                                      "subdivisions, in place of the cases (default: shape:knot)");
+        no_vtk_option_ = app.add_flag("--no-vtk", no_vtk_, "Leave VTK out where it is installed");
+        for (CLI::Option* option : {check_option_, methods_option_, growth_option_, no_vtk_option_})
+            option->group(k_group);
+    }
+
+    void add_amounts(CLI::App& app) {
+        constexpr const char* k_group = "Amount";
+        viewpoints_option_ = add_count(app, "--viewpoints", hough_.viewpoints, 1, 1'000'000,
+                                       "Points of static extraction, at 1, 2 and 3 radii");
+        frames_option_ = add_count(app, "--frames", hough_.frames, 1, 1'000'000,
+                                   "Steps of half a degree on an orbit at 2 radii; frames of the "
+                                   "service, there by default 600");
+        worst_frames_option_ = add_count(app, "--worst-frames", hough_.worst_frames, 1, 1'000'000,
+                                         "Steps of the random path");
+        rounds_option_ = add_count(app, "--rounds", hough_.rounds, 1, 1000,
+                                   "Times that each is measured; the least counts");
+        builds_option_ = add_count(app, "--builds", hough_.builds, 1, 1000,
+                                   "Times that the octree is built; the median counts");
+        least_option_ = add_count(app, "--least-faces", growth_options_.least_faces, 1, 1u << 28,
+                                  "Of --growth");
+        most_option_ = add_count(app, "--most-faces", growth_options_.most_faces, 1, 1u << 28,
+                                 "Of --growth; 10 million take 6 GB of memory");
+        trackers_option_ = add_count(app, "--trackers", service_.trackers, 1, 100'000,
+                                     "Of the service: a camera and lights");
+        fps_option_ = add_number(app, "--fps", service_.frames_per_second, 1.0, 10'000.0,
+                                 "Of the service: frames a second");
+        workers_option_ = add_count(app, "--workers", service_.workers, 0, 1024,
+                                    "Of the service: threads; 0 leaves it to the machine");
+        for (CLI::Option* option :
+             {viewpoints_option_, frames_option_, worst_frames_option_, rounds_option_,
+              builds_option_, least_option_, most_option_, trackers_option_, fps_option_,
+              workers_option_})
+            option->group(k_group);
+    }
+
+    // An option that would not be heeded is a mistake that nothing in the result shows.
+    void refuse_options_of_others() const {
+        const auto refuse = [](bool is_refused, const CLI::Option* option, const char* why) {
+            if (is_refused && option->count() > 0) throw UsageError(option->get_name() + ": " + why);
+        };
+        const bool is_service = suite_ == "service";
+        for (const CLI::Option* option :
+             {check_option_, methods_option_, growth_option_, no_vtk_option_, viewpoints_option_,
+              worst_frames_option_, rounds_option_, builds_option_})
+            refuse(is_service, option, "belongs to the suite hough");
+        for (const CLI::Option* option : {trackers_option_, fps_option_, workers_option_})
+            refuse(!is_service, option, "belongs to the suite service");
+        for (const CLI::Option* option : {least_option_, most_option_})
+            refuse(!growth_, option, "belongs to --growth");
+        refuse(growth_, methods_option_, "not together with --growth");
+        for (const CLI::Option* option :
+             {check_option_, no_vtk_option_, worst_frames_option_, builds_option_})
+            refuse(growth_ || methods_, option, "not together with --growth or --methods");
+        refuse(growth_, subdivide_option_, "not together with --growth, which subdivides itself");
+        if (growth_ && models_.size() > 1) throw UsageError("--growth: takes one model at a time");
+    }
+
+    // Not before the first model is there: what cannot be read leaves standard output empty.
+    Mesh load(const std::string& model, const Context& context) {
+        Mesh mesh = load_mesh(model, subdivide_, context);
+        say_machine(context);
+        return mesh;
+    }
+    void say_machine(const Context& context) {
+        if (!context.json && !said_machine_) print_machine(machine_);
+        said_machine_ = true;
+    }
+
+    std::vector<std::string> models() const { return models_.empty() ? usual_models() : models_; }
+
+    ExitStatus run_hough(const Context& context) {
+        hough_.vtk = !no_vtk_;
+        nlohmann::ordered_json models_json = nlohmann::ordered_json::array();
+        nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+        nlohmann::ordered_json targets_json = nlohmann::ordered_json::array();
+        std::string difference;
+        std::string missed;
+        for (const std::string& model : models()) {
+            const Mesh mesh = load(model, context);
+            const ModelResult result =
+                about_model(model, [&] { return bench_hough(model, mesh, hough_, context); });
+            std::vector<Target> targets;
+            if (check_ && result.difference().empty()) targets = targets_of(result);
+            if (context.json) {
+                models_json.push_back(model_json(result));
+                for (auto& c : cases_json(result)) cases.push_back(std::move(c));
+                for (const Target& target : targets) targets_json.push_back(to_json(target, model));
+            } else {
+                print_result(result);
+                print_targets(targets);
+                if (check_) std::printf("\n");
+                std::fflush(stdout);
+            }
+            if (difference.empty()) difference = result.difference();
+            const std::string what = first_missed(targets);
+            if (missed.empty() && !what.empty()) missed = model + ": " + what;
+        }
+        if (context.json) {
+            nlohmann::ordered_json object{{"machine", to_json(machine_)},
+                                          {"viewpoints", hough_.viewpoints},
+                                          {"frames", hough_.frames},
+                                          {"worst_frames", hough_.worst_frames},
+                                          {"rounds", hough_.rounds},
+                                          {"models", std::move(models_json)},
+                                          {"cases", std::move(cases)}};
+            if (check_) object["targets"] = std::move(targets_json);
+            print_json(object);
+        }
+        if (difference.empty() && !missed.empty()) {
+            std::fprintf(stderr, "rimline: error: %s: missed\n", missed.c_str());
+            return ExitStatus::check_failed;
+        }
+        return report_difference(difference);
+    }
+
+    ExitStatus run_methods(const Context& context) {
+        nlohmann::ordered_json results = nlohmann::ordered_json::array();
+        std::string difference;
+        for (const std::string& model : models()) {
+            const Mesh mesh = load(model, context);
+            const MethodsOptions options{hough_.viewpoints, hough_.frames, hough_.rounds};
+            const MethodsResult result =
+                about_model(model, [&] { return bench_methods(model, mesh, options, context); });
+            if (context.json)
+                results.push_back(to_json(result));
+            else
+                print_result(result);
+            if (difference.empty()) difference = result.difference;
+        }
+        if (context.json)
+            print_json({{"machine", to_json(machine_)}, {"models", std::move(results)}});
+        return report_difference(difference);
+    }
+
+    ExitStatus run_growth(const Context& context) {
+        const std::string model = models_.empty() ? "shape:knot" : models_.front();
+        growth_options_.bench = {.viewpoints = 60,
+                                 .frames = 120,
+                                 .worst_frames = 0,
+                                 .rounds = hough_.rounds,
+                                 .builds = 1,
+                                 .vtk = false};
+        if (viewpoints_option_->count() > 0) growth_options_.bench.viewpoints = hough_.viewpoints;
+        if (frames_option_->count() > 0) growth_options_.bench.frames = hough_.frames;
+        const auto on_step = [&](const GrowthStep& step) {
+            if (context.json) return;
+            if (!said_machine_) {
+                say_machine(context);
+                std::printf("%s\n", model.c_str());
+                print_growth_names();
+            }
+            print_growth(step);
+        };
+        const std::vector<GrowthStep> steps =
+            bench_growth(model, growth_options_, on_step, context);
+        const std::string difference = steps.back().result.difference();
+        if (context.json)
+            print_json({{"machine", to_json(machine_)}, {"growth", to_json(model, steps)}});
+        else if (difference.empty())
+            print_overtaking(steps);
+        return report_difference(difference);
+    }
+
+    ExitStatus run_service(const Context& context) {
+        if (frames_option_->count() > 0) service_.frames = hough_.frames;
+        const std::vector<std::string> names = models();
+        std::vector<std::unique_ptr<Mesh>> meshes;
+        std::vector<ServiceBenchModel> models;
+        for (const std::string& name : names) {
+            meshes.push_back(std::make_unique<Mesh>(load(name, context)));
+            models.push_back({name, meshes.back().get()});
+        }
+        const ServiceResult result = bench_service(models, service_, context);
+        if (context.json)
+            print_json({{"machine", to_json(machine_)}, {"service", to_json(result)}});
+        else
+            print_result(result);
+        return report_difference(result.difference);
+    }
+
     std::string suite_;
     std::vector<std::string> models_;
     std::uint32_t subdivide_ = 0;
-    HoughBenchOptions options_;
+    bool check_ = false, methods_ = false, growth_ = false, no_vtk_ = false;
+    HoughBenchOptions hough_;
+    GrowthOptions growth_options_;
+    ServiceBenchOptions service_;
+    BenchMachine machine_;
+    bool said_machine_ = false;
+    CLI::Option *subdivide_option_ = nullptr, *check_option_ = nullptr, *methods_option_ = nullptr,
+                *growth_option_ = nullptr, *no_vtk_option_ = nullptr, *viewpoints_option_ = nullptr,
+                *frames_option_ = nullptr, *worst_frames_option_ = nullptr,
+                *rounds_option_ = nullptr, *builds_option_ = nullptr, *least_option_ = nullptr,
+                *most_option_ = nullptr, *trackers_option_ = nullptr, *fps_option_ = nullptr,
+                *workers_option_ = nullptr;
 };
 
 }  // namespace

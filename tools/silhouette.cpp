@@ -7,12 +7,13 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "silhouette/hough/baselines/brute_force.h"
-#include "silhouette/hough/hough_octree.h"
+#include "silhouette/hough/baselines/silhouette_method.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/command.h"
 #include "tools/line_output.h"
@@ -24,38 +25,54 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> k_methods{"octree", "brute"};
-
 struct Extraction {
     std::vector<EdgeId> edges;
     TraversalCounters counters;
-    double ms = 0.0;  // Without building the octree.
+    std::vector<NamedCount> own_counts;
+    double ms = 0.0;               // Without what the method builds first.
+    std::optional<double> recall;  // The share found, of methods that are not exact.
 };
 
-template <typename Extract>
-void time_extraction(Extraction& result, Extract&& extract) {
+Extraction extract_by(const SilhouetteMethodInfo& info, const Mesh& mesh,
+                      const HomogeneousPoint& point, const SilhouetteMethodOptions& options) {
+    const std::unique_ptr<SilhouetteMethod> method =
+        make_silhouette_method(info.name, mesh, options);
+    Extraction result;
     const auto start = std::chrono::steady_clock::now();
-    extract();
+    method->extract(point, result.edges, result.counters);
     result.ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-Extraction extract_by_brute_force(const Mesh& mesh, const HomogeneousPoint& point) {
-    Extraction result;
-    time_extraction(result, [&] { result.edges = brute_force_silhouette(mesh, point); });
-    result.counters.face_checks = mesh.face_count();
-    result.counters.edge_checks = mesh.edge_count();
+    result.own_counts = method->own_counts();
+    if (!info.exact) {
+        const std::size_t all = brute_force_silhouette(mesh, point).size();
+        result.recall =
+            all == 0 ? 1.0 : static_cast<double>(result.edges.size()) / static_cast<double>(all);
+    }
     return result;
 }
 
-Extraction extract_by_octree(const Mesh& mesh, const HomogeneousPoint& point,
-                             const std::optional<glm::vec3>& origin) {
-    HoughOctreeOptions options;
-    if (origin) options.origins.push_back(glm::dvec3(*origin));
-    const HoughOctree octree(mesh, options);
-    Extraction result;
-    time_extraction(result, [&] { octree.extract(point, result.edges, result.counters); });
-    return result;
+// "a, b or c": the methods for which `belongs` holds.
+template <typename Belongs>
+std::string method_names(Belongs&& belongs) {
+    std::vector<std::string> names;
+    for (const SilhouetteMethodInfo& info : silhouette_methods())
+        if (belongs(info)) names.emplace_back(info.name);
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) list += i + 1 < names.size() ? ", " : " or ";
+        list += names[i];
+    }
+    return list;
+}
+
+std::string method_table() {
+    std::string table;
+    for (const SilhouetteMethodInfo& info : silhouette_methods()) {
+        std::string name(info.name);
+        name.resize(std::max<std::size_t>(name.size() + 1, 14), ' ');
+        table += "  " + name + std::string(info.summary) + "\n";
+    }
+    return table;
 }
 
 // An edge as the file numbers its vertices, the lesser first.
@@ -90,13 +107,16 @@ public:
             ->group("View");
         app.add_option_function<std::string>(
                "--method", [this](const std::string& text) { set_method(text); },
-               "octree (built, then asked) or brute (every face and edge)")
+               "How to find it; the methods are listed below")
             ->type_name("NAME")
-            ->default_str(method_)
+            ->default_str(std::string(method_->name))
             ->group("Method");
-        add_points(app, "--origin", origins_,
-                   "Hough origin of the octree (default: the model's center)")
-            ->group("Method");
+        origin_option_ = add_points(app, "--origin", origins_,
+                                    "Origin of Hough or dual space (default: the model's center)")
+                             ->group("Method");
+        seed_option_ =
+            add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of a method's random numbers")
+                ->group("Method");
         app.add_option("-o,--output", output_,
                        "Write the lines with their faces: FILE.obj, .ply or .svg")
             ->type_name("FILE")
@@ -109,6 +129,9 @@ public:
             "Exactly one of --from and --direction is needed. Edges are pairs of vertex numbers of "
             "the\n"
             "file, from 0. In an SVG hidden lines are drawn too.\n\n"
+            "Methods:\n" +
+            method_table() +
+            "\n"
             "Examples:\n"
             "  rimline silhouette bunny.obj --from 0.3,0.4,0.5 --json\n"
             "  rimline silhouette shape:knot --direction 1,0.5,1 -o knot.svg");
@@ -116,6 +139,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         const HomogeneousPoint point = point_from_options();
+        check_method_options();
         std::optional<OutputFile> file;
         LineFormat format{};
         if (!output_.empty()) {
@@ -124,12 +148,11 @@ public:
         }
 
         const Mesh mesh = model_.load_mesh(context);
-        const std::optional<glm::vec3> origin =
-            origins_.empty() ? std::nullopt : std::optional(origins_[0]);
-        const Extraction found = about_model(model_.model, [&] {
-            return method_ == "brute" ? extract_by_brute_force(mesh, point)
-                                      : extract_by_octree(mesh, point, origin);
-        });
+        SilhouetteMethodOptions options;
+        options.origins.assign(origins_.begin(), origins_.end());
+        options.seed = seed_;
+        const Extraction found =
+            about_model(model_.model, [&] { return extract_by(*method_, mesh, point, options); });
         context.checkpoint();
 
         const std::vector<FileEdge> edges = in_file_order(mesh, found.edges);
@@ -146,18 +169,32 @@ public:
 
 private:
     void set_method(const std::string& text) {
-        if (std::find(k_methods.begin(), k_methods.end(), text) == k_methods.end())
-            throw CLI::ValidationError("--method", "expected octree or brute, not '" + text + "'");
-        method_ = text;
+        method_ = find_silhouette_method(text);
+        if (method_ == nullptr)
+            throw CLI::ValidationError(
+                "--method", "expected " + method_names([](const auto&) { return true; }) +
+                                ", not '" + text + "'");
     }
 
     HomogeneousPoint point_from_options() const {
         if (from_.has_value() == direction_.has_value())
             throw UsageError("exactly one of --from and --direction is needed");
-        if (origins_.size() > 1)
-            throw UsageError("--origin: octrees of several origins are not built; give one");
+        if (from_ && method_->directions_only)
+            throw UsageError("--method " + std::string(method_->name) +
+                             ": takes directions only; give --direction, not --from");
         return from_ ? HomogeneousPoint::viewpoint(*from_)
                      : HomogeneousPoint::direction(*direction_);
+    }
+
+    void check_method_options() const {
+        if (origin_option_->count() > 0 && !method_->has_origins)
+            throw UsageError("--origin: belongs to --method " +
+                             method_names([](const auto& info) { return info.has_origins; }));
+        if (seed_option_->count() > 0 && !method_->has_seed)
+            throw UsageError("--seed: belongs to --method " +
+                             method_names([](const auto& info) { return info.has_seed; }));
+        if (origins_.size() > 1)
+            throw UsageError("--origin: octrees of several origins are not built; give one");
     }
 
     std::string format_lines(const Mesh& mesh, const HomogeneousPoint& point,
@@ -180,17 +217,19 @@ private:
 
     void print_result(const Mesh& mesh, const Extraction& found,
                       const std::vector<FileEdge>& edges) const {
+        nlohmann::ordered_json counters{{"box_checks", found.counters.box_checks},
+                                        {"face_checks", found.counters.face_checks},
+                                        {"edge_checks", found.counters.edge_checks}};
+        for (const NamedCount& own : found.own_counts) counters[std::string(own.name)] = own.count;
         nlohmann::ordered_json result{{"model", model_.model},
-                                      {"method", method_},
+                                      {"method", method_->name},
                                       {"vertices", mesh.vertex_count()},
                                       {"faces", mesh.face_count()},
                                       {"count", edges.size()},
                                       {"borders", mesh.edges_of_class(EdgeClass::border).size()},
-                                      {"counters",
-                                       {{"box_checks", found.counters.box_checks},
-                                        {"face_checks", found.counters.face_checks},
-                                        {"edge_checks", found.counters.edge_checks}}},
+                                      {"counters", std::move(counters)},
                                       {"ms", found.ms}};
+        if (found.recall) result["recall"] = *found.recall;
         if (!output_.empty()) result["output"] = output_;
         if (!without_edges_) {
             nlohmann::ordered_json& list = result["edges"] = nlohmann::ordered_json::array();
@@ -202,18 +241,26 @@ private:
     void print_summary(const Mesh& mesh, const Extraction& found) const {
         std::printf("%zu silhouette edges of %u, and %u borders\n", found.edges.size(),
                     mesh.edge_count(), mesh.edges_of_class(EdgeClass::border).size());
-        std::printf("  %s: %.3f ms, %llu box, %llu face and %llu edge checks\n", method_.c_str(),
-                    found.ms, static_cast<unsigned long long>(found.counters.box_checks),
+        std::printf("  %s: %.3f ms, %llu box, %llu face and %llu edge checks\n",
+                    std::string(method_->name).c_str(), found.ms,
+                    static_cast<unsigned long long>(found.counters.box_checks),
                     static_cast<unsigned long long>(found.counters.face_checks),
                     static_cast<unsigned long long>(found.counters.edge_checks));
+        for (const NamedCount& own : found.own_counts)
+            std::printf("  %s: %llu\n", std::string(own.name).c_str(),
+                        static_cast<unsigned long long>(own.count));
+        if (found.recall) std::printf("  recall %.4f: this method is not exact\n", *found.recall);
         if (!output_.empty()) std::printf("  written to %s\n", output_.c_str());
     }
 
     ModelArgument model_;
     std::optional<glm::vec3> from_;
     std::optional<glm::vec3> direction_;
-    std::string method_ = "octree";
+    const SilhouetteMethodInfo* method_ = find_silhouette_method("octree");
     std::vector<glm::vec3> origins_;
+    const CLI::Option* origin_option_ = nullptr;
+    std::uint32_t seed_ = 1;
+    const CLI::Option* seed_option_ = nullptr;
     std::string output_;
     bool with_borders_ = false;
     bool without_edges_ = false;

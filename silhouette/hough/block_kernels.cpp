@@ -5,6 +5,26 @@
 #define HWY_DISABLED_TARGETS \
     (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
 
+#ifndef RIMLINE_BLOCK_KERNELS_TABLE
+#define RIMLINE_BLOCK_KERNELS_TABLE
+namespace rimline::kernels {
+
+// The numbers of the set bits, in order, then zeros.
+using SetBits = std::array<std::array<std::uint8_t, k_node_width>, 1u << k_node_width>;
+constexpr SetBits make_set_bits() {
+    SetBits table{};
+    for (std::size_t bits = 0; bits < table.size(); ++bits) {
+        std::size_t count = 0;
+        for (std::uint8_t i = 0; i < k_node_width; ++i)
+            if (bits >> i & 1u) table[bits][count++] = i;
+    }
+    return table;
+}
+alignas(64) inline constexpr SetBits k_set_bits = make_set_bits();
+
+}  // namespace rimline::kernels
+#endif
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "silhouette/hough/block_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -82,25 +102,34 @@ HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 
-// Appends the selected of eight children that begin at `first`.
-template <class M>
-HWY_INLINE std::uint32_t append_children(std::uint32_t first, std::size_t lane, M mask,
-                                         std::uint32_t* out) {
-    const Unsigneds du;
-    const auto children = hn::Iota(du, first + static_cast<std::uint32_t>(lane));
-    hn::StoreU(hn::Compress(children, hn::RebindMask(du, mask)), du, out);
-    return static_cast<std::uint32_t>(hn::CountTrue(du, hn::RebindMask(du, mask)));
+// Which lanes stay when those not in `lanes` are squeezed out. Highway's own Compress would do, but gcc 12
+// copies its table to the stack at every call, which took two thirds of all the time spent here.
+HWY_INLINE hn::Vec<Unsigneds> compressed_lanes(std::uint32_t lanes) {
+    const hn::Rebind<std::uint8_t, Unsigneds> d8;
+    return hn::PromoteTo(Unsigneds(), hn::LoadU(d8, k_set_bits[lanes].data()));
 }
 
-template <class M>
-HWY_INLINE void store_thresholds(const NodeFrames& frames, std::size_t lane,
-                                 const BlockPoint& point, M mask, std::uint32_t at,
-                                 BlockScratch& scratch) {
-    const Ints di;
-    const Thresholds t = make_thresholds(frames, lane, point);
-    const auto chosen = hn::RebindMask(di, mask);
-    hn::StoreU(hn::Compress(t.threshold, chosen), di, scratch.threshold.data() + at);
-    hn::StoreU(hn::Compress(t.margin, chosen), di, scratch.margin.data() + at);
+template <class D>
+HWY_INLINE hn::Vec<D> compressed(D d, hn::Vec<D> vector, hn::Vec<Unsigneds> lanes) {
+    return hn::TableLookupLanes(vector, hn::IndicesFromVec(d, lanes));
+}
+
+// Appends the children of node `n` that `lanes` from `lane` on name; with `frames`, their thresholds too.
+HWY_INLINE std::uint32_t append_children(std::uint32_t n, std::size_t lane, std::uint32_t lanes,
+                                         const NodeFrames* frames, const BlockPoint& point,
+                                         std::uint32_t* out, std::uint32_t end,
+                                         BlockScratch& scratch) {
+    const Unsigneds du;
+    const auto kept = compressed_lanes(lanes);
+    const auto base = static_cast<std::uint32_t>(n * k_node_width + lane);
+    hn::StoreU(hn::Add(kept, hn::Set(du, base)), du, out + end);
+    if (frames != nullptr) {
+        const Ints di;
+        const Thresholds t = make_thresholds(frames[n], lane, point);
+        hn::StoreU(compressed(di, t.threshold, kept), di, scratch.threshold.data() + end);
+        hn::StoreU(compressed(di, t.margin, kept), di, scratch.margin.data() + end);
+    }
+    return end + static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{lanes}));
 }
 
 std::uint32_t FindMixed(const BoxTree& tree, std::span<const NodeFrames> frames,
@@ -128,9 +157,9 @@ std::uint32_t FindMixed(const BoxTree& tree, std::span<const NodeFrames> frames,
             const std::uint32_t n = from[i];
             for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(d)) {
                 const Interval g = test_boxes(level[n], lane, query);
-                const auto mixed = hn::Le(hn::Abs(g.value), g.reach);
-                if (is_last) store_thresholds(frames[n], lane, point, mixed, end, scratch);
-                end += append_children(n * k_node_width, lane, mixed, to + end);
+                const std::uint32_t mixed = lanes_of(d, hn::Le(hn::Abs(g.value), g.reach));
+                end = append_children(n, lane, mixed, is_last ? frames.data() : nullptr, point, to,
+                                      end, scratch);
             }
         }
         count = end;
@@ -174,8 +203,8 @@ std::uint32_t FindChanging(const BoxTree& tree, std::span<const NodeFrames> fram
                 const auto differ = hn::AndNot(
                     mixed, hn::Or(hn::And(hn::Gt(g.value, hn::Zero(d)), hn::Lt(h.value, hn::Zero(d))),
                                   hn::And(hn::Lt(g.value, hn::Zero(d)), hn::Gt(h.value, hn::Zero(d)))));
-                if (is_last) store_thresholds(frames[n], lane, point, mixed, end, scratch);
-                end += append_children(n * k_node_width, lane, mixed, to + end);
+                end = append_children(n, lane, lanes_of(d, mixed),
+                                      is_last ? frames.data() : nullptr, point, to, end, scratch);
                 const auto base = static_cast<std::uint32_t>(n * k_node_width + lane);
                 for (std::uint32_t lanes = lanes_of(d, differ); lanes != 0; lanes &= lanes - 1) {
                     const std::uint32_t child =
@@ -291,13 +320,12 @@ EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
         const EdgeId* const from =
             edges_of_blocks.data() + std::size_t{scratch.found_block[j]} * k_block_size;
         for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(du)) {
-            const auto bits = static_cast<std::uint8_t>(
-                scratch.found_lanes[j] >> lane & ((1u << hn::Lanes(du)) - 1));
-            std::uint8_t bytes[8] = {bits};
-            const auto mask = hn::LoadMaskBits(du, bytes);
-            const auto ids = hn::Load(du, reinterpret_cast<const std::uint32_t*>(from + lane));
-            hn::StoreU(hn::Compress(ids, mask), du, reinterpret_cast<std::uint32_t*>(edges));
-            edges += hn::CountTrue(du, mask);
+            const std::uint32_t lanes =
+                scratch.found_lanes[j] >> lane & ((1u << hn::Lanes(du)) - 1);
+            const auto ids = hn::LoadU(du, reinterpret_cast<const std::uint32_t*>(from + lane));
+            hn::StoreU(compressed(du, ids, compressed_lanes(lanes)), du,
+                       reinterpret_cast<std::uint32_t*>(edges));
+            edges += hwy::PopCount(std::uint64_t{lanes});
         }
     }
     return edges;

@@ -21,12 +21,16 @@ bool is_small_step(const HomogeneousPoint& from, const HomogeneousPoint& to, con
     return step <= k_thick_step * tree.mean_block_radius();
 }
 
-void list_flips(std::uint32_t block, std::uint32_t lanes, std::span<std::uint16_t> bits,
-                std::vector<std::uint32_t>& flipped) {
-    bits[block] = static_cast<std::uint16_t>(bits[block] ^ lanes);
-    for (; lanes != 0; lanes &= lanes - 1)
-        flipped.push_back(block * k_block_size +
-                          static_cast<std::uint32_t>(std::countr_zero(lanes)));
+// Whoever asks for flips will look at the faces next: fetched as they are named, they are there by then.
+std::uint32_t* list_flips(std::uint32_t block, std::uint32_t lanes,
+                          const HoughOctree::PlacedFace* faces, std::uint32_t* out) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const std::uint32_t position =
+            block * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes));
+        __builtin_prefetch(&faces[position]);
+        *out++ = position;
+    }
+    return out;
 }
 
 }  // namespace
@@ -65,7 +69,7 @@ void HoughOctree::decide_faces(const FaceBlocks& blocks, const HomogeneousPoint&
         for (std::uint32_t doubts = scratch.found_doubts[j]; doubts != 0; doubts &= doubts - 1) {
             const auto lane = static_cast<std::uint32_t>(std::countr_zero(doubts));
             const std::uint32_t block = scratch.found_block[j];
-            const FaceId face = faces_[(blocks.first_block + block) * k_block_size + lane];
+            const FaceId face = faces_[(blocks.first_block + block) * k_block_size + lane].face;
             const bool was_front = (bits[block] >> lane & 1u) != 0;
             const bool flips = is_front(mesh_->plane(face), point) != was_front;
             scratch.found_lanes[j] |= std::uint32_t{flips} << lane;
@@ -144,12 +148,14 @@ void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::u
     }
 }
 
-void HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
-                             std::span<std::uint16_t> bits, std::vector<std::uint32_t>& flipped,
-                             TraversalCounters& counters, BlockScratch& scratch) const noexcept {
+std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
+                                    std::span<std::uint16_t> bits,
+                                    std::span<std::uint32_t> flipped, TraversalCounters& counters,
+                                    BlockScratch& scratch) const noexcept {
     RIMLINE_CHECK(bits.size() == block_count());
-    RIMLINE_CHECK(flipped.capacity() - flipped.size() >= faces_.size());
-    if (from == to) return;
+    RIMLINE_CHECK(flipped.size() >= faces_.size());
+    if (from == to) return 0;
+    std::uint32_t* out = flipped.data();
     for (const FaceBlocks& blocks : face_blocks_) {
         if (blocks.planes.empty()) continue;
         const BoxTree& tree = blocks.tree;
@@ -171,17 +177,19 @@ void HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoin
         const std::uint32_t found =
             kernels::test_faces(blocks, seen_from, count, own_bits, scratch);
         decide_faces(blocks, to, own_bits, found, scratch);
+        const auto flip = [&](std::uint32_t block, std::uint32_t lanes) {
+            own_bits[block] = static_cast<std::uint16_t>(own_bits[block] ^ lanes);
+            out = list_flips(blocks.first_block + block, lanes, faces_.data(), out);
+        };
         for (std::uint32_t j = 0; j < found; ++j)
-            list_flips(blocks.first_block + scratch.found_block[j], scratch.found_lanes[j], bits,
-                       flipped);
+            flip(scratch.found_block[j], scratch.found_lanes[j]);
         for (std::uint32_t i = 0; i < certain_count; ++i)
             for (std::uint32_t b = scratch.certain[i].first; b < scratch.certain[i].last; ++b)
-                list_flips(blocks.first_block + b,
-                           b + 1 == blocks.planes.size() ? blocks.last_lanes : 0xffffu, bits,
-                           flipped);
+                flip(b, b + 1 == blocks.planes.size() ? blocks.last_lanes : 0xffffu);
         counters.box_checks += nodes * k_node_width;
         counters.face_checks += std::uint64_t{count} * k_block_size;
     }
+    return static_cast<std::size_t>(out - flipped.data());
 }
 
 }  // namespace rimline

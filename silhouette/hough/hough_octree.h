@@ -100,30 +100,27 @@ public:
     std::uint32_t block_count() const noexcept {
         return static_cast<std::uint32_t>(faces_.size() / k_block_size);
     }
-    /// k_no_face at a position that is not in use.
-    FaceId face_at(std::uint32_t position) const noexcept { return faces_[position]; }
-    /// The edges of the face at a position that have two faces, and the positions of their other faces;
-    /// for those that do not, and for edges to faces without a plane, see below.
-    struct Neighbours {
+    /// What lies at a position, and its edges that have two faces.
+    struct alignas(32) PlacedFace {
+        /// k_no_face at a position that is not in use.
+        FaceId face;
         /// k_no_edge for a border or a non-manifold edge.
         std::array<EdgeId, 3> edges;
-        /// The face's own position beside k_no_edge; beside the edge to a face without a plane,
-        /// block_count() * k_block_size.
-        std::array<std::uint32_t, 3> positions;
+        /// Of the other face of each edge. The own position beside k_no_edge; beside the edge to a face
+        /// without a plane, block_count() * k_block_size.
+        std::array<std::uint32_t, 3> neighbours;
     };
-    const Neighbours& neighbours_of(std::uint32_t position) const noexcept {
-        return neighbours_[position];
-    }
+    const PlacedFace& face_at(std::uint32_t position) const noexcept { return faces_[position]; }
 
     /// Sets `bits`, one word for each block, to the bits seen from `point`.
     void evaluate_faces(const HomogeneousPoint& point, std::span<std::uint16_t> bits,
                         BlockScratch& scratch) const noexcept;
-    /// Appends to `flipped` the positions of the faces whose bits differ between the two points, each
-    /// once, and flips them in `bits`, which must hold the bits seen from `from`. Does not allocate:
-    /// `flipped` must have room for all positions. `counters` is added to.
-    void find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
-                    std::span<std::uint16_t> bits, std::vector<std::uint32_t>& flipped,
-                    TraversalCounters& counters, BlockScratch& scratch) const noexcept;
+    /// Writes to `flipped` the positions of the faces whose bits differ between the two points, each
+    /// once, flips them in `bits`, which must hold the bits seen from `from`, and returns their number.
+    /// `flipped` must have room for all positions. Does not allocate. `counters` is added to.
+    std::size_t find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
+                           std::span<std::uint16_t> bits, std::span<std::uint32_t> flipped,
+                           TraversalCounters& counters, BlockScratch& scratch) const noexcept;
 
     /// What the loops were compiled for, as Highway names it.
     static std::string_view instruction_set();
@@ -146,8 +143,7 @@ private:
     std::vector<glm::dvec3> origins_;
     std::vector<FaceBlocks> face_blocks_;  // One an origin.
     std::vector<EdgeBlocks> edge_blocks_;  // One an origin, then one of the edges always tested.
-    std::vector<FaceId> faces_;            // By position.
-    std::vector<Neighbours> neighbours_;   // By position.
+    std::vector<PlacedFace> faces_;        // By position.
     HoughOctreeStatistics statistics_;
 };
 

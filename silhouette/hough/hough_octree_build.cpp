@@ -172,7 +172,8 @@ private:
         blocks.planes.resize(block_count);
         blocks.frames = make_node_frames(block_count);
         const std::size_t first_position = octree_.faces_.size();
-        octree_.faces_.resize(first_position + std::size_t{block_count} * k_block_size, k_no_face);
+        octree_.faces_.resize(first_position + std::size_t{block_count} * k_block_size,
+                              HoughOctree::PlacedFace{k_no_face, {}, {}});
         std::vector<HoughBounds> bounds(block_count);
         for_each_index(block_count, [&](std::size_t b) {
             const std::size_t begin = b * k_block_size;
@@ -180,7 +181,7 @@ private:
             std::array<PlaneVector, k_block_size> planes;
             for (std::size_t i = begin; i < end; ++i) {
                 const FaceId face = members[order[i]];
-                octree_.faces_[first_position + i] = face;
+                octree_.faces_[first_position + i].face = face;
                 position_[index(face)] = size32(first_position + i);
                 bounds[b].include(points[order[i]]);
                 planes[i - begin] = blocks.space.vector_of(mesh_.plane(face));
@@ -311,22 +312,20 @@ private:
     void link_neighbours() {
         const std::uint32_t position_count = size32(octree_.faces_.size());
         const std::uint32_t two_faced = mesh_.edges_of_class(EdgeClass::inconsistent).last;
-        octree_.neighbours_.resize(position_count);
         for_each_index(position_count, [&](std::size_t i) {
-            HoughOctree::Neighbours& neighbours = octree_.neighbours_[i];
-            neighbours.edges.fill(k_no_edge);
-            neighbours.positions.fill(size32(i));
-            const FaceId face = octree_.faces_[i];
-            if (face == k_no_face) return;
+            HoughOctree::PlacedFace& placed = octree_.faces_[i];
+            placed.edges.fill(k_no_edge);
+            placed.neighbours.fill(size32(i));
+            if (placed.face == k_no_face) return;
             for (std::size_t k = 0; k < 3; ++k) {
-                const EdgeId edge = mesh_.edges_of(face)[k];
+                const EdgeId edge = mesh_.edges_of(placed.face)[k];
                 if (index(edge) >= two_faced) continue;
                 const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
-                const FaceId other = faces[0] == face ? faces[1] : faces[0];
-                neighbours.edges[k] = edge;
-                neighbours.positions[k] = position_[index(other)] == k_no_position
-                                              ? position_count
-                                              : position_[index(other)];
+                const FaceId other = faces[0] == placed.face ? faces[1] : faces[0];
+                placed.edges[k] = edge;
+                placed.neighbours[k] = position_[index(other)] == k_no_position
+                                           ? position_count
+                                           : position_[index(other)];
             }
         });
     }
@@ -351,7 +350,7 @@ private:
             statistics.size_bytes +=
                 bytes(blocks.frames) + bytes(blocks.planes) + bytes(blocks.edges);
         }
-        statistics.size_bytes += bytes(octree_.faces_) + bytes(octree_.neighbours_);
+        statistics.size_bytes += bytes(octree_.faces_);
         statistics.nonmanifold_edges = mesh_.edges_of_class(EdgeClass::nonmanifold).size();
     }
 

@@ -6,7 +6,7 @@
 // Edges that join take the slots of those that left; what is still open below the new end is filled from
 // the tail, so each slot is written at most once a move.
 //
-//     begin_move   flip_face ...   end_faces   toggle_edges or replace_edges   end_move
+//     begin_move   flip_faces ...   end_faces   toggle_edges or replace_edges   end_move
 //
 // Nothing allocates after construction: everything is reserved for the greatest move there can be, up to
 // 30 bytes an edge and 5 a face, most of it untouched until such a move comes.
@@ -33,7 +33,8 @@ public:
 
     void begin_move() noexcept;
     /// Each face at most once a move.
-    void flip_face(FaceId face) noexcept;
+    void flip_faces(std::span<const FaceId> faces) noexcept;
+    void flip_face(FaceId face) noexcept { flip_faces({&face, 1}); }
     /// After the last face: makes the face words final.
     void end_faces() noexcept;
     /// Regular and inconsistent edges of which one face flipped and the other did not, each once;
@@ -46,12 +47,11 @@ public:
 
     const Mesh& mesh() const noexcept { return *mesh_; }
     const ChangeSet& change_set() const noexcept { return changes_; }
-    std::span<const EdgeId> slots() const noexcept { return slots_; }
+    std::span<const EdgeId> slots() const noexcept { return std::span(slots_).first(slot_count_); }
     std::span<const std::uint32_t> face_words() const noexcept { return face_words_; }
 
 private:
-    void add(EdgeId edge) noexcept;
-    void remove(EdgeId edge, std::uint32_t slot) noexcept;
+    void toggle(std::span<const EdgeId> edges) noexcept;
     void reexamine_nonmanifold() noexcept;
     void fill_slots() noexcept;
     void write_slot(std::uint32_t slot, EdgeId edge) noexcept;
@@ -59,16 +59,24 @@ private:
     const Mesh* mesh_;
     ChangeSet changes_;
     std::vector<std::uint32_t> face_words_;
-    std::vector<EdgeId> slots_;
+    std::vector<EdgeId> slots_;  // One more than there can be, for what leaves no slot.
+    std::uint32_t slot_count_ = 0;
     std::vector<std::uint32_t> slot_of_;  // By edge; k_no_slot when not on the silhouette.
 
-    // What the change set's spans show.
+    // What the change set's spans show: as long as a move can make them, and one more, because what may
+    // or may not count is stored first. (Asking first is a branch taken at random.)
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> added_;
     std::vector<EdgeId> removed_;
     std::vector<std::uint32_t> removed_slots_;  // Where removed_[i] was.
     std::vector<SlotWrite> slot_writes_;
     std::vector<WordWrite> word_writes_;
+    std::uint32_t flipped_count_ = 0;
+    std::uint32_t added_count_ = 0;
+    std::uint32_t removed_count_ = 0;
+    std::uint32_t slot_write_count_ = 0;
+    std::uint32_t word_count_ = 0;
+
     std::vector<std::uint32_t> word_flips_;   // By word; all zero between moves.
     std::vector<std::uint8_t> slot_is_kept_;  // By slot; all zero between moves.
 };

@@ -6,8 +6,6 @@ namespace rimline {
 
 namespace {
 
-constexpr std::size_t k_prefetch_ahead = 12;
-
 // Time in the unit of one edge of a flipped face looked at, as measured: an edge among sixteen of a
 // block, a box among eight, an edge of the silhouette written and compared.
 std::uint64_t cost_of_extraction(const TraversalCounters& work, std::size_t silhouette_size) {
@@ -28,14 +26,15 @@ SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
     for (std::uint32_t b = 0; b < bits_.size(); ++b) {
         for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
             const FaceId face = octree_->face_at(
-                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes)));
+                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes))).face;
             face_words[index(face) / 32] |= 1u << (index(face) % 32);
         }
     }
     construction_counters_.face_checks = std::uint64_t{octree_->block_count()} * k_block_size;
 
     flips_.assign(octree_->block_count() + 1, 0);
-    flipped_positions_.reserve(std::size_t{octree_->block_count()} * k_block_size);
+    positions_.resize(std::size_t{octree_->block_count()} * k_block_size);
+    flipped_.reserve(m.face_count());
     const std::uint32_t edge_count = m.edges_of_class(EdgeClass::border).first;
     toggled_.resize(edge_count + 1);
     extracted_.reserve(edge_count + HoughOctree::k_extraction_slack);
@@ -47,14 +46,16 @@ SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
 const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexcept {
     RIMLINE_CHECK(point.is_valid());
     TraversalCounters counters;
-    flipped_positions_.clear();
-    octree_->find_flips(this->point(), point, bits_, flipped_positions_, counters, scratch_);
+    const auto positions = std::span<const std::uint32_t>(positions_).first(
+        octree_->find_flips(this->point(), point, bits_, positions_, counters, scratch_));
     record_.begin_move();
-    for (const std::uint32_t position : flipped_positions_)
-        record_.flip_face(octree_->face_at(position));
+    flipped_.clear();
+    for (const std::uint32_t position : positions)
+        flipped_.push_back(octree_->face_at(position).face);
+    record_.flip_faces(flipped_);
     record_.end_faces();
 
-    const std::uint64_t cost_of_update = 3 * flipped_positions_.size();
+    const std::uint64_t cost_of_update = 3 * positions.size();
     was_extracted_ =
         cost_of_update > cost_of_extraction(extraction_counters_, record_.slots().size());
     if (was_extracted_) {
@@ -63,33 +64,30 @@ const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexc
         counters += extraction_counters_;
         record_.replace_edges(extracted_);
     } else {
-        toggle_edges(counters);
+        toggle_edges(positions, counters);
     }
     return record_.end_move(point, counters);
 }
 
 // An edge changes when one of its faces flips and the other does not. Results are stored before it is
 // known whether they count: a branch would be taken at random.
-void SilhouetteTracker::toggle_edges(TraversalCounters& counters) noexcept {
-    for (const std::uint32_t position : flipped_positions_) {
+void SilhouetteTracker::toggle_edges(std::span<const std::uint32_t> positions,
+                                     TraversalCounters& counters) noexcept {
+    for (const std::uint32_t position : positions) {
         std::uint16_t& flips = flips_[position / k_block_size];
         flips = static_cast<std::uint16_t>(flips | 1u << (position % k_block_size));
     }
     std::size_t count = 0;
-    const std::size_t flip_count = flipped_positions_.size();
-    for (std::size_t i = 0; i < flip_count; ++i) {
-        if (i + k_prefetch_ahead < flip_count)
-            __builtin_prefetch(&octree_->neighbours_of(flipped_positions_[i + k_prefetch_ahead]));
-        const HoughOctree::Neighbours& neighbours =
-            octree_->neighbours_of(flipped_positions_[i]);
+    for (const std::uint32_t position : positions) {
+        const HoughOctree::PlacedFace& placed = octree_->face_at(position);
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t other = neighbours.positions[k];
-            toggled_[count] = neighbours.edges[k];
+            const std::uint32_t other = placed.neighbours[k];
+            toggled_[count] = placed.edges[k];
             count += (flips_[other / k_block_size] >> (other % k_block_size) & 1u) == 0;
         }
     }
-    for (const std::uint32_t position : flipped_positions_) flips_[position / k_block_size] = 0;
-    counters.edge_checks += 3 * flip_count;
+    for (const std::uint32_t position : positions) flips_[position / k_block_size] = 0;
+    counters.edge_checks += 3 * positions.size();
     record_.toggle_edges(std::span(toggled_).first(count));
 }
 

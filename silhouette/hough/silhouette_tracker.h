@@ -54,7 +54,8 @@ public:
 
 private:
     SilhouetteRecord make_record(const HomogeneousPoint& point);
-    void toggle_edges(TraversalCounters& counters) noexcept;
+    void toggle_edges(std::span<const std::uint32_t> positions,
+                      TraversalCounters& counters) noexcept;
 
     const HoughOctree* octree_;
     BlockScratch scratch_;
@@ -62,7 +63,8 @@ private:
     TraversalCounters extraction_counters_;  // Of the last extraction: what the next one would cost.
     std::vector<std::uint16_t> bits_;        // By block of the octree.
     std::vector<std::uint16_t> flips_;  // By block, one more than there are; zero between moves.
-    std::vector<std::uint32_t> flipped_positions_;
+    std::vector<std::uint32_t> positions_;  // Of what flipped; room for all.
+    std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
     std::vector<EdgeId> toggled_;  // One more than the most there can be.
     SilhouetteRecord record_;

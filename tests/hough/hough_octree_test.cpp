@@ -116,13 +116,12 @@ TEST_CASE("find_flips names exactly the faces whose bits differ") {
             const HomogeneousPoint to = probes.next();
             std::vector<std::uint16_t> bits(octree.block_count());
             octree.evaluate_faces(from, bits, scratch);
-            std::vector<std::uint32_t> positions;
-            positions.reserve(octree.block_count() * k_block_size);
+            std::vector<std::uint32_t> positions(octree.block_count() * k_block_size);
             TraversalCounters counters;
-            octree.find_flips(from, to, bits, positions, counters, scratch);
+            positions.resize(octree.find_flips(from, to, bits, positions, counters, scratch));
             std::vector<FaceId> flipped;
             for (const std::uint32_t position : positions)
-                flipped.push_back(octree.face_at(position));
+                flipped.push_back(octree.face_at(position).face);
             std::vector<FaceId> expected;
             for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
                 if (is_front(mesh.plane(FaceId{f}), from) != is_front(mesh.plane(FaceId{f}), to))

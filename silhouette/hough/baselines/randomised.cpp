@@ -37,7 +37,12 @@ Randomised::Randomised(const Mesh& mesh, std::uint64_t seed)
     std::vector<double> angles(edge_count);
     for (std::uint32_t e = 0; e < edge_count; ++e) angles[e] = angle_of(mesh, EdgeId{e});
     edges_by_angle_ = AliasTable(angles);
-    tested_in_.assign(edge_count, 0);
+    edges_.reserve(edge_count);
+    for (std::uint32_t e = 0; e < edge_count; ++e) {
+        const std::span<const FaceId> faces = mesh.faces_of(EdgeId{e});
+        edges_.push_back(
+            {{mesh.plane(faces[0]), mesh.plane(faces[1])}, 0, mesh.edge_class(EdgeId{e})});
+    }
 
     vertex_begin_.assign(std::size_t{mesh.vertex_count()} + 1, 0);
     for (std::uint32_t e = 0; e < edge_count; ++e)
@@ -51,20 +56,27 @@ Randomised::Randomised(const Mesh& mesh, std::uint64_t seed)
             vertex_edges_[next[index(vertex)]++] = EdgeId{e};
 }
 
-bool Randomised::is_on_silhouette_from(EdgeId edge, const HomogeneousPoint& point) const {
-    const std::span<const FaceId> faces = mesh_->faces_of(edge);
-    const bool first = is_front(mesh_->plane(faces[0]), point);
-    const bool differ = std::any_of(faces.begin() + 1, faces.end(), [&](FaceId face) {
-        return is_front(mesh_->plane(face), point) != first;
-    });
-    return differ != (mesh_->edge_class(edge) == EdgeClass::inconsistent);
+bool Randomised::is_on_silhouette_from(EdgeId edge, const HomogeneousPoint& point) {
+    const EdgeToTest& tested = edges_[index(edge)];
+    const bool first = is_front(tested.planes[0], point);
+    const bool differ = is_front(tested.planes[1], point) != first;
+    work_.face_checks += 2;
+    switch (tested.edge_class) {
+        case EdgeClass::regular: return differ;
+        case EdgeClass::inconsistent: return !differ;
+        default: break;
+    }
+    if (differ) return true;
+    const std::span<const FaceId> others = mesh_->faces_of(edge).subspan(2);
+    work_.face_checks += others.size();
+    return std::any_of(others.begin(), others.end(),
+                       [&](FaceId face) { return is_front(mesh_->plane(face), point) != first; });
 }
 
 bool Randomised::test(EdgeId edge, const HomogeneousPoint& point) {
-    if (tested_in_[index(edge)] == call_) return false;
-    tested_in_[index(edge)] = call_;
+    if (edges_[index(edge)].tested_in == call_) return false;
+    edges_[index(edge)].tested_in = call_;
     ++work_.edge_checks;
-    work_.face_checks += mesh_->faces_of(edge).size();
     if (!is_on_silhouette_from(edge, point)) return false;
     found_.push_back(edge);
     return true;
@@ -72,7 +84,7 @@ bool Randomised::test(EdgeId edge, const HomogeneousPoint& point) {
 
 void Randomised::begin_call() {
     if (++call_ == 0) {  // Calls have wrapped: old marks would look new.
-        std::fill(tested_in_.begin(), tested_in_.end(), 0u);
+        for (EdgeToTest& edge : edges_) edge.tested_in = 0;
         call_ = 1;
     }
     previous_.swap(found_);

@@ -16,6 +16,8 @@
 // Inconsistent and non-manifold edges take part like all others. The same for the same seed and calls,
 // on every machine; extract() always starts from the seed.
 
+#include <array>
+
 #include "silhouette/hough/baselines/alias_table.h"
 #include "silhouette/hough/baselines/silhouette_method.h"
 
@@ -35,7 +37,7 @@ public:
     std::vector<NamedCount> own_counts() const override;
 
 private:
-    bool is_on_silhouette_from(EdgeId edge, const HomogeneousPoint& point) const;
+    bool is_on_silhouette_from(EdgeId edge, const HomogeneousPoint& point);
     // False too when it was tested before in this call.
     bool test(EdgeId edge, const HomogeneousPoint& point);
     void begin_call();
@@ -53,7 +55,13 @@ private:
     std::vector<std::uint32_t> vertex_begin_;
     std::vector<EdgeId> vertex_edges_;  // Of vertex v: [vertex_begin_[v], vertex_begin_[v + 1]).
 
-    std::vector<std::uint32_t> tested_in_;  // By edge, the call that tested it last.
+    // By edge, borders excepted: all that a test of most edges needs, in one place.
+    struct EdgeToTest {
+        std::array<Plane, 2> planes;  // Of the first two faces.
+        std::uint32_t tested_in;      // The call that tested it last.
+        EdgeClass edge_class;
+    };
+    std::vector<EdgeToTest> edges_;
     std::uint32_t call_ = 0;
     std::vector<EdgeId> found_;  // In this call; those before traced_ have been traced.
     std::size_t traced_ = 0;

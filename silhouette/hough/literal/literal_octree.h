@@ -12,8 +12,9 @@
 //   3.4.1  Static extraction. A subtree whose PBV is outside the v-sphere, or whose EBV is inside,
 //          has no silhouette edge of its own: an edge is found from the one of its points that is
 //          inside, so it is found once. "Recursion stops when the size of the node is sufficiently
-//          small" is read as: a leaf of one point has no boxes to test. So read, the box checks an edge
-//          come out as in Table 4.2 (bunny 5.8, as there), with leaves' boxes about twice as many.
+//          small" is read as: a leaf of one point has no boxes to ask. So read, boxes an edge found are
+//          those of Table 4.2's single origin (bunny 5.5, there 5.8; igea 4.7, there 5.1; radii 1 to
+//          3); with the boxes of such leaves they are about twice as many.
 //
 // Where the text is exact, this is certain: a box settles what v_sphere.h can prove, is_front the rest.
 // So every result equals brute force bit for bit, planes through the origin included: their boxes hold

@@ -13,21 +13,32 @@
 //                    previous v-sphere, to neighbours whose OBV may meet the region, and within them
 //                    as above. Those that may meet the new v-sphere are the next active set.
 //
-// Why the walk misses nothing. Let Z be the thin shell around each v-sphere where a bit is uncertain,
-// and A the region with both shells. Every face that turns has its point in A. Each connected part of A
-// reaches the previous v-sphere's shell: move a point towards the origin or away from it, as it lies
-// outside or inside the previous v-sphere, and it meets that v-sphere before it leaves A, because a ray
-// from the origin is inside a v-sphere up to one place and outside from there. (Where it never does, on
-// rays that stay inside a half-space for ever, A reaches the plane far away.) A path within A from a
-// face's point to the shell crosses tiles that meet A, each beside the next. If it stays within the
-// root, its end is in a tile of the active set; if not, it leaves through a tile at the root's boundary.
-// So the walk starts from both: the active set, and the tiles at the boundary that meet A, which are
-// found from the root by their OBVs. They lie along curves, and are few.
+// Why the walk misses nothing. Let Z be the thin shell around a v-sphere where bits are uncertain, and A
+// the active region with the shells of both v-spheres. Every face that turns has its point in A. From
+// any point of A a path within A leads to the previous v-sphere's shell: along the ray from the origin,
+// inwards if the point is outside the previous v-sphere, outwards if inside, since every such ray is
+// inside a v-sphere up to one place and outside from there on. (A point in the new v-sphere's shell moves
+// to that v-sphere first. Where the place is infinitely far, the v-sphere is the plane of a direction,
+// and the path goes around to it far out, or into the origin, which lies on both.) The path crosses
+// tiles that meet A, each beside the next. If it stays within the root, it ends in a tile of the active
+// set; if not, it leaves through a tile at the root's boundary. So the walk starts from both: from the
+// active set, and from the tiles at the boundary that meet A, which are found from the root by their
+// OBVs. Those lie along curves and are few.
 //
-// The text starts from the active set alone, tests PBVs, and has no empty octants. What it loses is shown
-// by `incremental_as_written`: where parts of the v-sphere meet only empty octants, as near the origin of
-// most meshes; where a v-sphere enters the root from outside; when the active set is empty, from then on
-// everything. It is there to be counted. Its silhouettes are not right.
+// The text starts from the active set alone, tests PBVs, and knows no empty octants. What it loses is
+// shown by `incremental_as_written`: whatever is reached only across empty octants, such as those around
+// the origin of a sphere; what enters the root from outside; and everything, from then on, once the
+// active set is empty. It is there to be counted. Its silhouettes are not right.
+//
+// What the walk costs. It is meant to spare the nodes near the root, but PBVs make those few. Boxes a
+// move on the bunny (69k faces, radius 2, steps of 1°):
+//
+//     faces a leaf    full traversal    as written    walk
+//           1              2,957           3,496     10,693
+//          32              1,493           1,510      1,680
+//
+// Of the walk's 9,700 octants 2,671 are empty ones that it has to cross, and 4,141 are beside the region.
+// Going on only to the facing side of a divided neighbour saved 4% of them.
 
 #include <cstdint>
 #include <span>

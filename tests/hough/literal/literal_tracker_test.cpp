@@ -183,8 +183,7 @@ TEST_CASE("what a small step looks at is a small part of the mesh") {
     }
 }
 
-// What the walk is for: the boxes above the active-set candidates are not asked. What it costs: the
-// octants along the v-sphere are, those of empty tiles most of all.
+// The walk is to spare the PBVs above the active-set candidates. It pays with octants along the v-sphere.
 TEST_CASE("a walk asks fewer PBVs than a traversal, and OBVs instead") {
     const Mesh mesh(make_built_in_shape("knot", 40000));
     const LiteralOctree octree(mesh);

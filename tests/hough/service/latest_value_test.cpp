@@ -5,7 +5,9 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <thread>
+#include <utility>
 
 namespace rimline {
 namespace {
@@ -28,11 +30,54 @@ TEST_CASE("what was stored last is taken once") {
     CHECK(value == 4);
 }
 
+// A value that lets something else happen when half of it is copied.
+struct Interrupted {
+    int first = 0;
+    int second = 0;
+    static inline std::function<void()> interruption;
+
+    Interrupted() = default;
+    explicit Interrupted(int value) : first(value), second(value) {}
+    Interrupted& operator=(const Interrupted& other) noexcept {
+        first = other.first;
+        if (interruption) std::exchange(interruption, nullptr)();
+        second = other.second;
+        return *this;
+    }
+};
+
+TEST_CASE(
+    "neither a stop half way through reading nor one half way through writing is in the way") {
+    for (int before = 1; before <= 4; ++before) {
+        CAPTURE(before);
+        LatestValue<Interrupted> box;
+        for (int i = 1; i <= before; ++i) box.store(Interrupted(i));
+        Interrupted value;
+        Interrupted::interruption = [&] {
+            for (int i = 11; i <= 15; ++i) box.store(Interrupted(i));
+        };
+        REQUIRE(box.take(value));
+        CHECK(value.first == before);
+        CHECK(value.second == before);
+
+        Interrupted::interruption = [&] {
+            Interrupted meanwhile;
+            CHECK(box.take(meanwhile));
+            CHECK(meanwhile.first == 15);
+            CHECK(meanwhile.second == 15);
+            CHECK(!box.take(meanwhile));
+        };
+        CHECK(!box.store(Interrupted(16)));
+        REQUIRE(box.take(value));
+        CHECK(value.first == 16);
+        CHECK(value.second == 16);
+    }
+}
+
 TEST_CASE("a reader meets no half of a value and nothing older than what it has seen") {
-    // Large, so that reading takes as long as several writes of a writer in the wrong place.
-    using Wide = std::array<std::uint64_t, 256>;
+    using Wide = std::array<std::uint64_t, 16>;
     LatestValue<Wide> box;
-    const std::uint64_t last = 40'000;
+    const std::uint64_t last = 100'000;
     std::uint64_t superseded = 0;
     std::atomic<std::uint64_t> seen{0};
     std::thread writer([&] {

@@ -1,0 +1,32 @@
+#pragma once
+
+// What a frame costs a consumer of change sets that holds slots and face words in its own memory: a GPU
+// behind a bus, a program behind a socket.
+
+#include <algorithm>
+#include <cstdint>
+#include <cstddef>
+
+#include "silhouette/hough/change_set.h"
+
+namespace rimline::tools {
+
+struct StreamBytes {
+    std::uint64_t streamed = 0;  ///< The change set's writes, or the whole state where that is less.
+    std::uint64_t full = 0;      ///< The whole state: the edges in use and all words of face bits.
+
+    StreamBytes& operator+=(const StreamBytes& other) noexcept {
+        streamed += other.streamed;
+        full += other.full;
+        return *this;
+    }
+};
+
+inline StreamBytes stream_bytes(const ChangeSet& change, std::size_t face_words) noexcept {
+    const std::uint64_t full =
+        sizeof(EdgeId) * std::uint64_t{change.silhouette_size} + sizeof(std::uint32_t) * face_words;
+    const std::uint64_t writes = change.slots.size_bytes() + change.words.size_bytes();
+    return {std::min(writes, full), full};
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,75 @@
+"""Times VTK's vtkPolyDataSilhouette for `rimline bench hough`.
+
+Reads a mesh and viewpoints from standard input, as little-endian numbers:
+
+    uint64 vertices, triangles, points, rounds
+    float32 x, y, z      for each vertex
+    uint32  a, b, c      for each triangle
+    float64 x, y, z      for each point to look from
+
+and prints one JSON object: VTK's version, and for each point the microseconds of the filter's update,
+the least of all rounds, and the number of lines that came out. The edge table, which the filter makes
+once a mesh, is not among the times; neither is anything of Python but the call. Ends with status 77 when
+VTK is not installed for this Python.
+"""
+
+import array
+import json
+import sys
+import time
+
+try:
+    from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIdTypeArray, vtkPoints, vtkVersion
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+    from vtkmodules.vtkFiltersHybrid import vtkPolyDataSilhouette
+    import vtkmodules.vtkRenderingCore  # The filter's camera, which it has even when it is not used.
+except ImportError:
+    sys.exit(77)
+
+
+def read(type_code, count):
+    numbers = array.array(type_code)
+    numbers.frombytes(sys.stdin.buffer.read(count * numbers.itemsize))
+    if len(numbers) != count:
+        sys.exit("vtk_silhouette.py: standard input ends early")
+    return numbers
+
+
+vertex_count, triangle_count, point_count, rounds = read("Q", 4)
+positions = read("f", 3 * vertex_count)
+corners = read("I", 3 * triangle_count)
+viewpoints = read("d", 3 * point_count)
+
+coordinates = vtkFloatArray()
+coordinates.SetNumberOfComponents(3)
+coordinates.SetVoidArray(positions, len(positions), 1)  # Not copied; `positions` lives to the end.
+points = vtkPoints()
+points.SetData(coordinates)
+
+cells = vtkCellArray()
+cells.AllocateExact(triangle_count, len(corners))
+for first in range(0, len(corners), 3):
+    cells.InsertNextCell(3, corners[first : first + 3])
+mesh = vtkPolyData()
+mesh.SetPoints(points)
+mesh.SetPolys(cells)
+
+silhouette = vtkPolyDataSilhouette()
+silhouette.SetInputData(mesh)
+silhouette.SetDirectionToSpecifiedOrigin()
+silhouette.SetEnableFeatureAngle(0)  # Silhouettes alone: no creases, no borders.
+silhouette.SetBorderEdges(0)
+silhouette.SetOrigin(0.0, 0.0, 0.0)
+silhouette.Update()  # Makes the edge table.
+
+times_us = [float("inf")] * point_count
+lines = [0] * point_count
+for _ in range(rounds):
+    for i in range(point_count):
+        silhouette.SetOrigin(viewpoints[3 * i], viewpoints[3 * i + 1], viewpoints[3 * i + 2])
+        start = time.perf_counter()
+        silhouette.Update()
+        times_us[i] = min(times_us[i], 1e6 * (time.perf_counter() - start))
+        lines[i] = silhouette.GetOutput().GetNumberOfLines()
+
+print(json.dumps({"version": vtkVersion.GetVTKVersion(), "us": times_us, "lines": lines}))
