@@ -18,10 +18,11 @@ SilhouetteRecord FreshTracker::make_record(const HomogeneousPoint& point) {
     for (std::uint32_t b = 0; b < bits_.size(); ++b) {
         for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
             const FaceId face = octree_->face_at(
-                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes)));
+                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes))).face;
             words[index(face) / 32] |= 1u << (index(face) % 32);
         }
     }
+    flipped_.reserve(mesh.face_count());
     extracted_.reserve(mesh.edge_count() + HoughOctree::k_extraction_slack);
     TraversalCounters counters;
     octree_->extract(point, extracted_, counters, scratch_);
@@ -32,14 +33,15 @@ const ChangeSet& FreshTracker::move_to(const HomogeneousPoint& point) {
     TraversalCounters counters;
     counters.face_checks = std::uint64_t{octree_->block_count()} * k_block_size;
     octree_->evaluate_faces(point, new_bits_, scratch_);
-    record_.begin_move();
-    for (std::uint32_t b = 0; b < bits_.size(); ++b) {
+    flipped_.clear();
+    for (std::uint32_t b = 0; b < bits_.size(); ++b)
         for (std::uint32_t flips = static_cast<std::uint32_t>(bits_[b] ^ new_bits_[b]); flips != 0;
              flips &= flips - 1)
-            record_.flip_face(octree_->face_at(
-                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(flips))));
-    }
+            flipped_.push_back(octree_->face_at(
+                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(flips))).face);
     bits_.swap(new_bits_);
+    record_.begin_move();
+    record_.flip_faces(flipped_);
     record_.end_faces();
     octree_->extract(point, extracted_, counters, scratch_);
     record_.replace_edges(extracted_);

@@ -34,6 +34,7 @@ private:
     BlockScratch scratch_;
     std::vector<std::uint16_t> bits_;      // By block of the octree.
     std::vector<std::uint16_t> new_bits_;  // Of the point moved to.
+    std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
     SilhouetteRecord record_;
 };

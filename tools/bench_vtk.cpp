@@ -30,9 +30,9 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-template <typename T>
-bool write(std::FILE* file, std::span<const T> values) {
-    return std::fwrite(values.data(), sizeof(T), values.size(), file) == values.size();
+template <typename Values>
+bool write(std::FILE* file, const Values& values) {
+    return std::fwrite(values.data(), sizeof(*values.data()), values.size(), file) == values.size();
 }
 
 // What the script reads, in a file without a name. Null where there is no room for it.
@@ -45,10 +45,10 @@ File script_input(const Mesh& mesh, std::span<const HomogeneousPoint> points,
         viewpoints.insert(viewpoints.end(), {double{point.x}, double{point.y}, double{point.z}});
     const std::array<std::uint64_t, 4> counts{mesh.vertex_count(), mesh.face_count(), points.size(),
                                               rounds};
-    const bool written = write(file.get(), std::span(counts)) &&
+    const bool written = write(file.get(), counts) &&
                          write(file.get(), mesh.positions()) &&
                          write(file.get(), mesh.triangles()) &&
-                         write(file.get(), std::span(viewpoints)) && std::fflush(file.get()) == 0;
+                         write(file.get(), viewpoints) && std::fflush(file.get()) == 0;
     return written ? std::move(file) : nullptr;
 }
 

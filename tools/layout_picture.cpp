@@ -108,7 +108,7 @@ LayoutPicture picture_layout(const HoughOctree& octree, double radii, double ang
     std::vector<HoughBounds> bounds((faces + k_block_size - 1) / k_block_size);
     for (std::uint32_t block = 0; block < bounds.size(); ++block) {
         for (std::uint32_t lane = 0; lane < k_block_size; ++lane) {
-            const FaceId face = octree.face_at(block * k_block_size + lane);
+            const FaceId face = octree.face_at(block * k_block_size + lane).face;
             if (face == k_no_face) continue;
             const HoughPoint point = hough_point(mesh.plane(face), origin);
             bounds[block].include(point);

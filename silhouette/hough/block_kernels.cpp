@@ -94,11 +94,10 @@ HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane
         value = hn::Add(value, hn::Mul(hn::Load(d, frames.center[i] + lane),
                                        hn::Set(d, point.scaled[static_cast<std::size_t>(i)])));
     const auto limit = hn::Set(d, k_block_threshold_limit);
-    const auto threshold =
-        hn::Min(hn::Max(hn::Mul(value, inverse), hn::Neg(limit)), limit);
-    const auto margin = hn::Min(hn::Add(hn::Mul(inverse, hn::Set(d, point.spread)),
-                                        hn::Set(d, k_block_margin)),
-                                hn::Set(d, 2.1e9f));
+    const auto threshold = hn::Min(hn::Max(hn::Mul(value, inverse), hn::Neg(limit)), limit);
+    const auto margin =
+        hn::Min(hn::Add(hn::Mul(inverse, hn::Set(d, point.spread)), hn::Set(d, k_block_margin)),
+                hn::Set(d, 2.1e9f));
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 
@@ -198,20 +197,21 @@ std::uint32_t FindChanging(const BoxTree& tree, std::span<const NodeFrames> fram
                 const Interval g = test_boxes(level[n], lane, from_query);
                 const Interval h = test_boxes(level[n], lane, to_query);
                 // NaN lanes are neither.
-                const auto mixed = hn::Or(hn::Le(hn::Abs(g.value), g.reach),
-                                          hn::Le(hn::Abs(h.value), h.reach));
+                const auto mixed =
+                    hn::Or(hn::Le(hn::Abs(g.value), g.reach), hn::Le(hn::Abs(h.value), h.reach));
                 const auto differ = hn::AndNot(
-                    mixed, hn::Or(hn::And(hn::Gt(g.value, hn::Zero(d)), hn::Lt(h.value, hn::Zero(d))),
-                                  hn::And(hn::Lt(g.value, hn::Zero(d)), hn::Gt(h.value, hn::Zero(d)))));
+                    mixed,
+                    hn::Or(hn::And(hn::Gt(g.value, hn::Zero(d)), hn::Lt(h.value, hn::Zero(d))),
+                           hn::And(hn::Lt(g.value, hn::Zero(d)), hn::Gt(h.value, hn::Zero(d)))));
                 end = append_children(n, lane, lanes_of(d, mixed),
                                       is_last ? frames.data() : nullptr, point, to, end, scratch);
                 const auto base = static_cast<std::uint32_t>(n * k_node_width + lane);
                 for (std::uint32_t lanes = lanes_of(d, differ); lanes != 0; lanes &= lanes - 1) {
                     const std::uint32_t child =
-                        base + static_cast<std::uint32_t>(
-                                   hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
-                    scratch.certain[certain_count++] = {child * span,
-                                                HWY_MIN((child + 1) * span, tree.block_count())};
+                        base +
+                        static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+                    scratch.certain[certain_count++] = {
+                        child * span, HWY_MIN((child + 1) * span, tree.block_count())};
                 }
             }
         }
@@ -224,8 +224,7 @@ std::uint32_t TakeAll(std::span<const NodeFrames> frames, std::uint32_t block_co
                       const BlockPoint& point, BlockScratch& scratch) {
     const Ints di;
     for (std::uint32_t b = 0; b < block_count; b += static_cast<std::uint32_t>(hn::Lanes(di))) {
-        const Thresholds t =
-            make_thresholds(frames[b / k_node_width], b % k_node_width, point);
+        const Thresholds t = make_thresholds(frames[b / k_node_width], b % k_node_width, point);
         hn::StoreU(t.threshold, di, scratch.threshold.data() + b);
         hn::StoreU(t.margin, di, scratch.margin.data() + b);
     }
@@ -314,9 +313,8 @@ EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
     const Unsigneds du;
     for (std::uint32_t j = 0; j < count; ++j) {
         if (j + k_prefetch_ahead < count)
-            hwy::Prefetch(
-                &edges_of_blocks[std::size_t{scratch.found_block[j + k_prefetch_ahead]} *
-                                 k_block_size]);
+            hwy::Prefetch(&edges_of_blocks[std::size_t{scratch.found_block[j + k_prefetch_ahead]} *
+                                           k_block_size]);
         const EdgeId* const from =
             edges_of_blocks.data() + std::size_t{scratch.found_block[j]} * k_block_size;
         for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(du)) {
@@ -388,8 +386,8 @@ std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> fra
                             const BoxQuery& from, const BoxQuery& to, const BlockPoint& point,
                             BlockScratch& scratch, std::uint32_t& certain_count,
                             std::uint64_t& nodes) {
-    return HWY_DYNAMIC_DISPATCH(FindChanging)(tree, frames, from, to, point, scratch,
-                                              certain_count, nodes);
+    return HWY_DYNAMIC_DISPATCH(FindChanging)(tree, frames, from, to, point, scratch, certain_count,
+                                              nodes);
 }
 
 std::uint32_t take_all(std::span<const NodeFrames> frames, std::uint32_t block_count,

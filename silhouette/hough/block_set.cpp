@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "silhouette/hough/reserved_bytes.h"
+
 namespace rimline {
 
 PlaneVector BlockSpace::vector_of(const Plane& plane) const noexcept {
@@ -21,6 +23,11 @@ BlockScratch::BlockScratch(std::uint32_t most_blocks) {
     found_lanes.resize(most_blocks + k_slack);
     found_doubts.resize(most_blocks + k_slack);
     certain.resize(most_blocks + k_slack);
+}
+
+std::uint64_t BlockScratch::size_bytes() const noexcept {
+    return reserved_bytes(frontier[0], frontier[1], block, threshold, margin, found_block,
+                          found_lanes, found_doubts, certain);
 }
 
 }  // namespace rimline

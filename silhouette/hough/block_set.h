@@ -66,6 +66,7 @@ struct BlockRun {
 struct BlockScratch {
     BlockScratch() = default;
     explicit BlockScratch(std::uint32_t most_blocks);
+    std::uint64_t size_bytes() const noexcept;
 
     std::array<std::vector<std::uint32_t>, 2> frontier;
     std::vector<std::uint32_t> block;

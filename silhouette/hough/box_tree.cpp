@@ -16,8 +16,9 @@ namespace {
 
 float rounded_up(double value) {
     const auto rounded = static_cast<float>(value);
-    return double{rounded} >= value ? rounded
-                                    : std::nextafter(rounded, std::numeric_limits<float>::infinity());
+    return double{rounded} >= value
+               ? rounded
+               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
 }
 
 void set_child(BoxNode& node, std::uint32_t lane, const HoughBounds& box) {

@@ -42,6 +42,18 @@ BlockScratch HoughOctree::make_scratch() const {
     return BlockScratch(static_cast<std::uint32_t>(most));
 }
 
+std::vector<std::uint32_t> HoughOctree::face_groups() const {
+    std::vector<std::uint32_t> groups(mesh_->face_count(), k_no_group);
+    for (std::uint32_t g = 0; g < face_blocks_.size(); ++g) {
+        const FaceBlocks& blocks = face_blocks_[g];
+        const std::size_t first = std::size_t{blocks.first_block} * k_block_size;
+        for (const PlacedFace& placed :
+             std::span(faces_).subspan(first, blocks.planes.size() * k_block_size))
+            if (placed.face != k_no_face) groups[index(placed.face)] = g;
+    }
+    return groups;
+}
+
 std::string_view HoughOctree::instruction_set() { return kernels::instruction_set(); }
 
 // What integers cannot decide; once in two hundred blocks.
@@ -51,11 +63,10 @@ void HoughOctree::decide_edges(std::span<const EdgeId> edges, const HomogeneousP
     for (std::uint32_t j = 0; j < count; ++j) {
         for (std::uint32_t doubts = scratch.found_doubts[j]; doubts != 0; doubts &= doubts - 1) {
             const auto lane = static_cast<std::uint32_t>(std::countr_zero(doubts));
-            const EdgeId edge =
-                edges[std::size_t{scratch.found_block[j]} * k_block_size + lane];
+            const EdgeId edge = edges[std::size_t{scratch.found_block[j]} * k_block_size + lane];
             const std::array<FaceId, 2>& faces = mesh_->edge(edge).faces;
-            const bool differ = is_front(mesh_->plane(faces[0]), point) !=
-                                is_front(mesh_->plane(faces[1]), point);
+            const bool differ =
+                is_front(mesh_->plane(faces[0]), point) != is_front(mesh_->plane(faces[1]), point);
             const bool is_on = differ != (index(edge) >= inconsistent);
             scratch.found_lanes[j] |= std::uint32_t{is_on} << lane;
         }
@@ -149,8 +160,8 @@ void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::u
 }
 
 std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
-                                    std::span<std::uint16_t> bits,
-                                    std::span<std::uint32_t> flipped, TraversalCounters& counters,
+                                    std::span<std::uint16_t> bits, std::span<std::uint32_t> flipped,
+                                    TraversalCounters& counters,
                                     BlockScratch& scratch) const noexcept {
     RIMLINE_CHECK(bits.size() == block_count());
     RIMLINE_CHECK(flipped.size() >= faces_.size());
@@ -166,10 +177,9 @@ std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const Homogene
         std::uint32_t certain_count = 0;
         const std::uint32_t count =
             is_small_step(from, to, tree)
-                ? kernels::find_mixed(
-                      tree, blocks.frames,
-                      BoxQuery::between(from, to, origin, tree.greatest_reach()), seen_from,
-                      scratch, nodes)
+                ? kernels::find_mixed(tree, blocks.frames,
+                                      BoxQuery::between(from, to, origin, tree.greatest_reach()),
+                                      seen_from, scratch, nodes)
                 : kernels::find_changing(tree, blocks.frames,
                                          BoxQuery(from, origin, tree.greatest_reach()),
                                          BoxQuery(to, origin, tree.greatest_reach()), seen_from,

@@ -61,8 +61,8 @@ struct HoughOctreeStatistics {
     std::uint32_t sfo_edges = 0;        ///< On the silhouette as seen from all origins.
     std::uint32_t undecided_edges = 0;  ///< With a face whose plane holds an origin, or is none.
     std::uint32_t nonmanifold_edges = 0;
-    std::uint64_t size_bytes = 0;             ///< Of the index, without the mesh.
-    std::vector<std::uint32_t> group_faces;   ///< For each origin, the faces that belong to it.
+    std::uint64_t size_bytes = 0;            ///< Of the index, without the mesh.
+    std::vector<std::uint32_t> group_faces;  ///< For each origin, the faces that belong to it.
 };
 
 /// Immutable: any number of threads may use one, each with a scratch of its own.
@@ -72,12 +72,15 @@ public:
     /// gives; the same whatever their number. A cancelled `call` throws Error{cancelled}.
     explicit HoughOctree(const Mesh& mesh, const HoughOctreeOptions& options = {},
                          const LongCall& call = {});
-    explicit HoughOctree(Mesh&&, const HoughOctreeOptions& = {}, const LongCall& = {}) =
-        delete;  // It would be gone.
+    explicit HoughOctree(Mesh&&, const HoughOctreeOptions& = {},
+                         const LongCall& = {}) = delete;  // It would be gone.
 
     const Mesh& mesh() const noexcept { return *mesh_; }
     std::span<const glm::dvec3> origins() const noexcept { return origins_; }
     const HoughOctreeStatistics& statistics() const noexcept { return statistics_; }
+    /// For each face the number of its origin; k_no_group without a plane. O(faces).
+    std::vector<std::uint32_t> face_groups() const;
+    static constexpr std::uint32_t k_no_group = 0xffffffffu;
 
     /// Whole vectors are stored, also of the last edges.
     static constexpr std::uint32_t k_extraction_slack = k_block_size;

@@ -186,8 +186,7 @@ private:
                 bounds[b].include(points[order[i]]);
                 planes[i - begin] = blocks.space.vector_of(mesh_.plane(face));
             }
-            const BlockFrame frame =
-                BlockFrame::around(std::span(planes).first(end - begin));
+            const BlockFrame frame = BlockFrame::around(std::span(planes).first(end - begin));
             set_frame(blocks.frames, b, frame);
             blocks.planes[b] = {};
             for (std::size_t i = begin; i < end; ++i)
@@ -264,8 +263,8 @@ private:
                 const FaceId face = mesh_.edge(edges[i]).faces[side];
                 points[i][side] = mesh_.plane(face).has_normal() ? hough_point_of(face, around)
                                                                  : HoughPoint{{}, 0.0, 0};
-                lengths[i] = std::max(lengths[i], glm::length(points[i][side].position) +
-                                                      points[i][side].error);
+                lengths[i] = std::max(
+                    lengths[i], glm::length(points[i][side].position) + points[i][side].error);
             }
             const glm::dvec3 segment = points[i][1].position - points[i][0].position;
             middles[i] = 0.5 * (points[i][0].position + points[i][1].position);
@@ -332,9 +331,7 @@ private:
 
     void measure() {
         HoughOctreeStatistics& statistics = octree_.statistics_;
-        const auto bytes = [](const auto& items) {
-            return items.size() * sizeof(items.front());
-        };
+        const auto bytes = [](const auto& items) { return items.size() * sizeof(items.front()); };
         const auto add_tree = [&](const BoxTree& tree) {
             statistics.nodes += tree.node_count();
             statistics.depth = std::max(statistics.depth, tree.level_count());
@@ -366,8 +363,7 @@ HoughOctree::HoughOctree(const Mesh& mesh, const HoughOctreeOptions& options, co
     : mesh_(&mesh), origins_(options.origins) {
     if (origins_.empty()) origins_.push_back(mesh.center());
     for (const glm::dvec3& origin : origins_)
-        for (int i = 0; i < 3; ++i)
-            RIMLINE_CHECK(std::abs(origin[i]) <= double{k_max_coordinate});
+        for (int i = 0; i < 3; ++i) RIMLINE_CHECK(std::abs(origin[i]) <= double{k_max_coordinate});
     HoughOctreeBuilder(*this, call).build();
 }
 

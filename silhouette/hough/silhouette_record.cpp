@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "silhouette/hough/reserved_bytes.h"
+
 namespace rimline {
 
 namespace {
@@ -39,6 +41,11 @@ SilhouetteRecord::SilhouetteRecord(const Mesh& mesh, const HomogeneousPoint& poi
     slot_is_kept_.assign(edge_count, 0);
     changes_.point = point;
     changes_.silhouette_size = slot_count_;
+}
+
+std::uint64_t SilhouetteRecord::size_bytes() const noexcept {
+    return reserved_bytes(face_words_, slots_, slot_of_, flipped_, added_, removed_, removed_slots_,
+                          slot_writes_, word_writes_, word_flips_, slot_is_kept_);
 }
 
 void SilhouetteRecord::begin_move() noexcept {

@@ -49,6 +49,8 @@ public:
     const ChangeSet& change_set() const noexcept { return changes_; }
     std::span<const EdgeId> slots() const noexcept { return std::span(slots_).first(slot_count_); }
     std::span<const std::uint32_t> face_words() const noexcept { return face_words_; }
+    /// Memory reserved.
+    std::uint64_t size_bytes() const noexcept;
 
 private:
     void toggle(std::span<const EdgeId> edges) noexcept;

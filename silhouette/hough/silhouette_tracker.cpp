@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "silhouette/hough/reserved_bytes.h"
+
 namespace rimline {
 
 namespace {
@@ -25,8 +27,10 @@ SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
     std::vector<std::uint32_t> face_words(face_word_count(m.face_count()), 0);
     for (std::uint32_t b = 0; b < bits_.size(); ++b) {
         for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
-            const FaceId face = octree_->face_at(
-                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes))).face;
+            const FaceId face = octree_
+                                    ->face_at(b * k_block_size +
+                                              static_cast<std::uint32_t>(std::countr_zero(lanes)))
+                                    .face;
             face_words[index(face) / 32] |= 1u << (index(face) % 32);
         }
     }
@@ -43,11 +47,17 @@ SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
     return SilhouetteRecord(m, point, std::move(face_words), extracted_);
 }
 
+std::uint64_t SilhouetteTracker::size_bytes() const noexcept {
+    return reserved_bytes(bits_, flips_, positions_, flipped_, extracted_, toggled_) +
+           scratch_.size_bytes() + record_.size_bytes();
+}
+
 const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexcept {
     RIMLINE_CHECK(point.is_valid());
     TraversalCounters counters;
-    const auto positions = std::span<const std::uint32_t>(positions_).first(
-        octree_->find_flips(this->point(), point, bits_, positions_, counters, scratch_));
+    const auto positions = std::span<const std::uint32_t>(positions_)
+                               .first(octree_->find_flips(this->point(), point, bits_, positions_,
+                                                          counters, scratch_));
     record_.begin_move();
     flipped_.clear();
     for (const std::uint32_t position : positions)

@@ -49,6 +49,8 @@ public:
     const TraversalCounters& construction_counters() const noexcept {
         return construction_counters_;
     }
+    /// Memory reserved, the octree's not counted.
+    std::uint64_t size_bytes() const noexcept;
     /// Of the last move: whether the silhouette was found afresh.
     bool was_extracted() const noexcept { return was_extracted_; }
 
@@ -60,8 +62,9 @@ private:
     const HoughOctree* octree_;
     BlockScratch scratch_;
     TraversalCounters construction_counters_;
-    TraversalCounters extraction_counters_;  // Of the last extraction: what the next one would cost.
-    std::vector<std::uint16_t> bits_;        // By block of the octree.
+    TraversalCounters
+        extraction_counters_;           // Of the last extraction: what the next one would cost.
+    std::vector<std::uint16_t> bits_;   // By block of the octree.
     std::vector<std::uint16_t> flips_;  // By block, one more than there are; zero between moves.
     std::vector<std::uint32_t> positions_;  // Of what flipped; room for all.
     std::vector<FaceId> flipped_;

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/hough/support/random_walk.h"
 #include "tests/hough/shadow_consumer.h"
+#include "tests/hough/support/random_walk.h"
 
 namespace rimline::tests {
 

@@ -111,8 +111,7 @@ TEST_CASE("smaller sizes come first, and each size in the order of its own point
         sizes.push_back(static_cast<std::uint8_t>(i % 7 == 0 ? 255 : i % 2));
     const std::vector<std::uint32_t> order = octree_order(points, sizes);
     check_permutation(order, points.size());
-    for (std::size_t i = 1; i < order.size(); ++i)
-        REQUIRE(sizes[order[i - 1]] <= sizes[order[i]]);
+    for (std::size_t i = 1; i < order.size(); ++i) REQUIRE(sizes[order[i - 1]] <= sizes[order[i]]);
     CHECK(mean_step(points, order) < 0.6);  // Any order: about 2.
 }
 

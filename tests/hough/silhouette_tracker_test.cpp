@@ -11,10 +11,10 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/hough/against_brute_force.h"
 #include "tests/hough/allocation_count.h"
+#include "tests/hough/shadow_consumer.h"
 #include "tests/hough/support/hard_meshes.h"
 #include "tests/hough/support/origin_lists.h"
 #include "tests/hough/support/random_walk.h"
-#include "tests/hough/shadow_consumer.h"
 
 namespace rimline {
 namespace {

@@ -1,13 +1,12 @@
 #pragma once
 
 // Brute force as methods: every face and every edge, one by one (brute_force.h) or packed
-// (brute_force_packed.h).
-//
-// The packed one follows a moving point too, as well as that can be done without an index: all face
-// bits afresh, and only the edges of those faces examined whose bits have changed.
+// (brute_force_packed.h), which follows a moving point as well (brute_force_tracker.h).
+
+#include <optional>
 
 #include "silhouette/hough/baselines/brute_force_packed.h"
-#include "silhouette/hough/baselines/followed_silhouette.h"
+#include "silhouette/hough/baselines/brute_force_tracker.h"
 #include "silhouette/hough/baselines/silhouette_method.h"
 
 namespace rimline {
@@ -25,8 +24,7 @@ private:
 
 class PackedBruteForceMethod final : public SilhouetteMethod {
 public:
-    explicit PackedBruteForceMethod(const Mesh& mesh)
-        : mesh_(&mesh), brute_force_(mesh), followed_(mesh) {}
+    explicit PackedBruteForceMethod(const Mesh& mesh) : mesh_(&mesh), brute_force_(mesh) {}
 
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  TraversalCounters& counters) override;
@@ -37,8 +35,7 @@ private:
     const Mesh* mesh_;
     PackedBruteForce brute_force_;
     std::vector<std::uint32_t> words_;
-    FollowedSilhouette followed_;
-    std::vector<FaceId> flipped_;
+    std::optional<BruteForceTracker> tracker_;  // From the first update on.
 };
 
 }  // namespace rimline

@@ -55,7 +55,7 @@ const ChangeSet& BruteForceTracker::move_to(const HomogeneousPoint& point) noexc
     counters.face_checks = mesh_->face_count();
     find_flips();
     record_.begin_move();
-    for (const FaceId face : flipped_) record_.flip_face(face);
+    record_.flip_faces(flipped_);
     record_.end_faces();
 
     const std::uint64_t edge_count = mesh_->edges_of_class(EdgeClass::border).first;

@@ -77,8 +77,8 @@ glm::dvec3 axis_of(const Cluster& cluster) {
     return glm::length(axis) > k_smallest ? glm::normalize(axis) : glm::dvec3(0.0);
 }
 
-// The sine of the greatest angle between an axis and a normal; 1 where that is a right angle or more. By
-// the cross product: small angles have cosines that tell nothing.
+// The sine of the greatest angle between an axis and a normal; 1 where that is a right angle or more.
+// By the cross product: small angles have cosines that tell nothing.
 double sine_around(const Cluster& cluster, const glm::dvec3& axis) {
     double greatest = 0.0;
     for (const SupportingPlane& plane : cluster.planes) {
@@ -88,9 +88,8 @@ double sine_around(const Cluster& cluster, const glm::dvec3& axis) {
     return greatest;
 }
 
-// The first point along `axis` from the middle that lies on the outer side (sign 1) or the inner (-1)
-// of all planes by enough to be certain; by a wide margin, as it is rounded at the end. Infinite where there is
-// none within reach.
+// The first point along the axis from the middle, forward (sign 1) or backward (-1), that lies on the
+// outer or the inner side of all planes by enough to be certain. Infinite where none is within reach.
 glm::vec3 apex_of(const Cluster& cluster, const glm::dvec3& axis, double sign) {
     const glm::vec3 none(std::numeric_limits<float>::infinity());
     double along = -std::numeric_limits<double>::infinity();

@@ -2,23 +2,24 @@
 
 // Anchored cones: where all faces of a cluster are front, and where all are back.
 //
-// P. Sander, X. Gu, S. Gortler, H. Hoppe, J. Snyder, Silhouette Clipping, SIGGRAPH 2000. From any point
-// in the intersection of the outer half-spaces of a cluster's faces all of them are front; a cone with
-// apex A, axis a and half angle π/2 - θ lies in that intersection when the normals are within θ of a and
-// A is. From a viewpoint in the front cone, or in the back cone, which opens the other way, no edge of the
-// cluster is on the silhouette. A direction is in a cone when it is as a vector.
+// P. Sander, X. Gu, S. Gortler, H. Hoppe, J. Snyder, Silhouette Clipping, SIGGRAPH 2000. Where the outer
+// half-spaces of a cluster's faces meet, all of them are front. A cone with apex A, axis a and half
+// angle π/2 - θ lies there when A does and all normals are within θ of a. From a viewpoint in this front
+// cone, or in the back cone, which opens the other way, no edge of the cluster is on the silhouette. A
+// direction is in a cone when it is as a vector.
 //
 // The authors merge edges bottom up, keep some in inner nodes and place apexes by linear programming.
-// Here clusters are the nodes of a packed tree over edges with similar planes, axes are the centers of
-// nearly the smallest cone around the normals, and an apex is the first point of the axis line through
-// the middle of the cluster's vertices that all half-spaces hold.
+// Here clusters are the nodes of a packed tree over edges with similar planes, the axis is nearly that
+// of the smallest cone around the normals, and an apex is the first point of the axis, drawn through the
+// middle of the cluster's vertices, that all half-spaces hold.
 //
-// When is that certain? Let S = sin θ + m with m = 2^-18. For v = p - wA with cos(v, a) > S the angle to
-// any normal is so far below π/2 that n·v > |n||v| sin m; and n·A - d >= 2^-20 |A||n| is made sure of at
-// construction, on the rounded apex. As |p| <= |v| + |A|, n·p - w*d is beyond 3.1u|n||p|, what a bit may
-// be wrong by (v_sphere.h), ten times over. Floats take v once (u) and v·a and |v|² with three products
-// and two sums each: cos(v, a) is off by less than 16u = 2^-20, a quarter of m. Vectors so short that
-// squares are subnormal settle nothing; directions, whose length does not matter, are scaled first.
+// When is that certain? With u = 2^-24, m = 2^-18 and S = sin θ + m, a vector v = p - wA whose cosine to
+// the axis exceeds S has n·v > |n||v| sin m for every normal n; and n·A - d >= 2^-20 |n||A| is seen to at
+// construction, on the apex as stored. With |p| <= |v| + w|A| that puts n·p - w*d beyond 3.1u|n||p|, by
+// which a bit may be wrong (v_sphere.h), five times over. Floats round v once, and v·a and |v|² in three
+// products and two sums each: the cosine is off by less than 16u = 2^-20, a quarter of m. Vectors so
+// short that their squares might be subnormal settle nothing; directions, whose length does not matter,
+// are scaled first.
 
 #include <array>
 

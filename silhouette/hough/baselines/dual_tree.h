@@ -9,10 +9,10 @@
 // authors search an octree of dual points for the wedge and take the first silhouette from another
 // method; here a second tree, of the segments, finds it too. A direction is the plane x·v = 0.
 //
-// About an origin O the dual point is D = n/(d - n·O), and n·p - w*d = (d - n·O)(D·q - w). Robust by
-// three rules: an edge whose faces see O from different sides has its segment run through infinity and
-// is tested always; so is what belongs to a plane so near to O that its side is not certain; and D is
-// held in a box of all its rounding errors. The dual of a plane near O is far away, and boxes that
+// About an origin O the dual point is D = n/(d - n·O), and n·p - w*d = (d - n·O)(D·q - w). Three rules
+// make that robust: an edge whose faces see O from different sides has its segment run through infinity
+// and is tested always; so is what belongs to a plane so near to O that its side is not certain; and D
+// is held in a box of all its rounding errors. The dual of a plane near O is far away, and boxes that
 // reach there are large (thesis 3.2.1, Figure 3.1): that is the method's weakness, not this code's.
 
 #include "silhouette/hough/baselines/plane_space.h"

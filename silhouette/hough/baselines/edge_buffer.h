@@ -2,15 +2,15 @@
 
 // The edge buffer: faces tell their edges how they face, and edges that were told both are drawn.
 //
-// J. Buchanan, M. Sousa, The edge buffer: a data structure for easy silhouette rendering, NPAR 2000. Each
-// vertex has a list of the edges to vertices with greater numbers, each with a front and a back flag. A
-// pass over the faces sets the flags of their edges, a pass over the lists draws the edges with both set
-// and clears them. Every face is tested once, not once an edge, and no edge knows its faces.
+// J. Buchanan, M. Sousa, The edge buffer: a data structure for easy silhouette rendering, NPAR 2000.
+// Each vertex has a list of the edges to vertices with greater numbers, each with a front and a back
+// flag. A pass over the faces sets the flags of their edges, a pass over the lists draws the edges that
+// have both and clears them. A face is tested once, not once an edge, and no edge knows its faces.
 //
-// As flags are set, not toggled, an edge with three or more faces is on the silhouette when both are
-// set as well; a border never has both. One whose two faces run it the same way is on the silhouette when
-// only one is, and is looked at after the lists are. The lists lie end to end in one array, flags apart
-// from ids, and a face keeps the places of its three edges, which the paper searches for each time.
+// As flags are set, not toggled, an edge with three or more faces is on the silhouette when it has both
+// as well; a border never has. One whose two faces run it the same way is on the silhouette when it has
+// one only, and is looked at before the lists are cleared. The lists lie end to end in one array, flags
+// apart from ids, and a face keeps the places of its three edges instead of searching for them.
 
 #include "silhouette/hough/baselines/edge_leaves.h"
 #include "silhouette/hough/baselines/silhouette_method.h"

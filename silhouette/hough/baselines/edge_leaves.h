@@ -2,9 +2,9 @@
 
 // Face bits and edges sixteen at a time: what the leaves of all the trees here are made of.
 //
-// A block holds sixteen planes as structure of arrays; sixteen edges are two blocks, of the planes of
-// their first and of their second faces. A leaf holds its own planes, so that nothing is gathered, at the price
-// of storing each plane with every edge of its face.
+// Sixteen planes are a structure of arrays; sixteen edges are two of those, of their first and of their
+// second faces. A leaf holds its own planes, so that nothing is gathered, at the price of storing each
+// plane with every edge of its face.
 
 #include <array>
 #include <cstdint>

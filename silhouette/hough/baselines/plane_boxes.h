@@ -13,11 +13,11 @@
 //
 //     |c·y| > e·|y|   =>   all of it lies on one side, that of c.
 //
-// When are the face bits certain then? With u = 2^-24, X = |c| + e and all sums over coordinates: a bit
-// is that of the real value wherever |n·p - w*d| > 3.1u Σ|n_i p_i| (v_sphere.h), which asks for 3.1u X·|y|
-// and, as |p_i| <= |q_i| + w|O_i|, for 3.1u Σ X_i|O_i| w. Float errors of what stands above: q is rounded
-// once (1.01u X·|y| on both sides), c·y takes four products and three sums (4.1u), e·|y| the same and the
-// comparison one more sum (5.1u). That is 14.3u, so extents are stored as
+// When are the face bits certain then? With u = 2^-24, X = |c| + e and sums over coordinates: a bit is
+// that of the real value wherever |n·p - w*d| > 3.1u Σ|n_i p_i| (v_sphere.h). That asks for 3.1u X·|y|
+// and, as |p_i| <= |q_i| + w|O_i|, for 3.1u Σ X_i|O_i| w. In floats q is rounded once (1.01u X·|y| on
+// either side), c·y takes four products and three sums (4.1u), e·|y| the same and one sum more (5.1u).
+// That is 14.3u, so extents are stored as
 //
 //     e_i + 16u X_i,        and the fourth has Σ X_i (4u|O_i| + 2^-140) more, which w multiplies,
 //

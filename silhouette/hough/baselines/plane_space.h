@@ -48,7 +48,7 @@ public:
 
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  TraversalCounters& counters) const;
-    /// The first call starts the following, in O(faces + edges), and makes what it needs.
+    /// The first call tests every face and edge.
     void update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                 TraversalCounters& counters);
 

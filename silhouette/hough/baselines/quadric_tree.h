@@ -4,23 +4,23 @@
 //
 // M. Soroka, C. Peters, S. Marschner, Quadric-Based Silhouette Sampling for Differentiable Rendering,
 // ACM TOG (SIGGRAPH 2025), reject parts of a mesh without silhouettes by two approximations to their
-// triangles' planes: a bounding box in dual space and dual quadrics. What is taken from there is that
-// pair, and that the quadric is a form p^T Q p whose sign decides; this is no reimplementation of their
-// fit, and what they need it for, sampling edges by importance, is left out.
+// triangles' planes: a bounding box in dual space and dual quadrics. That pair is what is taken from
+// there, and that the sign of a form y^T Q y decides. The quadric itself, an ellipsoid from the planes'
+// covariance, is this file's own; theirs is fitted otherwise, and what they need it for, sampling edges
+// by importance, is left out.
 //
-// The box is that of plane_boxes.h. The quadric: planes of a smooth patch are a thin, bent sheet among the
-// vectors x = (n, d - n·O), which an axis-aligned box wastes and an ellipsoid follows. With mean c and
-// covariance M = LL^T of a cluster's planes, scaled until (x - c)^T M^-1 (x - c) <= 1 for all of them, the
-// silhouette point's hyperplane y misses the ellipsoid when
+// The box is that of plane_boxes.h. As for the quadric, planes of a smooth patch are a thin sheet among
+// the vectors x = (n, d - n·O), around which a box along the axes is mostly empty and an ellipsoid less
+// so. With mean c and covariance M = LL^T of a cluster's planes, scaled until all of them have
+// (x - c)^T M^-1 (x - c) <= 1, the silhouette point's hyperplane y misses the ellipsoid when
 //
 //     y^T Q y > 0   with   Q = cc^T - M,      that is      |c·y| > |L^T y|,
 //
-// and then no two planes of the cluster lie on different sides: none of its edges is on the silhouette. The
-// second form is what is computed; it does not cancel.
+// and then no two planes of the cluster lie on different sides: none of its edges is on the silhouette.
+// The second form is what is computed; it does not cancel.
 //
-// That is made certain whatever the covariance is like: each plane is solved for t in x - c = Lt + r, L
-// is scaled by the greatest |t|, and what the solution leaves, |r|, goes into extents e as those of a
-// box have:
+// That is made certain whatever the covariance is like: each plane is solved for t in x - c = Lt + r,
+// L is scaled by the greatest |t|, and what the solution leaves, |r|, goes into extents e like a box's:
 //
 //     |x·y - c·y|  =  |t·L^T y + r·y|  <=  |L^T y| + e·|y|.
 //

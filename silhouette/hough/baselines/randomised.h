@@ -3,12 +3,11 @@
 // Randomised search: a few random edges, and from each that is on the silhouette along it.
 //
 // L. Markosian, M. Kowalski, S. Trychin, L. Bourdev, D. Goldstein, J. Hughes, Real-Time
-// Nonphotorealistic Rendering, SIGGRAPH 1997. Silhouettes of smooth shapes are long loops of which one
-// edge is enough to find all, and edges with a sharp angle are on it most often: seeds are drawn with
-// probability in proportion to the angle between the faces' normals, in number 8√edges, as a smooth
-// shape's silhouette has about √edges edges. A move starts with the silhouette that was: its edges, and
-// where one has left, all those around its vertices, are the seeds, with a quarter of the random ones
-// for loops that are new.
+// Nonphotorealistic Rendering, SIGGRAPH 1997. Silhouettes of smooth shapes are long loops, of which one
+// edge is enough to find all, and sharp edges are on them most often. So seeds are drawn in proportion
+// to the angle between the faces' normals, 8√edges of them, as a smooth shape's silhouette has some
+// √edges. A move begins with the silhouette that was: its edges are the seeds, and where one has left,
+// all those around its vertices, with a quarter of the random ones for loops that are new.
 //
 // What is found is on the silhouette; loops that no seed meets are missed. So it is fast, and not
 // exact: what share of the silhouette it finds must be reported beside any time of it.
