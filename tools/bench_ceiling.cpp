@@ -30,13 +30,15 @@ std::uint32_t PlainLoop::count_front(const HomogeneousPoint& point) const {
                    point.z, point.w);
 }
 
-std::optional<BruteForceCeiling> brute_force_ceiling(std::uint32_t faces, double plain_us,
-                                                     double measured_us) {
+std::optional<BruteForceCeiling> brute_force_ceiling(std::uint32_t faces,
+                                                     std::string_view instruction_set,
+                                                     double plain_us, double measured_us) {
     for (const Known& known : k_known)
         if (known.faces == faces)
             return BruteForceCeiling{
                 plain_us, measured_us,
-                k_allowance * known.extraction_us * plain_us / known.face_bits_us};
+                k_allowance * known.extraction_us * plain_us / known.face_bits_us,
+                instruction_set == "AVX-512"};
     return std::nullopt;
 }
 

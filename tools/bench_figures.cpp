@@ -4,17 +4,19 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <random>
 
 #include "silhouette/hough/baselines/brute_force.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/hough/literal/active_region.h"
 #include "silhouette/hough/literal/literal_octree.h"
 #include "silhouette/hough/literal/literal_tracker.h"
 #include "silhouette/hough/orbit.h"
 #include "silhouette/hough/silhouette_tracker.h"
-#include "tools/dual_octree.h"
 #include "tools/progress.h"
+#include "tools/transform_octree.h"
 #include "tools/vertex_clustering.h"
 
 namespace rimline::tools {
@@ -167,8 +169,28 @@ std::vector<ExtractionWork> work_on_spheres(const Extractors& extractors, const 
     return spheres;
 }
 
-OrbitWork work_on_orbit(const Extractors& extractors, const DualOctree& dual,
-                        const UnitSphere& unit, const FigureOptions& options,
+// Box checks of a full traversal at nodes that no active-set candidate is at or above: what a walk along
+// candidates saves at most.
+std::uint32_t checks_above_candidates(const LiteralOctree& octree, const ActiveRegion& region,
+                                      std::uint32_t number) {
+    if (octree.candidates().candidate_above[number] != k_no_node) return 0;
+    const LiteralOctree::Box& points = octree.point_boxes()[number];
+    const RegionSides sides = region.sides_of(points.box, points.reach);
+    std::uint32_t checks = 1;
+    if (sides.is_apart() || sides.is_contained()) return checks;
+    for (const std::uint32_t child : octree.nodes()[number].children)
+        if (child != k_no_node) checks += checks_above_candidates(octree, region, child);
+    return checks;
+}
+
+struct Traversal {
+    const char* name;
+    TransformOctree octree;
+    OrbitWork::Counts OrbitWork::*counts;
+    std::vector<std::uint32_t> words;
+};
+
+OrbitWork work_on_orbit(const Extractors& extractors, const UnitSphere& unit, const FigureOptions& options,
                         std::string& difference, const Context& context) {
     const Mesh& mesh = extractors.index().mesh();
     const Orbit orbit(unit.center, {0.0, 1.0, 0.0}, options.orbit_radii * unit.radius);
@@ -178,7 +200,15 @@ OrbitWork work_on_orbit(const Extractors& extractors, const DualOctree& dual,
     LiteralTracker incremental(octree, start, {LiteralUpdate::incremental});
     LiteralTracker as_written(octree, start, {LiteralUpdate::incremental_as_written});
     SilhouetteTracker index(extractors.index(), start);
-    std::vector<std::uint32_t> dual_words = brute_force_face_bits(mesh, start);
+    using enum PlaneTransform;
+    using enum NodeBoxes;
+    std::vector<Traversal> traversals;
+    traversals.push_back({"dual", {mesh, unit.center, dual, tight}, &OrbitWork::dual, {}});
+    traversals.push_back(
+        {"dual, octants", {mesh, unit.center, dual, octants}, &OrbitWork::dual_octants, {}});
+    traversals.push_back(
+        {"Hough, octants", {mesh, unit.center, hough, octants}, &OrbitWork::full_octants, {}});
+    for (Traversal& traversal : traversals) traversal.words = brute_force_face_bits(mesh, start);
 
     OrbitWork work;
     const auto add = [](OrbitWork::Counts& counts, std::uint64_t boxes, std::uint64_t faces) {
@@ -200,13 +230,21 @@ OrbitWork work_on_orbit(const Extractors& extractors, const DualOctree& dual,
         const LiteralCounters& all = full.move_to(point);
         compare(full.face_words(), "full traversal");
         add(work.full, all.box_checks(), all.face_checks);
+        work.above_candidates.push_back(
+            octree.nodes().empty()
+                ? 0
+                : checks_above_candidates(
+                      octree, ActiveRegion(octree.v_sphere(previous), octree.v_sphere(point)), 0));
         work.contained.push_back(static_cast<std::uint32_t>(all.contained_faces));
         const LiteralCounters& walk = incremental.move_to(point);
         compare(incremental.face_words(), "incremental update");
         add(work.incremental, walk.box_checks(), walk.face_checks);
-        const LiteralCounters in_dual = dual.move(previous, point, dual_words);
-        compare(dual_words, "dual octree");
-        add(work.dual, in_dual.box_checks(), in_dual.face_checks);
+        for (Traversal& traversal : traversals) {
+            const LiteralCounters counters =
+                traversal.octree.move(previous, point, traversal.words);
+            compare(traversal.words, traversal.name);
+            add(work.*traversal.counts, counters.box_checks(), counters.face_checks);
+        }
         const ChangeSet& changes = index.move_to(point);
         compare(index.face_words(), "tracker");
         add(work.index, changes.counters.box_checks, changes.counters.face_checks);
@@ -244,6 +282,12 @@ UnitSphere unit_sphere(const Mesh& mesh) {
 
 FigureData bench_figures(const std::string& model, const Mesh& mesh, const FigureOptions& options,
                          const Context& context) {
+    if (mesh.face_count() > options.most_faces) {
+        FigureOptions rest = options;
+        rest.most_faces = std::numeric_limits<std::uint32_t>::max();
+        const Mesh coarse(cluster_vertices(mesh, options.most_faces));
+        return bench_figures(model, coarse, rest, context);
+    }
     FigureData data;
     data.model = model;
     data.faces = mesh.face_count();
@@ -255,7 +299,7 @@ FigureData bench_figures(const std::string& model, const Mesh& mesh, const Figur
     call.checkpoint(0.0);
     const Extractors extractors(mesh, data.unit.center);
     const LiteralOctree& octree = extractors.literal();
-    const DualOctree dual(mesh, data.unit.center);
+    const TransformOctree dual(mesh, data.unit.center, PlaneTransform::dual, NodeBoxes::tight);
     data.sfo_edges = octree.statistics().sfo_edges;
     data.hough =
         spread_of(octree.hough_points(), octree.nodes(), data.unit.radius, options.sample);
@@ -267,7 +311,7 @@ FigureData bench_figures(const std::string& model, const Mesh& mesh, const Figur
                                       context);
     call.checkpoint(0.5);
     data.orbit =
-        work_on_orbit(extractors, dual, data.unit, options, data.difference, context);
+        work_on_orbit(extractors, data.unit, options, data.difference, context);
     call.checkpoint(0.8);
     for (const std::uint32_t faces : options.resolutions)
         if (faces < mesh.face_count())

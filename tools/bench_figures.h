@@ -30,7 +30,10 @@ struct FigureOptions {
     std::uint32_t frames = 720;  ///< Of a full turn.
     double orbit_radii = 2.0;
     std::uint32_t random_points = 10;         ///< At each resolution.
-    std::vector<std::uint32_t> resolutions{}; ///< Face counts to cluster down to.
+    /// Face counts to cluster down to (vertex_clustering.h), those that the mesh has.
+    std::vector<std::uint32_t> resolutions{2000, 4000, 8000, 16000, 32000, 64000, 128000};
+    /// A mesh of more faces is clustered before anything is counted.
+    std::uint32_t most_faces = 0xffffffffu;
     std::uint32_t sample = 6000;              ///< Points of a scatter plot.
 };
 
@@ -76,10 +79,15 @@ struct OrbitWork {
     struct Counts {
         std::vector<std::uint32_t> boxes, faces;
     };
-    Counts full, incremental, as_written, dual, index;
+    Counts full, incremental, as_written;  ///< LiteralUpdate.
+    Counts dual;                           ///< Full traversal of the dual octree, tight boxes.
+    Counts full_octants, dual_octants;     ///< Full traversals by whole octants.
+    Counts index;                          ///< SilhouetteTracker: eight boxes a node.
     std::vector<std::uint32_t> turned;       ///< Faces that turn.
     std::vector<std::uint32_t> wrong_faces;  ///< Bits that are wrong, walked as written.
     std::vector<std::uint32_t> contained;    ///< Faces that full traversal turns untested.
+    /// Box checks of the full traversal above all active-set candidates: what a walk can save.
+    std::vector<std::uint32_t> above_candidates;
 };
 
 struct FigureData {

@@ -93,10 +93,13 @@ Json to_json(const FigureData& data) {
               {"incremental", counts_json(orbit.incremental)},
               {"as_written", counts_json(orbit.as_written)},
               {"dual", counts_json(orbit.dual)},
+              {"full_octants", counts_json(orbit.full_octants)},
+              {"dual_octants", counts_json(orbit.dual_octants)},
               {"index", counts_json(orbit.index)},
               {"turned", orbit.turned},
               {"wrong_faces", orbit.wrong_faces},
-              {"contained", orbit.contained}}},
+              {"contained", orbit.contained},
+              {"above_candidates", orbit.above_candidates}}},
             {"resolutions", std::move(resolutions)},
             {"layout", layout_json(data.layout)}};
 }

@@ -23,6 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t k_worst_seed = 1;
 constexpr std::uint32_t k_vtk_frames = 60;
+constexpr std::uint32_t k_vtk_rounds = 3;
 constexpr std::uint64_t k_vtk_faces = 20'000'000;  // Of all frames together.
 
 // Of so many points every n-th is compared with the scalar oracle, and timed with it. Not by threes:
@@ -31,14 +32,6 @@ std::size_t scalar_stride(std::size_t points, std::uint32_t faces) {
     const std::uint64_t affordable = std::max<std::uint64_t>(k_scalar_faces / std::max(faces, 1u), 8);
     const std::size_t stride = (points + affordable - 1) / affordable;
     return stride > 1 && stride % 3 == 0 ? stride + 1 : std::max<std::size_t>(stride, 1);
-}
-
-template <typename T>
-std::uint64_t size_of(const T& tracker) {
-    if constexpr (requires { tracker.size_bytes(); })
-        return tracker.size_bytes();
-    else
-        return 0;
 }
 
 std::vector<EdgeId> sorted(std::span<const EdgeId> edges) {
@@ -85,8 +78,8 @@ public:
              .is_part = true}};
         c.methods = time_in_turn(contenders, points, options_.rounds,
                                  "measuring extraction of " + result_.model, context_);
-        result_.ceiling = brute_force_ceiling(mesh_.face_count(), c.methods[3].median_us(),
-                                              c.methods[1].median_us());
+        result_.ceiling = brute_force_ceiling(mesh_.face_count(), packed_.instruction_set(),
+                                              c.methods[3].median_us(), c.methods[1].median_us());
     }
 
     void update() {
@@ -96,7 +89,7 @@ public:
         CaseResult& c = result_.update;
         SilhouetteTracker tracker(octree_, points.front());
         BruteForceTracker brute(mesh_, points.front());
-        result_.tracker_bytes = size_of(tracker);
+        result_.tracker_bytes = tracker.size_bytes();
         result_.stream = check_updates(c, tracker, brute, "packed tracker", steps);
         if (!c.difference.empty()) return;
 
@@ -206,6 +199,7 @@ private:
         const std::size_t scalar_frames =
             steps.size() / scalar_stride(4 * steps.size(), mesh_.face_count());
         FrameCheck frame_check(tracker);
+        sizes_.clear();
         StreamBytes bytes;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             call.checkpoint(static_cast<double>(i) / static_cast<double>(steps.size()));
@@ -231,6 +225,7 @@ private:
             c.mean_size += static_cast<double>(change.silhouette_size) / n;
             c.mean_flips += static_cast<double>(change.flipped.size()) / n;
             bytes += stream_bytes(change, words_.size());
+            sizes_.push_back(change.silhouette_size);
         }
         c.points = steps.size();
         return bytes;
@@ -240,7 +235,9 @@ private:
         const std::uint64_t affordable = std::max<std::uint64_t>(k_vtk_faces / mesh_.face_count(), 5);
         const std::size_t count =
             std::min<std::size_t>({steps.size(), k_vtk_frames, std::size_t{affordable}});
-        result_.vtk = time_vtk(mesh_, steps.first(count), 3, context_);
+        result_.vtk = time_vtk(mesh_, steps.first(count), k_vtk_rounds, context_);
+        for (const std::uint32_t size : std::span(sizes_).first(count))
+            result_.vtk_mean_size += static_cast<double>(size) / static_cast<double>(count);
     }
 
     static WorstUpdate compare_worst(const Times& ours, const Times& fresh) {
@@ -266,6 +263,7 @@ private:
     const Context& context_;
     std::vector<EdgeId> edges_;
     std::vector<std::uint32_t> words_;
+    std::vector<std::uint32_t> sizes_;  // Of the silhouettes of the frames checked last.
     TraversalCounters tracker_work_;
 };
 

@@ -68,6 +68,7 @@ struct ModelResult {
     std::optional<WorstUpdate> worst_update;
     std::optional<BruteForceCeiling> ceiling;
     VtkResult vtk;
+    double vtk_mean_size = 0.0;  ///< Edges on our silhouettes of VTK's frames.
 
     double bytes_a_face() const {
         return static_cast<double>(octree_bytes + tracker_bytes) / faces;

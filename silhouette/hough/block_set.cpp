@@ -1,15 +1,8 @@
 #include "silhouette/hough/block_set.h"
 
-#include <glm/geometric.hpp>
-
 #include "silhouette/hough/reserved_bytes.h"
 
 namespace rimline {
-
-PlaneVector BlockSpace::vector_of(const Plane& plane) const noexcept {
-    const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
-    return {n.x, n.y, n.z, (double{plane.d} - glm::dot(n, origin)) / length};
-}
 
 // Vectors are stored whole, at any block.
 BlockScratch::BlockScratch(std::uint32_t most_blocks) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -30,7 +31,10 @@ struct BlockSpace {
     BlockPoint seen_from(const HomogeneousPoint& point) const noexcept {
         return {point, origin, length};
     }
-    PlaneVector vector_of(const Plane& plane) const noexcept;
+    PlaneVector vector_of(const Plane& plane) const noexcept {
+        const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
+        return {n.x, n.y, n.z, (double{plane.d} - glm::dot(n, origin)) / length};
+    }
 };
 
 /// The lanes in use of a set's last block; all of them in every other.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -23,7 +22,7 @@ float rounded_up(double value) {
 
 void set_child(BoxNode& node, std::uint32_t lane, const HoughBounds& box) {
     double squares = 0.0;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         const auto center = static_cast<float>(0.5 * (box.low[i] + box.high[i]));
         const float extent =
             rounded_up(std::max(box.high[i] - double{center}, double{center} - box.low[i]));
@@ -47,22 +46,14 @@ BoxNode empty_node() {
 
 }  // namespace
 
-void HoughBounds::include(const HoughPoint& point) noexcept {
-    low = glm::min(low, point.position - point.error);
-    high = glm::max(high, point.position + point.error);
-}
-
-void HoughBounds::include(const HoughBounds& other) noexcept {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-}
-
 BoxTree::BoxTree(std::vector<HoughBounds> blocks)
     : block_count_(static_cast<std::uint32_t>(blocks.size())) {
     if (blocks.empty()) return;
     for (const HoughBounds& box : blocks) {
         RIMLINE_CHECK(!box.is_empty());
-        mean_block_radius_ += 0.5 * glm::length(box.high - box.low);
+        const glm::dvec3 size(box.high[0] - box.low[0], box.high[1] - box.low[1],
+                              box.high[2] - box.low[2]);
+        mean_block_radius_ += 0.5 * glm::length(size);
     }
     mean_block_radius_ /= static_cast<double>(blocks.size());
 

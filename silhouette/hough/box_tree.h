@@ -21,6 +21,9 @@
 //
 //     margin = reach * (4 * 2^-24 |p| + 32 * 2^-24 (|q| + greatest reach)) + 2^-140.
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -42,13 +45,24 @@ struct alignas(64) BoxNode {
 
 /// A box of Hough points in double, empty until something is included.
 struct HoughBounds {
-    glm::dvec3 low{1e300};
-    glm::dvec3 high{-1e300};
+    std::array<double, 3> low{1e300, 1e300, 1e300};
+    std::array<double, 3> high{-1e300, -1e300, -1e300};
 
     /// With all that its error bound allows.
-    void include(const HoughPoint& point) noexcept;
-    void include(const HoughBounds& other) noexcept;
-    bool is_empty() const noexcept { return !(low.x <= high.x); }
+    void include(const HoughPoint& point) noexcept {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double position = point.position[static_cast<int>(i)];
+            low[i] = std::min(low[i], position - point.error);
+            high[i] = std::max(high[i], position + point.error);
+        }
+    }
+    void include(const HoughBounds& other) noexcept {
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], other.low[i]);
+            high[i] = std::max(high[i], other.high[i]);
+        }
+    }
+    bool is_empty() const noexcept { return !(low[0] <= high[0]); }
 };
 
 class BoxTree {

@@ -1,5 +1,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,14 +81,9 @@ public:
     void build() {
         call_.checkpoint(0.0);
         group_faces();
-        place_faces();
-        call_.checkpoint(0.3);
-        assign_edges();
-        for (std::size_t g = 0; g <= octree_.origins_.size(); ++g) {
-            octree_.edge_blocks_.push_back(make_edge_blocks(g));
-            call_.checkpoint(0.4 + 0.5 * static_cast<double>(g + 1) /
-                                       static_cast<double>(octree_.origins_.size() + 1));
-        }
+        call_.checkpoint(0.1);
+        tbb::parallel_invoke([this] { place_faces(); }, [this] { place_edges(); });
+        call_.checkpoint(0.9);
         link_neighbours();
         measure();
         call_.checkpoint(1.0);
@@ -230,7 +226,7 @@ private:
         return owner;
     }
 
-    void assign_edges() {
+    void place_edges() {
         const std::uint32_t two_faced = mesh_.edges_of_class(EdgeClass::inconsistent).last;
         std::vector<std::uint32_t> owner(two_faced);
         for_each_index(two_faced, [&](std::size_t e) { owner[e] = owner_of(EdgeId{size32(e)}); });
@@ -247,6 +243,10 @@ private:
             statistics.ghost_edges += is_owned && (group_[index(faces[0])] != owner[e] ||
                                                    group_[index(faces[1])] != owner[e]);
         }
+        octree_.edge_blocks_.resize(groups + 1);
+        tbb::parallel_for(std::size_t{0}, groups + 1, [&](std::size_t g) {
+            octree_.edge_blocks_[g] = make_edge_blocks(g);
+        });
     }
 
     // Of a group, or beyond the last of the edges that are always tested.

@@ -3,7 +3,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +16,7 @@ namespace rimline {
 namespace {
 
 constexpr std::uint32_t k_bits = 16;
+constexpr std::uint32_t k_code_bits = 3 * k_bits + 8;  // With a size.
 constexpr std::size_t k_grain = 4096;
 
 struct CodedPoint {
@@ -51,25 +51,64 @@ std::uint64_t spread(std::uint64_t bits) {
     return (bits | bits << 2) & 0x1249249249249249u;
 }
 
+// As many points at a time as keep vector registers busy: the loops over them are the compiler's to
+// vectorise, and a tenth of the time of one point after another.
+constexpr std::size_t k_batch = 64;
+using BatchAxis = std::array<std::uint32_t, k_batch>;
+
 // J. Skilling, Programming the Hilbert curve (2004), for three axes.
-std::uint64_t hilbert_code(std::array<std::uint32_t, 3> x) {
+void make_hilbert_codes(std::array<BatchAxis, 3>& x, std::array<std::uint64_t, k_batch>& codes) {
     for (std::uint32_t bit = 1u << (k_bits - 1); bit > 1; bit >>= 1) {
         const std::uint32_t below = bit - 1;
-        for (std::uint32_t& axis : x) {
-            // Invert the low bits of x[0] where the bit is set, else exchange them with this axis's:
-            // without a branch, which would be taken at random.
-            const std::uint32_t is_set = axis & bit ? ~0u : 0u;
-            const std::uint32_t exchanged = (x[0] ^ axis) & below & ~is_set;
-            x[0] ^= exchanged | (below & is_set);
-            axis ^= exchanged;
+        for (std::size_t i = 0; i < k_batch; ++i)
+            x[0][i] ^= x[0][i] & bit ? below : 0;
+        for (std::size_t axis = 1; axis < 3; ++axis) {
+            for (std::size_t i = 0; i < k_batch; ++i) {
+                // Invert the low bits of x where the axis's bit is set, else exchange them.
+                const std::uint32_t is_set = x[axis][i] & bit ? ~0u : 0u;
+                const std::uint32_t exchanged = (x[0][i] ^ x[axis][i]) & below & ~is_set;
+                x[0][i] ^= exchanged | (below & is_set);
+                x[axis][i] ^= exchanged;
+            }
         }
     }
-    x[1] ^= x[0];
-    x[2] ^= x[1];
-    std::uint32_t gray = 0;
-    for (std::uint32_t bit = 1u << (k_bits - 1); bit > 1; bit >>= 1)
-        if (x[2] & bit) gray ^= bit - 1;
-    return spread(x[0] ^ gray) << 2 | spread(x[1] ^ gray) << 1 | spread(x[2] ^ gray);
+    for (std::size_t i = 0; i < k_batch; ++i) {
+        x[1][i] ^= x[0][i];
+        x[2][i] ^= x[1][i];
+        // Bit b of the Gray code's end is the parity of the bits of x[2] above b.
+        std::uint32_t parity = x[2][i];
+        parity ^= parity >> 1;
+        parity ^= parity >> 2;
+        parity ^= parity >> 4;
+        parity ^= parity >> 8;
+        parity >>= 1;
+        codes[i] = spread(x[0][i] ^ parity) << 2 | spread(x[1][i] ^ parity) << 1 |
+                   spread(x[2][i] ^ parity);
+    }
+}
+
+// By radix, least digit first: stable, so equal codes keep the order of their numbers.
+void sort_by_code(std::span<CodedPoint> range) {
+    constexpr std::size_t k_least_for_radix = 2000;
+    if (range.size() < k_least_for_radix) {
+        std::sort(range.begin(), range.end());
+        return;
+    }
+    constexpr std::uint32_t k_digit_bits = 11;
+    constexpr std::size_t k_digits = std::size_t{1} << k_digit_bits;
+    std::vector<CodedPoint> other(range.size());
+    std::span<CodedPoint> from = range;
+    std::span<CodedPoint> to = other;
+    for (std::uint32_t shift = 0; shift < k_code_bits; shift += k_digit_bits) {
+        const auto digit = [shift](const CodedPoint& p) { return p.code >> shift & (k_digits - 1); };
+        std::vector<std::uint32_t> begin(k_digits + 1, 0);
+        for (const CodedPoint& p : from) ++begin[digit(p) + 1];
+        if (begin[digit(from[0]) + 1] == from.size()) continue;  // All the same.
+        for (std::size_t d = 1; d < k_digits; ++d) begin[d] += begin[d - 1];
+        for (const CodedPoint& p : from) to[begin[digit(p)]++] = p;
+        std::swap(from, to);
+    }
+    if (from.data() != range.data()) std::copy(from.begin(), from.end(), range.begin());
 }
 
 using Points = std::span<const glm::dvec3>;
@@ -101,14 +140,26 @@ void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, range.size(), k_grain),
         [&](const tbb::blocked_range<std::size_t>& part) {
-            for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                CodedPoint& coded = range[i];
-                const glm::dvec3 offset = points[coded.point] - cube.low;
-                coded.code = hilbert_code({cell(offset.x), cell(offset.y), cell(offset.z)});
-                if (!sizes.empty()) coded.code |= std::uint64_t{sizes[coded.point]} << 3 * k_bits;
+            std::array<BatchAxis, 3> x{};
+            std::array<std::uint64_t, k_batch> codes;
+            for (std::size_t begin = part.begin(); begin < part.end(); begin += k_batch) {
+                const std::size_t count = std::min(k_batch, part.end() - begin);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const glm::dvec3 offset = points[range[begin + i].point] - cube.low;
+                    x[0][i] = cell(offset.x);
+                    x[1][i] = cell(offset.y);
+                    x[2][i] = cell(offset.z);
+                }
+                make_hilbert_codes(x, codes);
+                for (std::size_t i = 0; i < count; ++i) {
+                    CodedPoint& coded = range[begin + i];
+                    coded.code = codes[i];
+                    if (!sizes.empty())
+                        coded.code |= std::uint64_t{sizes[coded.point]} << 3 * k_bits;
+                }
             }
         });
-    tbb::parallel_sort(range.begin(), range.end());
+    sort_by_code(range);
     if (cubes + 1 == k_octree_max_cubes || !(side > 0.0)) return;
     for (std::size_t begin = 0; begin < range.size();) {
         std::size_t end = begin + 1;

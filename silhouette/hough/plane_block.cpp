@@ -16,14 +16,19 @@ constexpr double k_weight_length = 32000.0;
 BlockFrame BlockFrame::around(std::span<const PlaneVector> planes) noexcept {
     BlockFrame frame{{}, 0x1p20f};
     if (planes.empty()) return frame;
+    PlaneVector low = planes[0];
+    PlaneVector high = planes[0];
+    for (const PlaneVector& plane : planes.subspan(1)) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            low[i] = std::min(low[i], plane[i]);
+            high[i] = std::max(high[i], plane[i]);
+        }
+    }
     double half_width = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const auto [low, high] = std::minmax_element(
-            planes.begin(), planes.end(),
-            [i](const PlaneVector& a, const PlaneVector& b) { return a[i] < b[i]; });
-        frame.center[i] = static_cast<float>(0.5 * ((*low)[i] + (*high)[i]));
+        frame.center[i] = static_cast<float>(0.5 * (low[i] + high[i]));
         const double center = double{frame.center[i]};
-        half_width = std::max({half_width, (*high)[i] - center, center - (*low)[i]});
+        half_width = std::max({half_width, high[i] - center, center - low[i]});
     }
     // The greatest power of two below k_steps / half_width; half_width is at most 2 or so.
     while (half_width * double{frame.step_inverse} > k_steps) frame.step_inverse *= 0.5f;
@@ -33,8 +38,9 @@ BlockFrame BlockFrame::around(std::span<const PlaneVector> planes) noexcept {
 void BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
                         PlaneBlock& block) const noexcept {
     const auto steps = [&](std::size_t i) {
-        const double offset = plane[i] - double{center[i]};
-        return static_cast<std::int16_t>(std::lround(offset * double{step_inverse}));
+        const double count = (plane[i] - double{center[i]}) * double{step_inverse};
+        // lround is a call, and a branch on the sign is taken at random.
+        return static_cast<std::int16_t>(count + std::copysign(0.5, count));
     };
     block.normal_xy[2 * lane] = steps(0);
     block.normal_xy[2 * lane + 1] = steps(1);

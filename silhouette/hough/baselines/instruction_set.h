@@ -10,6 +10,8 @@
 //     };
 //     const auto sum = best_version<Sum>();   // Kept by whoever calls it often.
 
+#include <vector>
+
 namespace rimline {
 
 template <typename Kernel, typename Function>
@@ -24,20 +26,26 @@ struct KernelVersions<Kernel, Result(Arguments...)> {
     [[gnu::target("avx2")]] static Result avx2(Arguments... arguments) {
         return Kernel::run(arguments...);
     }
+#if defined(__clang__)  // Which has no such preference, and would ignore the rest with it.
+    [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl")]] static Result
+#else
     [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512")]] static Result
+#endif
     avx512(Arguments... arguments) {
         return Kernel::run(arguments...);
     }
 #endif
 
-    static Pointer best() noexcept {
+    /// Those that this machine runs, the best last.
+    static std::vector<Pointer> all() {
+        std::vector<Pointer> versions{baseline};
 #if defined(__x86_64__)
+        if (__builtin_cpu_supports("avx2")) versions.push_back(avx2);
         if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-            return avx512;
-        if (__builtin_cpu_supports("avx2")) return avx2;
+            versions.push_back(avx512);
 #endif
-        return baseline;
+        return versions;
     }
 };
 
@@ -45,8 +53,14 @@ template <typename Kernel>
 using KernelPointer = typename KernelVersions<Kernel, decltype(Kernel::run)>::Pointer;
 
 template <typename Kernel>
-KernelPointer<Kernel> best_version() noexcept {
-    return KernelVersions<Kernel, decltype(Kernel::run)>::best();
+KernelPointer<Kernel> best_version() {
+    return KernelVersions<Kernel, decltype(Kernel::run)>::all().back();
+}
+
+/// For tests: all give the same.
+template <typename Kernel>
+std::vector<KernelPointer<Kernel>> all_versions() {
+    return KernelVersions<Kernel, decltype(Kernel::run)>::all();
 }
 
 }  // namespace rimline

@@ -25,7 +25,8 @@ TEST_CASE("an order names every item once, whatever the keys are") {
     for (const std::uint32_t size : k_sizes) {
         CAPTURE(size);
         for (const std::vector<PackedKey>& keys :
-             {random_keys(size, 1), std::vector<PackedKey>(size, PackedKey{1.0f, 2.0f, 3.0f, 4.0f})}) {
+             {random_keys(size, 1),
+              std::vector<PackedKey>(size, PackedKey{1.0f, 2.0f, 3.0f, 4.0f})}) {
             std::vector<std::uint32_t> order = packed_order(keys);
             std::sort(order.begin(), order.end());
             std::vector<std::uint32_t> expected(size);

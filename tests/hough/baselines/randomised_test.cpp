@@ -53,9 +53,9 @@ double recall(const Mesh& mesh, Call call) {
     std::size_t all = 0;
     for (std::uint32_t i = 0; i < 200; ++i) {
         const double angle_rad = 0.02 * i;
-        const HomogeneousPoint p = HomogeneousPoint::viewpoint(
-            glm::vec3(mesh.center() + 3.0 * mesh.radius() *
-                                          glm::dvec3(std::cos(angle_rad), 0.4, std::sin(angle_rad))));
+        const HomogeneousPoint p = HomogeneousPoint::viewpoint(glm::vec3(
+            mesh.center() +
+            3.0 * mesh.radius() * glm::dvec3(std::cos(angle_rad), 0.4, std::sin(angle_rad))));
         found += found_by(method, call, p).size();
         all += brute_force_silhouette(mesh, p).size();
     }
@@ -88,8 +88,8 @@ TEST_CASE("a random search is the same for the same seed and another for another
     MeshSource source;
     for (std::uint32_t i = 0; i < 400; ++i) {
         const glm::dvec3 offset(4.0 * (i % 20), 4.0 * (i / 20), 0.0);
-        source = tests::joined(source, tests::placed(tests::box(glm::vec3(-1.0f), glm::vec3(1.0f)),
-                                                     1.0, offset));
+        source = tests::joined(
+            source, tests::placed(tests::box(glm::vec3(-1.0f), glm::vec3(1.0f)), 1.0, offset));
     }
     const Mesh mesh(source);
     const HomogeneousPoint p = HomogeneousPoint::viewpoint({-30.0f, 20.0f, 100.0f});

@@ -52,8 +52,8 @@ void for_each_exact_method(const Mesh& mesh, const SilhouetteMethodOptions& opti
 
 TEST_CASE("the registry has every method that a bench compares, with its source") {
     const std::set<std::string_view> expected{
-        "octree",     "literal", "brute", "brute-scalar", "edge-buffer", "dual",
-        "plane-tree", "gauss",   "quadric", "cone-tree",  "randomised"};
+        "octree",     "literal", "brute",   "brute-scalar", "edge-buffer", "dual",
+        "plane-tree", "gauss",   "quadric", "cone-tree",    "randomised"};
     std::set<std::string_view> names;
     const Mesh mesh(make_built_in_shape("sphere", 100));
     for (const SilhouetteMethodInfo& info : silhouette_methods()) {
@@ -94,8 +94,7 @@ TEST_CASE("every exact method follows a point as brute force finds it, on every 
         for_each_exact_method(mesh, {}, [&](const auto& info, SilhouetteMethod& method) {
             tests::RandomWalk walk(mesh, seed);
             for (std::uint32_t i = 0; i < 200; ++i)
-                check_call(method, &SilhouetteMethod::update, mesh,
-                           as_taken_by(info, walk.next()));
+                check_call(method, &SilhouetteMethod::update, mesh, as_taken_by(info, walk.next()));
         });
     }
 }
@@ -174,8 +173,8 @@ TEST_CASE("the methods that look at everything count everything") {
         std::vector<EdgeId> edges;
         TraversalCounters work;
         work.face_checks = 7;  // Added to.
-        make_silhouette_method(name, mesh)->extract(HomogeneousPoint::direction({1.0f, 0.2f, 0.3f}),
-                                                    edges, work);
+        make_silhouette_method(name, mesh)
+            ->extract(HomogeneousPoint::direction({1.0f, 0.2f, 0.3f}), edges, work);
         CHECK(work.face_checks == 7 + mesh.face_count());
         CHECK(work.edge_checks >= mesh.edges_of_class(EdgeClass::border).first);
         CHECK(work.box_checks == 0);
