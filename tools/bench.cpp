@@ -27,30 +27,32 @@ namespace rimline::tools {
 namespace {
 
 constexpr const char* k_footer =
-    "Every result is compared with brute force before anything is timed; exit 3 where one differs.\n"
-    "Times are microseconds of one thread, for one point or frame: of each point the least of all\n"
-    "rounds, then the median, mean and high quantiles over the points. A ratio is a method's median\n"
-    "over that of the octree or tracker: above 1, ours is faster. Rounds of the methods alternate.\n"
-    "boxes, faces, edges are how many were tested.\n\n"
+    "Every result is compared with brute force before anything is timed; exit 3 if one differs.\n"
+    "Times are microseconds of one thread, for one point or frame, without what other programs\n"
+    "took from it: of each point the least of all rounds, then the median, mean and high\n"
+    "quantiles over the points. A ratio is a method's median over that of the octree or tracker:\n"
+    "above 1, ours is faster. Rounds of the methods alternate. boxes, faces, edges are how many\n"
+    "were tested.\n\n"
     "  octree, tracker    the index, and what follows a moving point in it\n"
     "  packed             brute force for wide registers: all face bits, then all edges\n"
     "  packed tracker     all face bits, those that flipped, their edges: the same change set\n"
     "  packed, bits only  the face bits alone: less than any update has to do\n"
     "  scalar             the plain loop over faces and edges, at some of the points\n"
     "  plain loop         reads all planes and counts front faces: the machine's own speed\n"
-    "  fresh tracker      on a random path with jumps: all face bits, the octree's extraction, and\n"
-    "                     the change set from comparing; what an update must not much exceed\n"
+    "  fresh tracker      on a random path with jumps: all face bits, the octree's extraction,\n"
+    "                     and a change set by comparing; what no update may much exceed\n"
     "  streamed           the bytes of the changes, beside those of the whole state\n"
-    "  VTK                vtkPolyDataSilhouette, the filter's update alone, where Python has VTK 9\n\n"
-    "Above a million faces the amounts shrink in proportion, to 60 points at least. On the bunny and\n"
-    "igea, packed also has a ceiling: what it took on a known machine with AVX-512, scaled by the plain\n"
-    "loop; above it is a defect of this bench where AVX-512 is in use, and unknown elsewhere.\n"
+    "  VTK                vtkPolyDataSilhouette, the filter's update alone, where Python has it\n\n"
+    "Above a million faces the amounts shrink in proportion, to 60 points at least. On the bunny\n"
+    "and igea, packed has a ceiling: what it took on a known machine with AVX-512, scaled by the\n"
+    "plain loop; above it is a defect of this bench with AVX-512, and unknown elsewhere.\n"
     "--check asks: bunny extraction 2x; igea 5x, update 10x, streamed 1/4, VTK 300x; igea with\n"
-    "--subdivide 2 15x, update 20x; on all three a worst update of 1.5x, 200 bytes a face. Of any\n"
-    "other model, only that neither is slower than brute force.\n\n"
-    "--json has the machine, for each model its sizes, bytes, worst update, ceiling and VTK's time, for\n"
-    "each case the methods with times and counters, and with --check the targets; with --methods the\n"
-    "tables, with --growth the sizes and the number of faces where the octree overtakes brute force.\n\n"
+    "--subdivide 2 15x, update 20x; on all three a worst update of 1.5x, 200 bytes a face. Of\n"
+    "any other model, only that neither is slower than brute force.\n\n"
+    "--json has the machine; for each model its sizes, bytes, worst update, ceiling and VTK's\n"
+    "time; for each case the methods with times and counters; with --check the targets; with\n"
+    "--methods the tables; with --growth the sizes, and the number of faces where the octree\n"
+    "overtakes brute force.\n\n"
     "Examples:\n"
     "  rimline bench hough bunny.obj igea.ply --check\n"
     "  rimline bench hough igea.ply --subdivide 2 --json\n"
@@ -154,24 +156,24 @@ private:
         least_option_ = add_count(app, "--least-faces", growth_options_.least_faces, 1, 1u << 28,
                                   "Of --growth");
         most_option_ = add_count(app, "--most-faces", growth_options_.most_faces, 1, 1u << 28,
-                                 "Of --growth; 10 million take 6 GB of memory");
+                                 "Of --growth; 10 million take 4.4 GB of memory");
         trackers_option_ = add_count(app, "--trackers", service_.trackers, 1, 100'000,
                                      "Of the service: a camera and lights");
         fps_option_ = add_number(app, "--fps", service_.frames_per_second, 1.0, 10'000.0,
                                  "Of the service: frames a second");
         workers_option_ = add_count(app, "--workers", service_.workers, 0, 1024,
                                     "Of the service: threads; 0 leaves it to the machine");
-        for (CLI::Option* option :
-             {viewpoints_option_, frames_option_, worst_frames_option_, rounds_option_,
-              builds_option_, least_option_, most_option_, trackers_option_, fps_option_,
-              workers_option_})
+        for (CLI::Option* option : {viewpoints_option_, frames_option_, worst_frames_option_,
+                                    rounds_option_, builds_option_, least_option_, most_option_,
+                                    trackers_option_, fps_option_, workers_option_})
             option->group(k_group);
     }
 
     // An option that would not be heeded is a mistake that nothing in the result shows.
     void refuse_options_of_others() const {
         const auto refuse = [](bool is_refused, const CLI::Option* option, const char* why) {
-            if (is_refused && option->count() > 0) throw UsageError(option->get_name() + ": " + why);
+            if (is_refused && option->count() > 0)
+                throw UsageError(option->get_name() + ": " + why);
         };
         const bool is_service = suite_ == "service";
         for (const CLI::Option* option :
@@ -231,13 +233,11 @@ private:
             if (missed.empty() && !what.empty()) missed = model + ": " + what;
         }
         if (context.json) {
-            nlohmann::ordered_json object{{"machine", to_json(machine_)},
-                                          {"viewpoints", hough_.viewpoints},
-                                          {"frames", hough_.frames},
-                                          {"worst_frames", hough_.worst_frames},
-                                          {"rounds", hough_.rounds},
-                                          {"models", std::move(models_json)},
-                                          {"cases", std::move(cases)}};
+            nlohmann::ordered_json object{
+                {"machine", to_json(machine_)}, {"viewpoints", hough_.viewpoints},
+                {"frames", hough_.frames},      {"worst_frames", hough_.worst_frames},
+                {"rounds", hough_.rounds},      {"models", std::move(models_json)},
+                {"cases", std::move(cases)}};
             if (check_) object["targets"] = std::move(targets_json);
             print_json(object);
         }

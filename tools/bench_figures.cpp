@@ -71,8 +71,8 @@ std::vector<HomogeneousPoint> points_on_sphere(const UnitSphere& unit, double ra
         const double z = 1.0 - (2.0 * i + 1.0) / count;
         const double across = std::sqrt(1.0 - z * z);
         const double angle = golden_angle * i;
-        points.push_back(viewpoint(
-            unit, radii, {across * std::cos(angle), across * std::sin(angle), z}));
+        points.push_back(
+            viewpoint(unit, radii, {across * std::cos(angle), across * std::sin(angle), z}));
     }
     return points;
 }
@@ -87,8 +87,8 @@ std::vector<HomogeneousPoint> random_points(const UnitSphere& unit, std::uint32_
         const double angle = 2.0 * std::numbers::pi * random();
         const double radii = 1.0 + 2.0 * random();
         const double across = std::sqrt(1.0 - z * z);
-        points.push_back(viewpoint(
-            unit, radii, {across * std::cos(angle), across * std::sin(angle), z}));
+        points.push_back(
+            viewpoint(unit, radii, {across * std::cos(angle), across * std::sin(angle), z}));
     }
     return points;
 }
@@ -143,7 +143,8 @@ public:
     }
 
 private:
-    static LiteralOctreeOptions literal_options(const glm::dvec3& origin, std::uint32_t small_leaf) {
+    static LiteralOctreeOptions literal_options(const glm::dvec3& origin,
+                                                std::uint32_t small_leaf) {
         LiteralOctreeOptions options;
         options.origin = origin;
         options.small_leaf = small_leaf;
@@ -159,12 +160,16 @@ std::vector<ExtractionWork> work_on_spheres(const Extractors& extractors, const 
                                             std::uint32_t viewpoints, std::string& difference,
                                             const Context& context) {
     std::vector<ExtractionWork> spheres;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const double radius = 1.0 + i;
-        const std::uint32_t count = (viewpoints + 2 - i) / 3;
-        spheres.push_back(
-            extractors.mean_work(points_on_sphere(unit, radius, count), difference, context));
+    std::uint32_t area = 0;
+    std::uint32_t done = 0;
+    for (const std::uint32_t radius : {1u, 2u, 3u}) {
+        area += radius * radius;
+        const auto until =
+            static_cast<std::uint32_t>(std::uint64_t{viewpoints} * area / (1 + 4 + 9));
+        spheres.push_back(extractors.mean_work(points_on_sphere(unit, radius, until - done),
+                                               difference, context));
         spheres.back().radius = radius;
+        done = until;
     }
     return spheres;
 }
@@ -190,8 +195,9 @@ struct Traversal {
     std::vector<std::uint32_t> words;
 };
 
-OrbitWork work_on_orbit(const Extractors& extractors, const UnitSphere& unit, const FigureOptions& options,
-                        std::string& difference, const Context& context) {
+OrbitWork work_on_orbit(const Extractors& extractors, const UnitSphere& unit,
+                        const FigureOptions& options, std::string& difference,
+                        const Context& context) {
     const Mesh& mesh = extractors.index().mesh();
     const Orbit orbit(unit.center, {0.0, 1.0, 0.0}, options.orbit_radii * unit.radius);
     const HomogeneousPoint start = orbit.viewpoint(0.0);
@@ -218,8 +224,7 @@ OrbitWork work_on_orbit(const Extractors& extractors, const UnitSphere& unit, co
     HomogeneousPoint previous = start;
     for (std::uint32_t i = 1; i <= options.frames; ++i) {
         context.checkpoint();
-        const HomogeneousPoint point =
-            orbit.viewpoint(2.0 * std::numbers::pi * i / options.frames);
+        const HomogeneousPoint point = orbit.viewpoint(2.0 * std::numbers::pi * i / options.frames);
         const std::vector<std::uint32_t> truth = brute_force_face_bits(mesh, point);
         const auto compare = [&](std::span<const std::uint32_t> words, const char* method) {
             if (!std::equal(words.begin(), words.end(), truth.begin(), truth.end()) &&
@@ -265,8 +270,9 @@ OrbitWork work_on_orbit(const Extractors& extractors, const UnitSphere& unit, co
 ResolutionWork work_at_resolution(const Mesh& mesh, std::uint32_t points, std::string& difference,
                                   const Context& context) {
     const UnitSphere unit = unit_sphere(mesh);
-    return {mesh.face_count(), Extractors(mesh, unit.center)
-                                   .mean_work(random_points(unit, points), difference, context)};
+    return {
+        mesh.face_count(),
+        Extractors(mesh, unit.center).mean_work(random_points(unit, points), difference, context)};
 }
 
 }  // namespace
@@ -301,17 +307,15 @@ FigureData bench_figures(const std::string& model, const Mesh& mesh, const Figur
     const LiteralOctree& octree = extractors.literal();
     const TransformOctree dual(mesh, data.unit.center, PlaneTransform::dual, NodeBoxes::tight);
     data.sfo_edges = octree.statistics().sfo_edges;
-    data.hough =
-        spread_of(octree.hough_points(), octree.nodes(), data.unit.radius, options.sample);
+    data.hough = spread_of(octree.hough_points(), octree.nodes(), data.unit.radius, options.sample);
     data.dual = spread_of(dual.points(), dual.nodes(), 1.0 / data.unit.radius, options.sample);
     data.dual.left_out = static_cast<std::uint32_t>(dual.faces_at_infinity());
 
     call.checkpoint(0.1);
-    data.extraction = work_on_spheres(extractors, data.unit, options.viewpoints, data.difference,
-                                      context);
+    data.extraction =
+        work_on_spheres(extractors, data.unit, options.viewpoints, data.difference, context);
     call.checkpoint(0.5);
-    data.orbit =
-        work_on_orbit(extractors, data.unit, options, data.difference, context);
+    data.orbit = work_on_orbit(extractors, data.unit, options, data.difference, context);
     call.checkpoint(0.8);
     for (const std::uint32_t faces : options.resolutions)
         if (faces < mesh.face_count())
@@ -319,9 +323,8 @@ FigureData bench_figures(const std::string& model, const Mesh& mesh, const Figur
                                                           options.random_points, data.difference,
                                                           context));
     data.resolutions.push_back(
-        {mesh.face_count(),
-         extractors.mean_work(random_points(data.unit, options.random_points), data.difference,
-                              context)});
+        {mesh.face_count(), extractors.mean_work(random_points(data.unit, options.random_points),
+                                                 data.difference, context)});
     data.layout = picture_layout(extractors.index(), 1.25, std::numbers::pi / 6.0, 0.02);
     return data;
 }

@@ -6,9 +6,9 @@
 // on every machine. Every result counted is compared with brute force.
 //
 // The text leaves open, and here it is: the origin is the mean of the vertices, the unit the distance of
-// the farthest vertex from it; viewpoints are spread by the golden angle, as many on each of three
-// spheres, which are kept apart in the result; the circle has two radii and half-degree steps; random
-// points lie between one and three radii.
+// the farthest vertex from it; viewpoints are as dense on each of the three spheres, 276, 1,104 and 2,485
+// of them, spread by the golden angle; the circle has two radii and half-degree steps; random points lie
+// between one and three radii.
 
 #include <array>
 #include <cstdint>
@@ -29,12 +29,12 @@ struct FigureOptions {
     std::uint32_t viewpoints = 3865;
     std::uint32_t frames = 720;  ///< Of a full turn.
     double orbit_radii = 2.0;
-    std::uint32_t random_points = 10;         ///< At each resolution.
+    std::uint32_t random_points = 10;  ///< At each resolution.
     /// Face counts to cluster down to (vertex_clustering.h), those that the mesh has.
     std::vector<std::uint32_t> resolutions{2000, 4000, 8000, 16000, 32000, 64000, 128000};
     /// A mesh of more faces is clustered before anything is counted.
     std::uint32_t most_faces = 0xffffffffu;
-    std::uint32_t sample = 6000;              ///< Points of a scatter plot.
+    std::uint32_t sample = 6000;  ///< Points of a scatter plot.
 };
 
 /// Where the thesis puts origin and unit sphere.
@@ -47,10 +47,10 @@ UnitSphere unit_sphere(const Mesh& mesh);
 /// Figures 3.1 and 3.11: one space.
 struct PointSpread {
     std::uint32_t points = 0;
-    std::uint32_t left_out = 0;            ///< Faces without a point in this space.
-    double farthest = 0.0;                 ///< In the mesh's unit, or one over it.
-    double percentile_99 = 0.0;            ///< Of distances from the origin.
-    std::vector<std::uint32_t> distances;  ///< Counts in equal steps from 0 to the farthest.
+    std::uint32_t left_out = 0;                 ///< Faces without a point in this space.
+    double farthest = 0.0;                      ///< In the mesh's unit, or one over it.
+    double percentile_99 = 0.0;                 ///< Of distances from the origin.
+    std::vector<std::uint32_t> distances;       ///< Counts in equal steps from 0 to the farthest.
     std::vector<std::uint32_t> near_distances;  ///< The same up to the 99th percentile.
     std::vector<std::array<double, 3>> sample;
     std::vector<std::uint32_t> leaf_depths;
@@ -79,10 +79,10 @@ struct OrbitWork {
     struct Counts {
         std::vector<std::uint32_t> boxes, faces;
     };
-    Counts full, incremental, as_written;  ///< LiteralUpdate.
-    Counts dual;                           ///< Full traversal of the dual octree, tight boxes.
-    Counts full_octants, dual_octants;     ///< Full traversals by whole octants.
-    Counts index;                          ///< SilhouetteTracker: eight boxes a node.
+    Counts full, incremental, as_written;    ///< LiteralUpdate.
+    Counts dual;                             ///< Full traversal of the dual octree, tight boxes.
+    Counts full_octants, dual_octants;       ///< Full traversals by whole octants.
+    Counts index;                            ///< SilhouetteTracker: eight boxes a node.
     std::vector<std::uint32_t> turned;       ///< Faces that turn.
     std::vector<std::uint32_t> wrong_faces;  ///< Bits that are wrong, walked as written.
     std::vector<std::uint32_t> contained;    ///< Faces that full traversal turns untested.

@@ -20,14 +20,10 @@ Json spread_json(const PointSpread& spread) {
     Json sample = Json::array();
     for (const std::array<double, 3>& point : spread.sample)
         sample.push_back({rounded(point[0]), rounded(point[1]), rounded(point[2])});
-    return {{"points", spread.points},
-            {"left_out", spread.left_out},
-            {"farthest", spread.farthest},
-            {"percentile_99", spread.percentile_99},
-            {"distances", spread.distances},
-            {"near_distances", spread.near_distances},
-            {"sample", std::move(sample)},
-            {"nodes", spread.nodes},
+    return {{"points", spread.points},          {"left_out", spread.left_out},
+            {"farthest", spread.farthest},      {"percentile_99", spread.percentile_99},
+            {"distances", spread.distances},    {"near_distances", spread.near_distances},
+            {"sample", std::move(sample)},      {"nodes", spread.nodes},
             {"leaf_depths", spread.leaf_depths}};
 }
 

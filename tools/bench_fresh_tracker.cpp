@@ -17,8 +17,10 @@ SilhouetteRecord FreshTracker::make_record(const HomogeneousPoint& point) {
     std::vector<std::uint32_t> words(face_word_count(mesh.face_count()), 0);
     for (std::uint32_t b = 0; b < bits_.size(); ++b) {
         for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
-            const FaceId face = octree_->face_at(
-                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes))).face;
+            const FaceId face = octree_
+                                    ->face_at(b * k_block_size +
+                                              static_cast<std::uint32_t>(std::countr_zero(lanes)))
+                                    .face;
             words[index(face) / 32] |= 1u << (index(face) % 32);
         }
     }
@@ -37,8 +39,10 @@ const ChangeSet& FreshTracker::move_to(const HomogeneousPoint& point) {
     for (std::uint32_t b = 0; b < bits_.size(); ++b)
         for (std::uint32_t flips = static_cast<std::uint32_t>(bits_[b] ^ new_bits_[b]); flips != 0;
              flips &= flips - 1)
-            flipped_.push_back(octree_->face_at(
-                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(flips))).face);
+            flipped_.push_back(octree_
+                                   ->face_at(b * k_block_size +
+                                             static_cast<std::uint32_t>(std::countr_zero(flips)))
+                                   .face);
     bits_.swap(new_bits_);
     record_.begin_move();
     record_.flip_faces(flipped_);

@@ -104,8 +104,9 @@ std::optional<double> overtaken_at(const std::vector<GrowthStep>& steps,
 }
 
 void print_growth_names() {
-    std::printf("%10s %10s %8s %8s | %10s %10s %8s | %10s %10s %8s\n", "faces", "build ms", "B/face",
-                "MiB", "extraction", "brute us", "ratio", "update us", "brute us", "ratio");
+    std::printf("%10s %10s %8s %8s | %10s %10s %8s | %10s %10s %8s\n", "faces", "build ms",
+                "B/face", "MiB", "extraction", "brute us", "ratio", "update us", "brute us",
+                "ratio");
 }
 
 void print_growth(const GrowthStep& step) {

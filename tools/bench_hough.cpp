@@ -29,7 +29,8 @@ constexpr std::uint64_t k_vtk_faces = 20'000'000;  // Of all frames together.
 // Of so many points every n-th is compared with the scalar oracle, and timed with it. Not by threes:
 // points stand at three radii in turn.
 std::size_t scalar_stride(std::size_t points, std::uint32_t faces) {
-    const std::uint64_t affordable = std::max<std::uint64_t>(k_scalar_faces / std::max(faces, 1u), 8);
+    const std::uint64_t affordable =
+        std::max<std::uint64_t>(k_scalar_faces / std::max(faces, 1u), 8);
     const std::size_t stride = (points + affordable - 1) / affordable;
     return stride > 1 && stride % 3 == 0 ? stride + 1 : std::max<std::size_t>(stride, 1);
 }
@@ -113,9 +114,8 @@ public:
     }
 
     void worst() {
-        const std::vector<HomogeneousPoint> points =
-            random_path(mesh_, k_worst_seed,
-                        point_count(options_.worst_frames, mesh_.face_count()) + 1);
+        const std::vector<HomogeneousPoint> points = random_path(
+            mesh_, k_worst_seed, point_count(options_.worst_frames, mesh_.face_count()) + 1);
         const Points steps = Points(points).subspan(1);
         CaseResult& c = result_.worst;
         SilhouetteTracker tracker(octree_, points.front());
@@ -151,9 +151,10 @@ private:
     }
     Contender scalar(std::size_t points) {
         return {.name = "scalar",
-                .step = [this](const HomogeneousPoint& point) {
-                    edges_ = brute_force_silhouette(mesh_, point);
-                },
+                .step =
+                    [this](const HomogeneousPoint& point) {
+                        edges_ = brute_force_silhouette(mesh_, point);
+                    },
                 .counters = [this] { return everything(); },
                 .every = scalar_stride(points, mesh_.face_count())};
     }
@@ -232,7 +233,8 @@ private:
     }
 
     void time_vtk_on(Points steps) {
-        const std::uint64_t affordable = std::max<std::uint64_t>(k_vtk_faces / mesh_.face_count(), 5);
+        const std::uint64_t affordable =
+            std::max<std::uint64_t>(k_vtk_faces / mesh_.face_count(), 5);
         const std::size_t count =
             std::min<std::size_t>({steps.size(), k_vtk_frames, std::size_t{affordable}});
         result_.vtk = time_vtk(mesh_, steps.first(count), k_vtk_rounds, context_);
@@ -247,7 +249,8 @@ private:
         WorstUpdate worst;
         std::vector<double> ratios;
         for (std::size_t i = 0; i < ours.us.size(); ++i) {
-            worst.work = std::max(worst.work, sum(ours.work[i]) / std::max(sum(fresh.work[i]), 1.0));
+            worst.work =
+                std::max(worst.work, sum(ours.work[i]) / std::max(sum(fresh.work[i]), 1.0));
             ratios.push_back(ours.us[i] / fresh.us[i]);
         }
         worst.p999 = ours.quantile_us(0.999) / fresh.quantile_us(0.999);
@@ -276,8 +279,7 @@ double median_build_ms(const std::string& model, const Mesh& mesh, std::uint32_t
         call.checkpoint(static_cast<double>(i) / builds);
         const Clock::time_point start = Clock::now();
         const HoughOctree octree(mesh, {}, LongCall{context.stop, {}});
-        times_ms.push_back(
-            std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        times_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     }
     return quantile(std::move(times_ms), 0.5);
 }

@@ -31,8 +31,8 @@ constexpr std::uint64_t k_scalar_faces = 50'000'000;
 
 struct HoughBenchOptions {
     std::uint32_t viewpoints = 300;
-    std::uint32_t frames = 720;        ///< Of the orbit.
-    std::uint32_t worst_frames = 2000; ///< Of the random path; 0 leaves the case out.
+    std::uint32_t frames = 720;         ///< Of the orbit.
+    std::uint32_t worst_frames = 2000;  ///< Of the random path; 0 leaves the case out.
     std::uint32_t rounds = 5;
     std::uint32_t builds = 3;  ///< Of the octree; the median counts.
     bool vtk = true;           ///< Where it is installed.
@@ -41,17 +41,17 @@ struct HoughBenchOptions {
 struct CaseResult {
     std::string name;
     std::uint64_t points = 0;
-    double mean_size = 0.0;       ///< Edges on the silhouette, a point.
-    double mean_flips = 0.0;      ///< Faces that turn, a frame; 0 where nothing moves.
-    std::string difference{};     ///< The first from brute force; the case is not timed then.
-    std::vector<Times> methods{}; ///< Ours first.
+    double mean_size = 0.0;        ///< Edges on the silhouette, a point.
+    double mean_flips = 0.0;       ///< Faces that turn, a frame; 0 where nothing moves.
+    std::string difference{};      ///< The first from brute force; the case is not timed then.
+    std::vector<Times> methods{};  ///< Ours first.
 };
 
 /// The updates of the worst case against fresh extractions, frame by frame.
 struct WorstUpdate {
-    double work = 0.0;      ///< The greatest ratio of box, face and edge checks.
-    double p999 = 0.0;      ///< The ratio of both p99.9.
-    double frame_p999 = 0.0; ///< p99.9 of the frames' own ratios.
+    double work = 0.0;        ///< The greatest ratio of box, face and edge checks.
+    double p999 = 0.0;        ///< The ratio of both p99.9.
+    double frame_p999 = 0.0;  ///< p99.9 of the frames' own ratios.
 };
 
 struct ModelResult {

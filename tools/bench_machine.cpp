@@ -35,9 +35,9 @@ BenchMachine this_machine() {
 }
 
 void print_machine(const BenchMachine& machine) {
-    std::printf("%s, %u threads, one of them measured; the octree uses %s, packed brute force %s\n\n",
-                machine.cpu.c_str(), machine.threads, machine.tree.c_str(),
-                machine.packed.c_str());
+    std::printf(
+        "%s, %u threads, one of them measured; the octree uses %s, packed brute force %s\n\n",
+        machine.cpu.c_str(), machine.threads, machine.tree.c_str(), machine.packed.c_str());
 }
 
 nlohmann::ordered_json to_json(const BenchMachine& machine) {

@@ -8,8 +8,8 @@
 
 #include "silhouette/hough/baselines/brute_force_packed.h"
 #include "silhouette/hough/baselines/silhouette_method.h"
-#include "tools/bench_points.h"
 #include "tools/bench_hough.h"
+#include "tools/bench_points.h"
 #include "tools/bench_report.h"
 #include "tools/progress.h"
 
@@ -63,9 +63,9 @@ public:
             if (!result_.difference.empty()) return false;
             contenders.push_back(contender_of(made, question));
         }
-        table.methods = time_in_turn(contenders, question.points, rounds_,
-                                     "measuring " + question.name + " of " + result_.model,
-                                     context_);
+        table.methods =
+            time_in_turn(contenders, question.points, rounds_,
+                         "measuring " + question.name + " of " + result_.model, context_);
         result_.tables.push_back(std::move(table));
         return true;
     }
@@ -83,12 +83,11 @@ private:
             packed_.silhouette(words_, truth_);
             answer(*made.method, question, question.points[i]);
             std::sort(edges_.begin(), edges_.end());
-            const bool is_right = made.info->exact ? edges_ == truth_
-                                                   : std::ranges::includes(truth_, edges_);
+            const bool is_right =
+                made.info->exact ? edges_ == truth_ : std::ranges::includes(truth_, edges_);
             if (!is_right) {
                 result_.difference = question.name + ", " + result_.model + ": " +
-                                     std::string(made.info->name) + ", point " +
-                                     std::to_string(i);
+                                     std::string(made.info->name) + ", point " + std::to_string(i);
                 return 0.0;
             }
             found += edges_.size();
@@ -101,8 +100,8 @@ private:
         SilhouetteMethod& method = *made.method;
         Contender contender{
             .name = std::string(made.info->name),
-            .step = [this, &method, &question](
-                        const HomogeneousPoint& point) { answer(method, question, point); },
+            .step = [this, &method,
+                     &question](const HomogeneousPoint& point) { answer(method, question, point); },
             .counters = [this] { return work_; },
             .own_counts = [&method] { return method.own_counts(); }};
         if (question.is_update)
@@ -112,8 +111,7 @@ private:
         return contender;
     }
 
-    void answer(SilhouetteMethod& method, const Question& question,
-                const HomogeneousPoint& point) {
+    void answer(SilhouetteMethod& method, const Question& question, const HomogeneousPoint& point) {
         work_ = {};
         if (question.is_update)
             method.update(point, edges_, work_);

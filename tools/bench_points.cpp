@@ -28,8 +28,8 @@ glm::vec3 up_of(const Mesh& mesh) {
 std::vector<HomogeneousPoint> spread_viewpoints(const Mesh& mesh, std::uint32_t count) {
     std::vector<HomogeneousPoint> points;
     for (std::uint32_t i = 0; i < count; ++i)
-        points.push_back(HomogeneousPoint::viewpoint(glm::vec3(
-            mesh.center() + (1.0 + i % 3) * mesh.radius() * spread_direction(i, count))));
+        points.push_back(HomogeneousPoint::viewpoint(
+            glm::vec3(mesh.center() + (1.0 + i % 3) * mesh.radius() * spread_direction(i, count))));
     return points;
 }
 

@@ -19,7 +19,8 @@ void print_case(const CaseResult& c) {
     print_row_names();
     const Times& ours = c.methods.front();
     for (const Times& times : c.methods) print_row(times, ours);
-    if (c.name == "worst") return;  // Its baseline is ours as well; what may be lost is said after it.
+    if (c.name == "worst")
+        return;  // Its baseline is ours as well; what may be lost is said after it.
     for (const Times& times : c.methods)
         if (!times.is_part && ratio(times, ours) < 1.0)
             std::printf("  here the %s LOSES to %s: it takes %.2f times as long\n",
@@ -27,10 +28,10 @@ void print_case(const CaseResult& c) {
 }
 
 void print_stream(const StreamBytes& stream, double frames) {
-    std::printf("  streamed: %.0f bytes a frame of %.0f, 1/%.1f\n",
+    std::printf("  streamed: %.1f bytes a frame of %.1f, %.1f%%\n",
                 static_cast<double>(stream.streamed) / frames,
                 static_cast<double>(stream.full) / frames,
-                static_cast<double>(stream.full) / static_cast<double>(stream.streamed));
+                100.0 * static_cast<double>(stream.streamed) / static_cast<double>(stream.full));
 }
 
 void print_vtk(const ModelResult& result) {
@@ -54,8 +55,8 @@ void print_ceiling(const BruteForceCeiling& ceiling) {
 }  // namespace
 
 void print_row_names() {
-    std::printf("  %-18s %10s %10s %10s %10s %9s %10s %10s %10s\n", "method", "median us", "mean us",
-                "p99 us", "p99.9 us", "ratio", "boxes", "faces", "edges");
+    std::printf("  %-18s %10s %10s %10s %10s %9s %10s %10s %10s\n", "method", "median us",
+                "mean us", "p99 us", "p99.9 us", "ratio", "boxes", "faces", "edges");
 }
 
 void print_row(const Times& times, const Times& ours) {
@@ -69,9 +70,9 @@ void print_row(const Times& times, const Times& ours) {
 }
 
 void print_result(const ModelResult& result) {
-    std::printf("%s: %u faces, %u edges; octree built in %.1f ms; %.0f bytes a face with a tracker\n",
-                result.model.c_str(), result.faces, result.edges, result.build_ms,
-                result.bytes_a_face());
+    std::printf(
+        "%s: %u faces, %u edges; octree built in %.1f ms; %.0f bytes a face with a tracker\n",
+        result.model.c_str(), result.faces, result.edges, result.build_ms, result.bytes_a_face());
     print_case(result.extraction);
     if (result.ceiling) print_ceiling(*result.ceiling);
     print_case(result.update);

@@ -37,8 +37,9 @@ void print_result(const ServiceResult& result) {
                 whole(result.moves), whole(result.superseded), whole(result.lost));
     std::printf("  cores taken: workers %.3f, the posting and taking thread %.3f\n",
                 result.core_share, result.renderer_core_share);
-    std::printf("  a move: %.2f us of processor time in the service, %.2f us in a loop without it\n",
-                result.service_move_us, result.direct_move_us);
+    std::printf(
+        "  a move: %.2f us of processor time in the service, %.2f us in a loop without it\n",
+        result.service_move_us, result.direct_move_us);
     std::printf("  %-28s %10s %10s %10s %10s\n", "", "median us", "p99 us", "p99.9 us", "max us");
     print_quantiles("post", result.post);
     print_quantiles("take", result.take);
@@ -47,12 +48,10 @@ void print_result(const ServiceResult& result) {
 }
 
 nlohmann::ordered_json to_json(const ServiceResult& result) {
-    nlohmann::ordered_json object{{"models", result.models},
-                                  {"faces", result.faces},
-                                  {"trackers", result.trackers},
-                                  {"workers", result.workers},
-                                  {"frames", result.frames},
-                                  {"verified", result.difference.empty()}};
+    nlohmann::ordered_json object{
+        {"models", result.models},     {"faces", result.faces},
+        {"trackers", result.trackers}, {"workers", result.workers},
+        {"frames", result.frames},     {"verified", result.difference.empty()}};
     if (!result.difference.empty()) return object;
     object.update({{"seconds", result.seconds},
                    {"late_frames", result.late_frames},

@@ -42,8 +42,7 @@ std::vector<Target> targets_of(const ModelResult& result) {
     };
     const auto at_most = [&](const char* what, double value, double reach, double aim,
                              const char* unit, bool is_time) {
-        if (reach > 0.0)
-            targets.push_back({what, value, reach, aim, true, is_time, unit});
+        if (reach > 0.0) targets.push_back({what, value, reach, aim, true, is_time, unit});
     };
     const std::vector<Times>& extraction = result.extraction.methods;
     const std::vector<Times>& update = result.update.methods;
@@ -64,8 +63,8 @@ std::vector<Target> targets_of(const ModelResult& result) {
             static_cast<double>(result.stream.streamed) / static_cast<double>(result.stream.full),
             goals->streamed, goals->streamed_aim, "x", false);
     if (!result.vtk.us.empty())
-        at_least("update, VTK over tracker",
-                 quantile(result.vtk.us, 0.5) / update[0].median_us(), goals->vtk, goals->vtk_aim);
+        at_least("update, VTK over tracker", quantile(result.vtk.us, 0.5) / update[0].median_us(),
+                 goals->vtk, goals->vtk_aim);
     at_most("build of the octree", result.build_ms, goals->build_ms, goals->build_aim_ms, " ms",
             true);
     return targets;

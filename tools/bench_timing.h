@@ -5,6 +5,10 @@
 // A round times all points of one contender in a row, and the rounds of the contenders alternate, so
 // that each runs on warm caches and none gets a quieter machine. A point's time is the least over the
 // rounds. Round 0 warms up and counts the work.
+//
+// A step's time is the clock's or the thread's processor time, whichever is less. On a busy machine long
+// steps are interrupted in every round and short ones hardly ever: the clock alone would make the slower
+// contender look slower than it is. (Processor time alone has a reading too slow for short steps.)
 
 #include <cstdint>
 #include <functional>

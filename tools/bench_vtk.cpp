@@ -45,10 +45,9 @@ File script_input(const Mesh& mesh, std::span<const HomogeneousPoint> points,
         viewpoints.insert(viewpoints.end(), {double{point.x}, double{point.y}, double{point.z}});
     const std::array<std::uint64_t, 4> counts{mesh.vertex_count(), mesh.face_count(), points.size(),
                                               rounds};
-    const bool written = write(file.get(), counts) &&
-                         write(file.get(), mesh.positions()) &&
-                         write(file.get(), mesh.triangles()) &&
-                         write(file.get(), viewpoints) && std::fflush(file.get()) == 0;
+    const bool written = write(file.get(), counts) && write(file.get(), mesh.positions()) &&
+                         write(file.get(), mesh.triangles()) && write(file.get(), viewpoints) &&
+                         std::fflush(file.get()) == 0;
     return written ? std::move(file) : nullptr;
 }
 

@@ -1,16 +1,20 @@
 // The rimline program: builds the commands, parses the line, runs one of them, and turns what it throws
 // into an exit status and one line on standard error.
 
+#include <tbb/global_control.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -18,6 +22,7 @@
 #include "tools/command.h"
 #include "tools/help_formatter.h"
 #include "tools/interrupt.h"
+#include "tools/option_types.h"
 
 namespace {
 
@@ -112,12 +117,17 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     app.formatter(std::make_shared<rimline::tools::HelpFormatter>());
 
     bool json = false;
+    std::uint32_t threads = 0;
     const std::vector<std::unique_ptr<Command>> commands = make_commands();
     for (const auto& command : commands) {
         CLI::App* sub = app.add_subcommand(command->name(), command->summary());
         sub->set_help_flag("-h,--help", "Print this help and exit");
         command->add_options(*sub);
         sub->add_flag("--json", json, k_json_description)->group("Output");
+        rimline::tools::add_count(*sub, "--threads", threads, 1, 1024,
+                                  "Threads for what uses several (default: all)")
+            ->default_str("")
+            ->group("Machine");
         // Works everywhere, stands in one help only.
         sub->set_version_flag("--version", k_version)->group("");
     }
@@ -155,6 +165,8 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     const std::string chosen = app.get_subcommands().front()->get_name();
     const auto command = std::find_if(commands.begin(), commands.end(),
                                       [&](const auto& c) { return c->name() == chosen; });
+    std::optional<tbb::global_control> at_most;
+    if (threads > 0) at_most.emplace(tbb::global_control::max_allowed_parallelism, threads);
     try {
         return run(**command, Context{json, std::move(stop)});
     } catch (const UsageError& e) {

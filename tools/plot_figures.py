@@ -145,7 +145,9 @@ def number(value):
     return f"{value:,.0f}"
 
 
-def sphere_mean(model, weights, *keys):
+def viewpoint_mean(model, *keys):
+    """Over all viewpoints, which are as dense on each sphere."""
+    weights = [sphere["radius"] ** 2 for sphere in model["extraction"]]
     return sum(w * sum(sphere[key] for key in keys)
                for w, sphere in zip(weights, model["extraction"])) / sum(weights)
 
@@ -154,15 +156,15 @@ def table_4_2(data):
     rows = []
     for name, title, *_ in MODELS:
         model, thesis = data[name], THESIS.get(name)
-        mean = lambda *keys: sphere_mean(model, (1, 1, 1), *keys)
-        silhouette = mean("silhouette")
-        boxes = mean("literal_pbv_checks", "literal_ebv_checks")
+        silhouette = viewpoint_mean(model, "silhouette")
+        boxes = viewpoint_mean(model, "literal_pbv_checks", "literal_ebv_checks")
         rows.append([title.replace("_", " "), number(model["faces"]), number(silhouette),
                      number(thesis[1]) if thesis else "", number(boxes),
                      number(thesis[2]) if thesis else "", f"{boxes / silhouette:.2f}",
                      f"{thesis[2] / thesis[1]:.2f}" if thesis else "",
-                     number(mean("literal_all_pbv_checks", "literal_all_ebv_checks")),
-                     number(mean("index_box_checks") / 8)])
+                     number(viewpoint_mean(model, "literal_all_pbv_checks",
+                                           "literal_all_ebv_checks")),
+                     number(viewpoint_mean(model, "index_box_checks") / 8)])
     return table(["", "faces", "silhouette", "thesis", "box checks", "thesis", "an edge", "thesis",
                   "with leaves' boxes", "nodes of the index"], rows)
 
@@ -198,9 +200,11 @@ def orbit(data, what):
             mean = statistics.mean(values)
             row.append(f"{number(mean)} ± {100 * statistics.pstdev(values) / mean:.0f}%")
         rows.append(row)
-    if what == "faces":
-        for key, title in (("turned", "*faces that turn*"), ("wrong_faces", "*wrong bits, as written*")):
-            rows.append([title] + [f"{statistics.mean(data[n]['orbit'][key]):,.1f}" for n, _ in names])
+    extra = {"boxes": [("above_candidates", "*of the full traversal, above all candidates*")],
+             "faces": [("turned", "*faces that turn*"),
+                       ("wrong_faces", "*wrong bits after the walk as written*")]}
+    for key, title in extra[what]:
+        rows.append([title] + [f"{statistics.mean(data[n]['orbit'][key]):,.0f}" for n, _ in names])
     return table([""] + [title for _, title in names], rows)
 
 
@@ -216,8 +220,15 @@ def depths(data):
                   "deepest", "nodes", "farthest point"], rows)
 
 
+def walk(data):
+    layout = data["horse"]["layout"]
+    return (f"In all of the tree, not the slice alone: {number(layout['boxes_tested'])} boxes are tested, "
+            f"which settles\n{number(layout['blocks_settled'])} of {number(layout['blocks'])} blocks and leaves "
+            f"{number(layout['blocks_looked_at'])} to look at.")
+
+
 def write_page(data):
-    tables = {"table_4_2": table_4_2(data), "growth": growth(data), "boxes": orbit(data, "boxes"),
+    tables = {"walk": walk(data), "table_4_2": table_4_2(data), "growth": growth(data), "boxes": orbit(data, "boxes"),
               "faces": orbit(data, "faces"), "depths": depths(data)}
     page = PAGE.read_text(encoding="utf-8")
     for name, text in tables.items():

@@ -111,9 +111,11 @@ public:
             ->type_name("NAME")
             ->default_str(std::string(method_->name))
             ->group("Method");
-        origin_option_ = add_points(app, "--origin", origins_,
-                                    "Origin of Hough or dual space (default: the model's center)")
-                             ->group("Method");
+        origin_option_ =
+            add_points(app, "--origin", origins_,
+                       "Origin of Hough or dual space (default: the model's center); give it "
+                       "several times for several octrees, each of the faces it suits")
+                ->group("Method");
         seed_option_ =
             add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of a method's random numbers")
                 ->group("Method");
@@ -187,14 +189,15 @@ private:
     }
 
     void check_method_options() const {
-        if (origin_option_->count() > 0 && !method_->has_origins)
+        if (origin_option_->count() > 0 && method_->most_origins == 0)
             throw UsageError("--origin: belongs to --method " +
-                             method_names([](const auto& info) { return info.has_origins; }));
+                             method_names([](const auto& info) { return info.most_origins > 0; }));
         if (seed_option_->count() > 0 && !method_->has_seed)
             throw UsageError("--seed: belongs to --method " +
                              method_names([](const auto& info) { return info.has_seed; }));
-        if (origins_.size() > 1)
-            throw UsageError("--origin: octrees of several origins are not built; give one");
+        if (origins_.size() > method_->most_origins && method_->most_origins > 0)
+            throw UsageError("--origin: --method " + std::string(method_->name) +
+                             " takes one; several belong to --method octree");
     }
 
     std::string format_lines(const Mesh& mesh, const HomogeneousPoint& point,

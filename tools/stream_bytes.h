@@ -4,16 +4,17 @@
 // behind a bus, a program behind a socket.
 
 #include <algorithm>
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 
 #include "silhouette/hough/change_set.h"
 
 namespace rimline::tools {
 
 struct StreamBytes {
-    std::uint64_t streamed = 0;  ///< The change set's writes, or the whole state where that is less.
-    std::uint64_t full = 0;      ///< The whole state: the edges in use and all words of face bits.
+    std::uint64_t streamed =
+        0;                   ///< The change set's writes, or the whole state where that is less.
+    std::uint64_t full = 0;  ///< The whole state: the edges in use and all words of face bits.
 
     StreamBytes& operator+=(const StreamBytes& other) noexcept {
         streamed += other.streamed;

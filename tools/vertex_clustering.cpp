@@ -82,7 +82,8 @@ MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t most_faces) {
         source.positions.push_back(glm::vec3(sums[i] / counts[i]));
     for (const Triangle& triangle : mesh.triangles())
         if (survives(triangle, cell_of))
-            source.triangles.push_back({number_of[index(triangle[0])], number_of[index(triangle[1])],
+            source.triangles.push_back({number_of[index(triangle[0])],
+                                        number_of[index(triangle[1])],
                                         number_of[index(triangle[2])]});
     return source;
 }

@@ -118,8 +118,10 @@ def test_wrong_usage_exits_2():
             ["silhouette", box, "--from", "1,2,1e19"], ["silhouette", box, "--direction", "0,0,0"],
             ["silhouette", box, "--from", "1,2,3", "--direction", "1,0,0"],
             ["silhouette", box, "--from", "1,2,3", "--from", "1,2,3"],
-            ["silhouette", box, "--from", "1,2,3", "--method", "dual"],
-            ["silhouette", box, "--from", "1,2,3", "--origin", "0,0,0", "--origin", "1,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--method", "nonsense"], ["silhouette", box, "--from", "1,2,3", "--method", "gauss"],
+            ["silhouette", box, "--from", "1,2,3", "--method", "dual", "--origin", "0,0,0", "--origin", "1,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--method", "brute", "--origin", "0,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--seed", "3"], ["info", box, "--threads", "0"],
             ["silhouette", box, "--from", "1,2,3", "-o", "lines.pdf"], ["silhouette", box, "--from"],
             ["track", box, "--frames", "0"], ["track", box, "--frames", "2.5"], ["track", box, "--step", "x"],
             ["info", ""], ["info", "--json", "--json=maybe", box], ["help", "frobnicate"], ["--json", "frobnicate"],
@@ -144,7 +146,11 @@ def test_wrong_usage_is_told_in_plain_words():
     view = ["silhouette", "shape:box", "--from", "1,2,3"]
     assert "--from: give it only once" in fail(2, *view, "--from", "1,2,3")
     assert "--from: expects a value" in fail(2, "silhouette", "shape:box", "--from")
-    assert "--method: expected octree or brute, not 'foo'" in fail(2, *view, "--method", "foo")
+    assert "--method: expected octree, literal, brute, brute-scalar, edge-buffer, dual, plane-tree, gauss, cone-tree, quadric or randomised, not 'foo'" in fail(2, *view, "--method", "foo")
+    assert "--method gauss: takes directions only" in fail(2, *view, "--method", "gauss")
+    assert "--origin: belongs to --method octree, literal or dual" in fail(2, *view, "--method", "brute", "--origin", "0,0,0")
+    assert "several belong to --method octree" in fail(2, *view, "--method", "literal", "--origin", "0,0,0", "--origin", "1,0,0")
+    assert "--seed: belongs to --method randomised" in fail(2, *view, "--seed", "3")
     assert "SUITE: expected one of {hough,service}, not 'foo'" in fail(2, "bench", "foo")
     assert "MODEL: expected a file or shape:NAME" in fail(2, "info", "")
     apart = succeed("silhouette", "shape:box", "--from", " 1, 2 ,+3")
@@ -262,6 +268,31 @@ def test_a_box_has_the_silhouette_that_one_can_draw():
     assert found["count"] == 6
 
 
+EXACT = ("octree", "literal", "brute", "brute-scalar", "edge-buffer", "dual", "plane-tree", "gauss", "cone-tree", "quadric")
+
+
+def test_all_exact_methods_find_the_same_edges():
+    for shape in ("torus:3000", "scene"):
+        for view in (["--from", "3,2,1"], ["--direction", "0.2,-1,0.4"]):
+            truth = succeed("silhouette", "shape:" + shape, *view, "--method", "brute-scalar")["edges"]
+            for method in EXACT:
+                if method == "gauss" and view[0] == "--from":
+                    continue
+                found = succeed("silhouette", "shape:" + shape, *view, "--method", method)
+                assert found["method"] == method and found["edges"] == truth, (shape, view, method)
+                assert "recall" not in found
+
+
+def test_the_randomised_method_reports_its_recall():
+    view = ["silhouette", "shape:sphere:20000", "--from", "3,2,1"]
+    truth = {tuple(edge) for edge in succeed(*view)["edges"]}
+    found = succeed(*view, "--method", "randomised", "--seed", "7")
+    edges = {tuple(edge) for edge in found["edges"]}
+    assert edges <= truth and 0 < found["recall"] <= 1 and abs(found["recall"] - len(edges) / len(truth)) < 1e-9
+    assert found["counters"]["random_edges"] > 0
+    assert succeed(*view, "--method", "randomised", "--seed", "7")["edges"] == found["edges"]
+
+
 def test_octree_and_brute_force_find_the_same_edges():
     for shape in ("torus:3000", "terrain:2000", "scene"):
         for view in (["--from", "3,2,1"], ["--from", "0,0,0"], ["--direction", "0.2,-1,0.4"]):
@@ -269,7 +300,8 @@ def test_octree_and_brute_force_find_the_same_edges():
             check_silhouette(octree)
             brute = succeed("silhouette", "shape:" + shape, *view, "--method", "brute")
             moved = succeed("silhouette", "shape:" + shape, *view, "--origin", "0.5,0.25,-0.1")
-            assert octree["edges"] == brute["edges"] == moved["edges"], (shape, view)
+            several = succeed("silhouette", "shape:" + shape, *view, "--origin", "0,0,0", "--origin", "0.5,0,0.5", "--origin", "9,9,9", "--threads", "1")
+            assert octree["edges"] == brute["edges"] == moved["edges"] == several["edges"], (shape, view)
             assert brute["counters"]["face_checks"] == brute["faces"]
             short = succeed("silhouette", "shape:" + shape, *view, "--no-edges")
             assert "edges" not in short and short["count"] == octree["count"]

@@ -1,7 +1,7 @@
 # Figure 3.11: leaves by depth, one panel a model.
 wide = 1600; high = 900
 load style
-set multiplot layout 2, 3 margins 0.05, 0.985, 0.12, 0.945 spacing 0.05, 0.12
+set multiplot layout 2, 3 margins 0.055, 0.985, 0.12, 0.945 spacing 0.055, 0.15
 set style fill solid 0.8 noborder
 set boxwidth 1.0
 set xrange [0:45]

@@ -8,7 +8,8 @@ set lmargin 1; set rmargin 1; set tmargin 1; set bmargin 1
 set key at screen 0.5, screen 0.03 center bottom horizontal Left reverse samplen 1.6 width 2 maxrows 1
 set style fill transparent solid 0.25 border
 set object 1 circle at pole_x / 2, pole_y / 2 size sqrt(pole_x**2 + pole_y**2) / 2 front fs empty border lc rgb ink lw 2.2
-set label 1 "origin" at -0.03, -0.04 right textcolor rgb ink front
+set style textbox opaque fillcolor rgb "#ffffff" noborder margins 0.6, 0.4
+set label 1 "origin" at -0.05, -0.13 right textcolor rgb ink front boxed
 set label 2 "viewpoint" at pole_x + 0.035, pole_y + 0.01 left textcolor rgb ink front
 plot "boxes_outside.dat" using 1:2:3:4:5:6 with boxxyerror lc rgb grey fs transparent solid 0.16 border lc rgb grey title "settled: outside", \
      "boxes_inside.dat" using 1:2:3:4:5:6 with boxxyerror lc rgb blue fs transparent solid 0.16 border lc rgb blue title "settled: inside", \

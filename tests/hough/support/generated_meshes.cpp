@@ -85,7 +85,7 @@ public:
 
     // Triangles so thin that their normals are what rounding made of them.
     MeshSource slivers() {
-        glm::dvec3 from, to;
+        glm::dvec3 from(0.0), to(0.0);
         int next = 0;
         return separate_triangles(face_count(), [&] {
             switch (next++ % 3) {
@@ -257,7 +257,7 @@ NamedSource generated_mesh(std::uint32_t number) {
                 placed(std::move(mesh.source), std::exp2(std::floor(g.uniform(-40.0, 37.0))), {});
     }
     mesh.source = clamped(std::move(mesh.source));
-    mesh.name += " " + std::to_string(number);
+    mesh.name.append(" ").append(std::to_string(number));
     return mesh;
 }
 
