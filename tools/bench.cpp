@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench_figures.h"
 #include "tools/bench_growth.h"
 #include "tools/bench_hough.h"
 #include "tools/bench_machine.h"
@@ -58,6 +59,7 @@ constexpr const char* k_footer =
     "  rimline bench hough igea.ply --subdivide 2 --json\n"
     "  rimline bench hough igea.ply --methods\n"
     "  rimline bench hough shape:knot --growth\n"
+    "  rimline bench hough fandisk.obj --figures --json\n"
     "  rimline bench service igea.ply --trackers 64";
 
 // In the folders of RIMLINE_MODELS.
@@ -120,6 +122,7 @@ public:
         machine_ = this_machine();
         if (suite_ == "service") return run_service(context);
         if (growth_) return run_growth(context);
+        if (figures_) return run_figures(context);
         if (methods_) return run_methods(context);
         return run_hough(context);
     }
@@ -135,8 +138,12 @@ private:
         growth_option_ = app.add_flag("--growth", growth_,
                                       "Measure a shape at growing sizes, or a file and its "
                                       "subdivisions, in place of the cases (default: shape:knot)");
+        figures_option_ = app.add_flag("--figures", figures_,
+                                       "Count the work that the thesis's figures show, in place of "
+                                       "the cases; without --json a summary");
         no_vtk_option_ = app.add_flag("--no-vtk", no_vtk_, "Leave VTK out where it is installed");
-        for (CLI::Option* option : {check_option_, methods_option_, growth_option_, no_vtk_option_})
+        for (CLI::Option* option :
+             {check_option_, methods_option_, growth_option_, figures_option_, no_vtk_option_})
             option->group(k_group);
     }
 
@@ -156,7 +163,8 @@ private:
         least_option_ = add_count(app, "--least-faces", growth_options_.least_faces, 1, 1u << 28,
                                   "Of --growth");
         most_option_ = add_count(app, "--most-faces", growth_options_.most_faces, 1, 1u << 28,
-                                 "Of --growth; 10 million take 4.4 GB of memory");
+                                 "Of --growth, where 10 million take 4.4 GB of memory, and of "
+                                 "--figures, there by default the model's own");
         trackers_option_ = add_count(app, "--trackers", service_.trackers, 1, 100'000,
                                      "Of the service: a camera and lights");
         fps_option_ = add_number(app, "--fps", service_.frames_per_second, 1.0, 10'000.0,
@@ -177,14 +185,19 @@ private:
         };
         const bool is_service = suite_ == "service";
         for (const CLI::Option* option :
-             {check_option_, methods_option_, growth_option_, no_vtk_option_, viewpoints_option_,
-              worst_frames_option_, rounds_option_, builds_option_})
+             {check_option_, methods_option_, growth_option_, figures_option_, no_vtk_option_,
+              viewpoints_option_, worst_frames_option_, rounds_option_, builds_option_})
             refuse(is_service, option, "belongs to the suite hough");
         for (const CLI::Option* option : {trackers_option_, fps_option_, workers_option_})
             refuse(!is_service, option, "belongs to the suite service");
-        for (const CLI::Option* option : {least_option_, most_option_})
-            refuse(!growth_, option, "belongs to --growth");
+        refuse(!growth_, least_option_, "belongs to --growth");
+        refuse(!growth_ && !figures_, most_option_, "belongs to --growth and --figures");
         refuse(growth_, methods_option_, "not together with --growth");
+        refuse(growth_ || methods_, figures_option_, "not together with --growth or --methods");
+        for (const CLI::Option* option :
+             {check_option_, no_vtk_option_, viewpoints_option_, frames_option_,
+              worst_frames_option_, rounds_option_, builds_option_})
+            refuse(figures_, option, "not together with --figures");
         for (const CLI::Option* option :
              {check_option_, no_vtk_option_, worst_frames_option_, builds_option_})
             refuse(growth_ || methods_, option, "not together with --growth or --methods");
@@ -296,6 +309,25 @@ private:
         return report_difference(difference);
     }
 
+    ExitStatus run_figures(const Context& context) {
+        FigureOptions options;
+        if (most_option_->count() > 0) options.most_faces = growth_options_.most_faces;
+        nlohmann::ordered_json figures = nlohmann::ordered_json::array();
+        std::string difference;
+        for (const std::string& model : models()) {
+            const Mesh mesh = load_mesh(model, subdivide_, context);
+            const FigureData data =
+                about_model(model, [&] { return bench_figures(model, mesh, options, context); });
+            if (context.json)
+                figures.push_back(to_json(data));
+            else
+                print_summary(data);
+            if (difference.empty()) difference = data.difference;
+        }
+        if (context.json) print_json({{"figures", std::move(figures)}});
+        return report_difference(difference);
+    }
+
     ExitStatus run_service(const Context& context) {
         if (frames_option_->count() > 0) service_.frames = hough_.frames;
         const std::vector<std::string> names = models();
@@ -316,18 +348,18 @@ private:
     std::string suite_;
     std::vector<std::string> models_;
     std::uint32_t subdivide_ = 0;
-    bool check_ = false, methods_ = false, growth_ = false, no_vtk_ = false;
+    bool check_ = false, methods_ = false, growth_ = false, figures_ = false, no_vtk_ = false;
     HoughBenchOptions hough_;
     GrowthOptions growth_options_;
     ServiceBenchOptions service_;
     BenchMachine machine_;
     bool said_machine_ = false;
     CLI::Option *subdivide_option_ = nullptr, *check_option_ = nullptr, *methods_option_ = nullptr,
-                *growth_option_ = nullptr, *no_vtk_option_ = nullptr, *viewpoints_option_ = nullptr,
-                *frames_option_ = nullptr, *worst_frames_option_ = nullptr,
-                *rounds_option_ = nullptr, *builds_option_ = nullptr, *least_option_ = nullptr,
-                *most_option_ = nullptr, *trackers_option_ = nullptr, *fps_option_ = nullptr,
-                *workers_option_ = nullptr;
+                *growth_option_ = nullptr, *figures_option_ = nullptr, *no_vtk_option_ = nullptr,
+                *viewpoints_option_ = nullptr, *frames_option_ = nullptr,
+                *worst_frames_option_ = nullptr, *rounds_option_ = nullptr,
+                *builds_option_ = nullptr, *least_option_ = nullptr, *most_option_ = nullptr,
+                *trackers_option_ = nullptr, *fps_option_ = nullptr, *workers_option_ = nullptr;
 };
 
 }  // namespace

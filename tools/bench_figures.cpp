@@ -28,7 +28,6 @@ constexpr std::uint32_t k_distance_steps = 60;
 std::vector<std::uint32_t> histogram(const std::vector<double>& ascending, double farthest) {
     std::vector<std::uint32_t> counts(k_distance_steps, 0);
     for (const double distance : ascending) {
-        if (distance > farthest) break;
         const double step = farthest > 0.0 ? distance / farthest * k_distance_steps : 0.0;
         ++counts[std::min(static_cast<std::uint32_t>(step), k_distance_steps - 1)];
     }
@@ -50,7 +49,6 @@ PointSpread spread_of(std::span<const glm::dvec3> points, std::span<const Octree
     spread.farthest = distances.back();
     spread.percentile_99 = distances[(distances.size() - 1) * 99 / 100];
     spread.distances = histogram(distances, spread.farthest);
-    spread.near_distances = histogram(distances, spread.percentile_99);
     const std::size_t count = std::min<std::size_t>(sample, points.size());
     for (std::size_t i = 0; i < count; ++i) {  // In tree order, which spreads them over space.
         const glm::dvec3 point = points[i * points.size() / count] / unit;

@@ -47,11 +47,10 @@ UnitSphere unit_sphere(const Mesh& mesh);
 /// Figures 3.1 and 3.11: one space.
 struct PointSpread {
     std::uint32_t points = 0;
-    std::uint32_t left_out = 0;                 ///< Faces without a point in this space.
-    double farthest = 0.0;                      ///< In the mesh's unit, or one over it.
-    double percentile_99 = 0.0;                 ///< Of distances from the origin.
-    std::vector<std::uint32_t> distances;       ///< Counts in equal steps from 0 to the farthest.
-    std::vector<std::uint32_t> near_distances;  ///< The same up to the 99th percentile.
+    std::uint32_t left_out = 0;            ///< Faces without a point in this space.
+    double farthest = 0.0;                 ///< In the mesh's unit, or one over it.
+    double percentile_99 = 0.0;            ///< Of distances from the origin.
+    std::vector<std::uint32_t> distances;  ///< Counts in equal steps from 0 to the farthest.
     std::vector<std::array<double, 3>> sample;
     std::vector<std::uint32_t> leaf_depths;
     std::uint32_t nodes = 0;
@@ -107,6 +106,9 @@ struct FigureData {
 /// Some minutes for a quarter of a million faces. A mesh without faces gives zeros.
 FigureData bench_figures(const std::string& model, const Mesh& mesh, const FigureOptions& options,
                          const Context& context);
+
+/// A table of means on standard output.
+void print_summary(const FigureData& data);
 
 /// What tools/plot_figures.py reads.
 nlohmann::ordered_json to_json(const FigureData& data);

@@ -17,6 +17,7 @@
 #include "tools/model_argument.h"
 #include "tools/option_types.h"
 #include "tools/progress.h"
+#include "tools/stream_bytes.h"
 #include "tools/track_path.h"
 
 namespace rimline::tools {
@@ -32,8 +33,7 @@ double microseconds_since(Clock::time_point start) {
 struct Frame {
     std::uint64_t flips = 0, added = 0, removed = 0, silhouette = 0;
     TraversalCounters counters;
-    // What a ChangeStream sends: the change set's writes, or the whole state where that is less.
-    std::uint64_t bytes_streamed = 0, bytes_full = 0;
+    StreamBytes bytes;
     double us = 0.0;
 
     Frame& operator+=(const Frame& other) noexcept {
@@ -42,24 +42,19 @@ struct Frame {
         removed += other.removed;
         silhouette += other.silhouette;
         counters += other.counters;
-        bytes_streamed += other.bytes_streamed;
-        bytes_full += other.bytes_full;
+        bytes += other.bytes;
         us += other.us;
         return *this;
     }
 };
 
 Frame frame_of(const ChangeSet& change, std::size_t face_words, double us) {
-    const std::uint64_t full =
-        sizeof(EdgeId) * change.silhouette_size + sizeof(std::uint32_t) * face_words;
-    const std::uint64_t writes = change.slots.size_bytes() + change.words.size_bytes();
     return {.flips = change.flipped.size(),
             .added = change.added.size(),
             .removed = change.removed.size(),
             .silhouette = change.silhouette_size,
             .counters = change.counters,
-            .bytes_streamed = std::min(writes, full),
-            .bytes_full = full,
+            .bytes = stream_bytes(change, face_words),
             .us = us};
 }
 
@@ -71,8 +66,8 @@ nlohmann::ordered_json to_json(const Frame& frame) {
             {"box_checks", frame.counters.box_checks},
             {"face_checks", frame.counters.face_checks},
             {"edge_checks", frame.counters.edge_checks},
-            {"bytes_streamed", frame.bytes_streamed},
-            {"bytes_full", frame.bytes_full},
+            {"bytes_streamed", frame.bytes.streamed},
+            {"bytes_full", frame.bytes.full},
             {"us", frame.us}};
 }
 
@@ -237,8 +232,8 @@ private:
         std::printf("  work        %.1f box, %.1f face and %.1f edge checks\n",
                     mean(sum.counters.box_checks), mean(sum.counters.face_checks),
                     mean(sum.counters.edge_checks));
-        std::printf("  to send     %.1f bytes, of %.1f for all\n", mean(sum.bytes_streamed),
-                    mean(sum.bytes_full));
+        std::printf("  to send     %.1f bytes, of %.1f for all\n", mean(sum.bytes.streamed),
+                    mean(sum.bytes.full));
         std::printf("  time        %.2f us, at most %.2f us\n", sum.us / n, track.max_us);
         std::printf("  before it   octree %.1f ms, first silhouette %.1f us\n", track.build_ms,
                     track.extraction_us);

@@ -14,7 +14,7 @@ constexpr std::uint32_t k_joining = 0xfffffffeu;
 static_assert(k_joining + 1 == k_no_slot);
 
 // Slots of edges lie all over memory; ahead by what a fetch from the last cache takes.
-constexpr std::size_t k_prefetch_ahead = 16;
+constexpr std::size_t k_prefetch_ahead = 48;
 
 }  // namespace
 

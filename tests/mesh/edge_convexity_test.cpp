@@ -74,6 +74,45 @@ TEST_CASE("a ridge is convex, a valley concave, and one plane is flat") {
                                {{0, 1, 2}, {1, 0, 3}}}) == EdgeConvexity::flat);
 }
 
+// Four whole points of one plane are exact in float, the products of their differences are not in double.
+TEST_CASE("what rounding cannot tell from flat is flat, and nothing is ever called the opposite") {
+    tests::Random random(8);
+    std::uint32_t rounded = 0;
+    std::uint32_t certain = 0;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        const auto whole = [&](int most) {
+            const int x = random.between(-most, most);
+            const int y = random.between(-most, most);
+            const int z = random.between(-most, most);
+            return glm::dvec3(x, y, z);
+        };
+        const glm::dvec3 u = whole(2000);
+        const glm::dvec3 v = whole(2000);
+        const glm::dvec3 origin = whole(100'000);
+        const auto in_plane = [&](int i_least) {  // Different for each, so that no two are equal.
+            return origin + double(random.between(i_least, i_least + 200)) * u +
+                   double(random.between(-500, 500)) * v;
+        };
+        std::array<glm::dvec3, 4> p{in_plane(-500), in_plane(-200), in_plane(100), in_plane(400)};
+        const auto of_points = [&] {
+            MeshSource source;
+            for (const glm::dvec3& q : p) source.positions.emplace_back(q);
+            source.triangles = {{0, 1, 2}, {1, 0, 3}};
+            return of_the_regular_edge(source);
+        };
+        const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);  // Exact.
+        rounded += glm::dot(normal, p[3] - p[0]) != 0.0;
+        REQUIRE(of_points() == EdgeConvexity::flat);
+        // One step to the side, the determinant is the normal's x.
+        p[3].x += 1.0;
+        const EdgeConvexity found = of_points();
+        REQUIRE(found != (normal.x > 0.0 ? EdgeConvexity::convex : EdgeConvexity::concave));
+        certain += found != EdgeConvexity::flat;
+    }
+    CHECK(rounded > 100);
+    CHECK(certain > 1000);
+}
+
 TEST_CASE("only regular edges are convex or concave") {
     for (const Mesh& mesh :
          {Mesh(tests::book(2)), Mesh(tests::book(5)), Mesh(tests::band(7, true)), Mesh({})}) {

@@ -4,7 +4,7 @@ namespace rimline {
 
 void OctreeMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                            TraversalCounters& counters) {
-    octree_.extract(point, edges, counters);
+    octree_.extract(point, edges, counters, scratch_);
 }
 
 void OctreeMethod::update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,

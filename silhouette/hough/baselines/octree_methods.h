@@ -15,7 +15,8 @@ namespace rimline {
 
 class OctreeMethod final : public SilhouetteMethod {
 public:
-    OctreeMethod(const Mesh& mesh, const HoughOctreeOptions& options) : octree_(mesh, options) {}
+    OctreeMethod(const Mesh& mesh, const HoughOctreeOptions& options)
+        : octree_(mesh, options), scratch_(octree_.make_scratch()) {}
 
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  TraversalCounters& counters) override;
@@ -24,6 +25,7 @@ public:
 
 private:
     HoughOctree octree_;
+    BlockScratch scratch_;
     std::optional<SilhouetteTracker> tracker_;  // From the first update on.
 };
 

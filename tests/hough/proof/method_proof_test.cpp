@@ -69,6 +69,7 @@ TEST_SUITE("long") {
         }
         MESSAGE("models, seed " << seed << ": " << to_string(tally));
         CHECK(tally.extractions >= tally.meshes * 10 * 120);
+        CHECK(tally.moves >= tally.meshes * 6 * 120);
         if (!missing.empty()) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds" + missing);
     }
 }

@@ -33,9 +33,10 @@ bool is_allowed(const Origins& origins) {
     });
 }
 
-std::vector<Origins> allowed_origin_lists(const Mesh& mesh) {
+std::vector<Origins> allowed_origin_lists(const Mesh& mesh, std::uint64_t seed) {
     std::vector<Origins> lists = origin_lists(mesh);
     lists.push_back({});
+    lists.push_back({origin_in_two_planes(mesh, static_cast<std::uint32_t>(seed))});
     std::erase_if(lists, [](const Origins& origins) { return !is_allowed(origins); });
     return lists;
 }
@@ -136,7 +137,7 @@ std::string to_string(const Tally& t) {
 
 void prove_index(const Mesh& mesh, const Quota& quota, std::uint64_t seed, Tally& tally) {
     CAPTURE(seed);
-    const std::vector<Origins> lists = allowed_origin_lists(mesh);
+    const std::vector<Origins> lists = allowed_origin_lists(mesh, seed);
     const std::size_t parts = lists.size() * instruction_set_count();
     Oracle oracle(mesh);
     std::uint64_t part_seed = 1000 * seed;
@@ -166,7 +167,7 @@ void prove_methods(const Mesh& mesh, const Quota& quota, std::uint64_t seed, Tal
         const std::string method_name(info.name);
         CAPTURE(method_name);
         std::vector<Origins> lists{{}};
-        if (info.has_origins && is_allowed(elsewhere)) lists.push_back(elsewhere);
+        if (info.most_origins > 0 && is_allowed(elsewhere)) lists.push_back(elsewhere);
         const Quota part{share(quota.extractions, lists.size()), share(quota.moves, lists.size())};
         for (const Origins& origins : lists) {
             CAPTURE(origins.size());

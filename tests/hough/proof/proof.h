@@ -39,7 +39,8 @@ struct Quota {
 };
 
 /// Fails the running test case unless the index is right at at least `quota` points and moves, shared out
-/// among one origin, each of origin_lists.h's, and every instruction set; each with points of its own.
+/// among the center as origin, all of origin_lists.h, and every instruction set; each with points of its
+/// own.
 void prove_index(const Mesh& mesh, const Quota& quota, std::uint64_t seed, Tally& tally);
 
 /// The same for each exact method of silhouette_methods(), `quota` for each, from the mesh's center and

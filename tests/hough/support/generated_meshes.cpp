@@ -254,7 +254,7 @@ NamedSource generated_mesh(std::uint32_t number) {
         if (g.below(4) == 0) mesh.source = placed(std::move(mesh.source), 1.0, far_place());
         if (g.below(4) == 0)
             mesh.source =
-                placed(std::move(mesh.source), std::exp2(std::floor(g.uniform(-40.0, 37.0))), {});
+                placed(std::move(mesh.source), std::exp2(std::floor(g.uniform(-90.0, 37.0))), {});
     }
     mesh.source = clamped(std::move(mesh.source));
     mesh.name.append(" ").append(std::to_string(number));

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "tools/bench_figures.h"
 
@@ -22,7 +24,6 @@ Json spread_json(const PointSpread& spread) {
         sample.push_back({rounded(point[0]), rounded(point[1]), rounded(point[2])});
     return {{"points", spread.points},          {"left_out", spread.left_out},
             {"farthest", spread.farthest},      {"percentile_99", spread.percentile_99},
-            {"distances", spread.distances},    {"near_distances", spread.near_distances},
             {"sample", std::move(sample)},      {"nodes", spread.nodes},
             {"leaf_depths", spread.leaf_depths}};
 }
@@ -62,6 +63,32 @@ Json layout_json(const LayoutPicture& layout) {
 }
 
 }  // namespace
+
+void print_summary(const FigureData& data) {
+    const auto mean = [](const std::vector<std::uint32_t>& counts) {
+        const double sum = std::accumulate(counts.begin(), counts.end(), 0.0);
+        return counts.empty() ? 0.0 : sum / static_cast<double>(counts.size());
+    };
+    std::printf("%s: %u faces, %u SFO edges\n", data.model.c_str(), data.faces, data.sfo_edges);
+    std::printf("  extraction, means over viewpoints on spheres of unit models\n");
+    std::printf("  %8s %8s %12s %12s %12s %12s\n", "radius", "points", "silhouette", "boxes",
+                "faces", "index boxes");
+    for (const ExtractionWork& work : data.extraction)
+        std::printf("  %8.2f %8u %12.1f %12.1f %12.1f %12.1f\n", work.radius, work.points,
+                    work.silhouette, work.literal_boxes[0] + work.literal_boxes[1],
+                    work.literal_faces, work.index_boxes);
+    std::printf("  a frame around the model, means of %zu\n", data.orbit.turned.size());
+    std::printf("  %-28s %12s %12s\n", "", "boxes", "faces");
+    const auto row = [&](const char* name, const OrbitWork::Counts& counts) {
+        std::printf("  %-28s %12.1f %12.1f\n", name, mean(counts.boxes), mean(counts.faces));
+    };
+    row("full traversal", data.orbit.full);
+    row("incremental, as written", data.orbit.as_written);
+    row("incremental, complete", data.orbit.incremental);
+    row("dual, full traversal", data.orbit.dual);
+    row("index", data.orbit.index);
+    std::printf("  %-28s %12s %12.1f\n\n", "faces that turn", "", mean(data.orbit.turned));
+}
 
 Json to_json(const FigureData& data) {
     Json spheres = Json::array();
