@@ -132,6 +132,8 @@ std::string to_string(const Tally& t) {
         text << " with " << t.flips << " flips (" << t.fresh_moves << " of the moves found afresh)";
     text << "; " << t.checked_looks << " looks of the oracle checked, with " << t.rounded_bits
          << " bits that only rounding decides";
+    if (!t.instruction_sets.empty()) text << "; on";
+    for (const std::string& set : t.instruction_sets) text << ' ' << set;
     return text.str();
 }
 
@@ -147,6 +149,7 @@ void prove_index(const Mesh& mesh, const Quota& quota, std::uint64_t seed, Tally
         ++tally.layouts;
         for_each_instruction_set([&](const std::string& set) {
             CAPTURE(set);
+            tally.instruction_sets.insert(set);
             ++part_seed;
             CAPTURE(part_seed);
             prove_extraction(octree, share(quota.extractions, parts), part_seed, oracle, tally);

@@ -6,6 +6,7 @@
 // SilhouetteTracker, checked completely (shadow_consumer.h), or one update of another method.
 
 #include <cstdint>
+#include <set>
 #include <string>
 
 #include "silhouette/mesh/mesh.h"
@@ -15,7 +16,8 @@ namespace rimline::tests {
 
 struct Tally {
     std::uint64_t meshes = 0;
-    std::uint64_t layouts = 0;  ///< Indices built, of one origin or several.
+    std::uint64_t layouts = 0;               ///< Indices built, of one origin or several.
+    std::set<std::string> instruction_sets;  ///< Of the index.
     std::uint64_t extractions = 0;
     std::uint64_t moves = 0;
     std::uint64_t edges = 0;          ///< Of the silhouettes extracted.
