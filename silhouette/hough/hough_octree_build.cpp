@@ -244,9 +244,8 @@ private:
                                                    group_[index(faces[1])] != owner[e]);
         }
         octree_.edge_blocks_.resize(groups + 1);
-        tbb::parallel_for(std::size_t{0}, groups + 1, [&](std::size_t g) {
-            octree_.edge_blocks_[g] = make_edge_blocks(g);
-        });
+        tbb::parallel_for(std::size_t{0}, groups + 1,
+                          [&](std::size_t g) { octree_.edge_blocks_[g] = make_edge_blocks(g); });
     }
 
     // Of a group, or beyond the last of the edges that are always tested.

@@ -60,8 +60,7 @@ using BatchAxis = std::array<std::uint32_t, k_batch>;
 void make_hilbert_codes(std::array<BatchAxis, 3>& x, std::array<std::uint64_t, k_batch>& codes) {
     for (std::uint32_t bit = 1u << (k_bits - 1); bit > 1; bit >>= 1) {
         const std::uint32_t below = bit - 1;
-        for (std::size_t i = 0; i < k_batch; ++i)
-            x[0][i] ^= x[0][i] & bit ? below : 0;
+        for (std::size_t i = 0; i < k_batch; ++i) x[0][i] ^= x[0][i] & bit ? below : 0;
         for (std::size_t axis = 1; axis < 3; ++axis) {
             for (std::size_t i = 0; i < k_batch; ++i) {
                 // Invert the low bits of x where the axis's bit is set, else exchange them.
@@ -100,7 +99,9 @@ void sort_by_code(std::span<CodedPoint> range) {
     std::span<CodedPoint> from = range;
     std::span<CodedPoint> to = other;
     for (std::uint32_t shift = 0; shift < k_code_bits; shift += k_digit_bits) {
-        const auto digit = [shift](const CodedPoint& p) { return p.code >> shift & (k_digits - 1); };
+        const auto digit = [shift](const CodedPoint& p) {
+            return p.code >> shift & (k_digits - 1);
+        };
         std::vector<std::uint32_t> begin(k_digits + 1, 0);
         for (const CodedPoint& p : from) ++begin[digit(p) + 1];
         if (begin[digit(from[0]) + 1] == from.size()) continue;  // All the same.
