@@ -15,6 +15,7 @@
 #include "tools/model_argument.h"
 #include "tools/output_file.h"
 #include "tools/picture_options.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -86,7 +87,10 @@ public:
         context.checkpoint();
         const VulkanInstance instance({.validate = picture_.validate});
         const Device device(instance, picture_.device);
-        const HoughOctree octree = about_model(model_.model, [&] { return HoughOctree(mesh); });
+        const HoughOctree octree = about_model(model_.model, [&] {
+            Progress progress(context, "building the octree");
+            return HoughOctree(mesh, {}, progress.call());
+        });
         context.checkpoint();
 
         Scene scene = make_scene(mesh, octree);

@@ -14,6 +14,7 @@
 
 #include "silhouette/hough/baselines/brute_force.h"
 #include "silhouette/hough/baselines/silhouette_method.h"
+#include "silhouette/mesh/edge_convexity.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/command.h"
 #include "tools/line_output.h"
@@ -125,6 +126,10 @@ public:
             ->group("Output");
         app.add_flag("--borders", with_borders_, "Write border edges too, marked as such")
             ->group("Output");
+        app.add_flag("--no-concave", without_concave_,
+                     "Leave out strictly concave edges, which are never visible on a closed solid "
+                     "seen from outside")
+            ->group("Output");
         app.add_flag("--no-edges", without_edges_, "Leave the list of edges out of the JSON")
             ->group("Output");
         app.footer(
@@ -153,8 +158,9 @@ public:
         SilhouetteMethodOptions options;
         options.origins.assign(origins_.begin(), origins_.end());
         options.seed = seed_;
-        const Extraction found =
+        Extraction found =
             about_model(model_.model, [&] { return extract_by(*method_, mesh, point, options); });
+        if (without_concave_) remove_concave_edges(concave_edge_bits(mesh), found.edges);
         context.checkpoint();
 
         const std::vector<FileEdge> edges = in_file_order(mesh, found.edges);
@@ -266,6 +272,7 @@ private:
     const CLI::Option* seed_option_ = nullptr;
     std::string output_;
     bool with_borders_ = false;
+    bool without_concave_ = false;
     bool without_edges_ = false;
 };
 

@@ -80,11 +80,17 @@ struct Track {
     std::string difference;  // The first one that --verify found, with its frame.
 };
 
-Track follow(const Mesh& mesh, const std::vector<HomogeneousPoint>& points, bool verify,
-             const Context& context) {
+HoughOctree build_octree(const Mesh& mesh, const std::vector<glm::vec3>& origins,
+                         const Context& context) {
+    Progress progress(context, "building the octree");
+    return HoughOctree(mesh, {{origins.begin(), origins.end()}}, progress.call());
+}
+
+Track follow(const Mesh& mesh, const std::vector<glm::vec3>& origins,
+             const std::vector<HomogeneousPoint>& points, bool verify, const Context& context) {
     Track track;
     Clock::time_point start = Clock::now();
-    const HoughOctree octree(mesh);
+    const HoughOctree octree = build_octree(mesh, origins, context);
     track.build_ms = 1e-3 * microseconds_since(start);
     start = Clock::now();
     SilhouetteTracker tracker(octree, points.front());
@@ -138,6 +144,9 @@ public:
         for (CLI::Option* option : orbit_options_) option->group(k_group);
         seed_option_ =
             add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of the random path")->group(k_group);
+        add_points(app, "--origin", origins_,
+                   "Origin of Hough space, one or several (default: the model's center)")
+            ->group("Method");
         app.add_flag("--verify", verify_,
                      "Compare every frame with brute force; exit 3 where one differs")
             ->group("Check");
@@ -166,8 +175,8 @@ public:
                                 step_degrees_.value_or(360.0 / frames_), frames_);
         }
 
-        const Track track =
-            about_model(model_.model, [&] { return follow(mesh, points, verify_, context); });
+        const Track track = about_model(
+            model_.model, [&] { return follow(mesh, origins_, points, verify_, context); });
         if (context.json)
             print_result(track);
         else
@@ -250,6 +259,7 @@ private:
     std::optional<glm::vec3> up_;
     std::uint32_t seed_ = 1;
     bool verify_ = false;
+    std::vector<glm::vec3> origins_;
 };
 
 }  // namespace

@@ -16,7 +16,7 @@
 //
 // so that with V = Σ c(wc - q) and R = Σ e(|2wc - q| + we), g lies in [V - R, V + R]. (The lower bound
 // gives away Σ we², which is nothing for boxes small against the v-sphere.) In float V and R err by at
-// most 2^-24 * reach * (12|q| + 24 reach), reach no less than |h| in the box; a bit is certain where
+// most 2^-24 * reach * (13|q| + 22 reach), reach no less than |h| in the box; a bit is certain where
 // |g| > 3.1 * 2^-24 |p| reach. So a box is certainly on one side if |V| > R + margin, with
 //
 //     margin = reach * (4 * 2^-24 |p| + 32 * 2^-24 (|q| + greatest reach)) + 2^-140.

@@ -144,8 +144,9 @@ private:
         }
     }
 
+    // No length is too great; one so small that squares vanish would not bound what it should.
     BlockSpace space_of(std::size_t group, double length) const {
-        return {octree_.origins_[group], length > 0.0 ? length : 1.0};
+        return {octree_.origins_[group], std::max(length * (1.0 + 0x1p-20), 0x1p-400)};
     }
 
     FaceBlocks make_face_blocks(std::size_t group, std::span<const FaceId> members) {
@@ -161,7 +162,7 @@ private:
             length = std::max(length, glm::length(point.position) + point.error);
 
         FaceBlocks blocks;
-        blocks.space = space_of(group, length * (1.0 + 0x1p-20));
+        blocks.space = space_of(group, length);
         blocks.first_block = octree_.block_count();
         blocks.last_lanes = lanes_of_last_block(members.size());
         const std::uint32_t block_count = block_count_of(members.size());
@@ -273,8 +274,7 @@ private:
 
         EdgeBlocks blocks;
         const auto longest = std::max_element(lengths.begin(), lengths.end());
-        blocks.space =
-            space_of(around, longest == lengths.end() ? 0.0 : *longest * (1.0 + 0x1p-20));
+        blocks.space = space_of(around, longest == lengths.end() ? 0.0 : *longest);
         blocks.last_lanes = lanes_of_last_block(edges.size());
         const std::uint32_t block_count = block_count_of(edges.size());
         blocks.planes.resize(block_count);

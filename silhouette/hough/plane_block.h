@@ -18,7 +18,7 @@
 // The face bit itself is that of X wherever |X| > 3.1*2^-24*|p| (v_sphere.h). So the sign of T + k·W is
 // the face bit wherever
 //
-//     |T + k·W|  >=  k_block_margin + spread/u,     spread = S*3.2*2^-24*|p| + 0.0305
+//     |T + k·W|  >=  k_block_margin + spread/u,     spread = S*3.25*2^-24*|p| + 0.0305
 //
 // and elsewhere is_front decides from the mesh's own plane: for about one block in two hundred of those
 // that a v-sphere meets. T is clamped to ±1.09e9 and |k·W| <= 2*16383*32002 < 1.05e9, so that nothing

@@ -157,6 +157,24 @@ def test_wrong_usage_is_told_in_plain_words():
     assert apart["edges"] == succeed(*view)["edges"]
 
 
+def test_concave_edges_can_be_left_out():
+    view = ["silhouette", "shape:torus:3000", "--from", "4,1,2"]
+    every = {tuple(edge) for edge in succeed(*view)["edges"]}
+    found = succeed(*view, "--no-concave")
+    kept = {tuple(edge) for edge in found["edges"]}
+    assert kept < every and found["count"] == len(kept) > len(every) / 3
+    assert succeed("silhouette", "shape:sphere:3000", "--from", "4,1,2", "--no-concave")["count"] == succeed("silhouette", "shape:sphere:3000", "--from", "4,1,2")["count"]
+
+
+def test_several_origins_track_the_same_changes():
+    path = ["track", "shape:spring:3000", "--path", "random", "--frames", "60", "--seed", "5", "--verify"]
+    one = succeed(*path)
+    several = succeed(*path, "--origin", "0,0,0", "--origin", "0.5,0.2,-0.4")
+    assert one["verified"] and several["verified"]
+    for a, b in zip(one["frames"], several["frames"]):
+        assert (a["flips"], a["added"], a["removed"]) == (b["flips"], b["added"], b["removed"])
+
+
 def test_track_refuses_the_options_of_other_paths():
     with tempfile.TemporaryDirectory() as folder:
         points = os.path.join(folder, "points.txt")
