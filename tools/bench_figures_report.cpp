@@ -22,10 +22,10 @@ Json spread_json(const PointSpread& spread) {
     Json sample = Json::array();
     for (const std::array<double, 3>& point : spread.sample)
         sample.push_back({rounded(point[0]), rounded(point[1]), rounded(point[2])});
-    return {{"points", spread.points},          {"left_out", spread.left_out},
-            {"farthest", spread.farthest},      {"percentile_99", spread.percentile_99},
-            {"sample", std::move(sample)},      {"nodes", spread.nodes},
-            {"leaf_depths", spread.leaf_depths}};
+    return {{"points", spread.points},       {"left_out", spread.left_out},
+            {"farthest", spread.farthest},   {"percentile_99", spread.percentile_99},
+            {"distances", spread.distances}, {"sample", std::move(sample)},
+            {"nodes", spread.nodes},         {"leaf_depths", spread.leaf_depths}};
 }
 
 Json work_json(const ExtractionWork& work) {

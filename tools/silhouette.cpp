@@ -160,7 +160,15 @@ public:
         options.seed = seed_;
         Extraction found =
             about_model(model_.model, [&] { return extract_by(*method_, mesh, point, options); });
-        if (without_concave_) remove_concave_edges(concave_edge_bits(mesh), found.edges);
+        if (without_concave_) {
+            if (!mesh.is_closed() || !mesh.is_oriented())
+                throw Error(ErrorCode::bad_input,
+                            model_.model +
+                                ": --no-concave: the mesh is open or its faces disagree "
+                                "on the outside, where concave edges can be visible; "
+                                "leave the option out");
+            remove_concave_edges(concave_edge_bits(mesh), found.edges);
+        }
         context.checkpoint();
 
         const std::vector<FileEdge> edges = in_file_order(mesh, found.edges);

@@ -1,7 +1,7 @@
 #include "silhouette/hough/block_kernels.h"
 
 // Vectors are members of structs here, which registers of unknown size cannot be; where there are those,
-// NEON is there as well. Of the kinds of AVX-512 the first does.
+// NEON is there as well. AVX-512's later additions bring nothing here.
 #define HWY_DISABLED_TARGETS \
     (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
 
@@ -97,7 +97,7 @@ HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane
     const auto threshold = hn::Min(hn::Max(hn::Mul(value, inverse), hn::Neg(limit)), limit);
     const auto margin =
         hn::Min(hn::Add(hn::Mul(inverse, hn::Set(d, point.spread)), hn::Set(d, k_block_margin)),
-                hn::Set(d, 2.1e9f));
+                hn::Set(d, k_block_greatest_margin));
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 

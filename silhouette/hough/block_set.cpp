@@ -5,7 +5,7 @@
 namespace rimline {
 
 // Vectors are stored whole, at any block.
-BlockScratch::BlockScratch(std::uint32_t most_blocks) {
+BlockScratch::BlockScratch(std::uint32_t most_blocks_of_a_set) : most_blocks(most_blocks_of_a_set) {
     constexpr std::size_t k_slack = 64;
     const std::size_t most_nodes = most_blocks / k_node_width + 1 + k_slack;
     for (std::vector<std::uint32_t>& nodes : frontier) nodes.resize(most_nodes);

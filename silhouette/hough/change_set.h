@@ -21,7 +21,8 @@
 
 namespace rimline {
 
-/// Work done, to compare methods without a clock.
+/// Work done, to compare methods without a clock. The index counts in whole nodes of eight boxes and whole
+/// blocks of sixteen faces or edges.
 struct TraversalCounters {
     std::uint64_t box_checks = 0;   ///< Boxes tested against v-spheres.
     std::uint64_t face_checks = 0;  ///< Face bits evaluated from planes.

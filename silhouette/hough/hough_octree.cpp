@@ -35,13 +35,6 @@ std::uint32_t* list_flips(std::uint32_t block, std::uint32_t lanes,
 
 }  // namespace
 
-BlockScratch HoughOctree::make_scratch() const {
-    std::size_t most = 0;
-    for (const FaceBlocks& blocks : face_blocks_) most = std::max(most, blocks.planes.size());
-    for (const EdgeBlocks& blocks : edge_blocks_) most = std::max(most, blocks.planes.size());
-    return BlockScratch(static_cast<std::uint32_t>(most));
-}
-
 std::vector<std::uint32_t> HoughOctree::face_groups() const {
     std::vector<std::uint32_t> groups(mesh_->face_count(), k_no_group);
     for (std::uint32_t g = 0; g < face_blocks_.size(); ++g) {
@@ -135,6 +128,7 @@ void HoughOctree::extract_nonmanifold(const HomogeneousPoint& point, std::vector
 void HoughOctree::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                           TraversalCounters& counters, BlockScratch& scratch) const {
     RIMLINE_CHECK(point.is_valid());
+    RIMLINE_CHECK(scratch.most_blocks >= most_blocks_);
     edges.clear();
     for (const EdgeBlocks& blocks : edge_blocks_)
         extract_blocks(blocks, point, edges, counters, scratch);
@@ -143,7 +137,9 @@ void HoughOctree::extract(const HomogeneousPoint& point, std::vector<EdgeId>& ed
 
 void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::uint16_t> bits,
                                  BlockScratch& scratch) const noexcept {
+    RIMLINE_CHECK(point.is_valid());
     RIMLINE_CHECK(bits.size() == block_count());
+    RIMLINE_CHECK(scratch.most_blocks >= most_blocks_);
     std::fill(bits.begin(), bits.end(), std::uint16_t{0});
     for (const FaceBlocks& blocks : face_blocks_) {
         if (blocks.planes.empty()) continue;
@@ -163,7 +159,9 @@ std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const Homogene
                                     std::span<std::uint16_t> bits, std::span<std::uint32_t> flipped,
                                     TraversalCounters& counters,
                                     BlockScratch& scratch) const noexcept {
+    RIMLINE_CHECK(from.is_valid() && to.is_valid());
     RIMLINE_CHECK(bits.size() == block_count());
+    RIMLINE_CHECK(scratch.most_blocks >= most_blocks_);
     RIMLINE_CHECK(flipped.size() >= faces_.size());
     if (from == to) return 0;
     std::uint32_t* out = flipped.data();

@@ -86,11 +86,11 @@ public:
     static constexpr std::uint32_t k_extraction_slack = k_block_size;
 
     /// Room to work in, for one thread at a time.
-    BlockScratch make_scratch() const;
+    BlockScratch make_scratch() const { return BlockScratch(most_blocks_); }
 
     /// Static extraction: replaces `edges` by the silhouette from `point`, in no particular order.
-    /// Borders are not among them. Allocates only where `edges` has not room for k_extraction_slack more
-    /// than there are. `counters` is added to.
+    /// Borders are not among them. `counters` is added to. With a scratch, allocates only where `edges`
+    /// has not room for k_extraction_slack more than there are.
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  TraversalCounters& counters, BlockScratch& scratch) const;
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
@@ -147,6 +147,7 @@ private:
     std::vector<FaceBlocks> face_blocks_;  // One an origin.
     std::vector<EdgeBlocks> edge_blocks_;  // One an origin, then one of the edges always tested.
     std::vector<PlacedFace> faces_;        // By position.
+    std::uint32_t most_blocks_ = 0;        // Of a set.
     HoughOctreeStatistics statistics_;
 };
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/hough_point.h"
@@ -18,14 +19,6 @@ namespace {
 
 constexpr std::uint32_t k_no_position = 0xffffffffu;
 constexpr std::uint32_t k_grain = 1024;
-
-template <typename Visit>
-void for_each_index(std::size_t count, Visit&& visit) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, k_grain),
-                      [&](const tbb::blocked_range<std::size_t>& part) {
-                          for (std::size_t i = part.begin(); i < part.end(); ++i) visit(i);
-                      });
-}
 
 std::uint32_t size32(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
@@ -90,6 +83,16 @@ public:
     }
 
 private:
+    // On all threads; a cancelled call ends it within a thousand visits.
+    template <typename Visit>
+    void for_each_index(std::size_t count, Visit&& visit) const {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, k_grain),
+                          [&](const tbb::blocked_range<std::size_t>& part) {
+                              LongCall{call_.stop, {}}.checkpoint(0.0);
+                              for (std::size_t i = part.begin(); i < part.end(); ++i) visit(i);
+                          });
+    }
+
     HoughPoint hough_point_of(FaceId face, std::size_t group) const {
         return hough_point(mesh_.plane(face), octree_.origins_[group]);
     }
@@ -340,11 +343,13 @@ private:
         for (const FaceBlocks& blocks : octree_.face_blocks_) {
             add_tree(blocks.tree);
             statistics.size_bytes += bytes(blocks.frames) + bytes(blocks.planes);
+            octree_.most_blocks_ = std::max(octree_.most_blocks_, size32(blocks.planes.size()));
         }
         for (const EdgeBlocks& blocks : octree_.edge_blocks_) {
             add_tree(blocks.tree);
             statistics.size_bytes +=
                 bytes(blocks.frames) + bytes(blocks.planes) + bytes(blocks.edges);
+            octree_.most_blocks_ = std::max(octree_.most_blocks_, size32(blocks.planes.size()));
         }
         statistics.size_bytes += bytes(octree_.faces_);
         statistics.nonmanifold_edges = mesh_.edges_of_class(EdgeClass::nonmanifold).size();

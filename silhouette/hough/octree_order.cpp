@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::uint32_t k_bits = 16;
 constexpr std::uint32_t k_code_bits = 3 * k_bits + 8;  // With a size.
+constexpr std::uint32_t k_most_cubes = 4;              // Within each other.
 constexpr std::size_t k_grain = 4096;
 
 struct CodedPoint {
@@ -161,7 +162,7 @@ void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
             }
         });
     sort_by_code(range);
-    if (cubes + 1 == k_octree_max_cubes || !(side > 0.0)) return;
+    if (cubes + 1 == k_most_cubes || !(side > 0.0)) return;
     for (std::size_t begin = 0; begin < range.size();) {
         std::size_t end = begin + 1;
         while (end < range.size() && range[end].code == range[begin].code) ++end;

@@ -1,6 +1,7 @@
 #pragma once
 
-// The order in which an octree's depth-first walk meets points: every cell's points are contiguous.
+// The order in which an octree's depth-first walk meets points: every cell's points are contiguous (where
+// sizes are given, those of one size).
 //
 // Eight children of a cell are visited along a Hilbert curve, so that points next to each other in the
 // order are next to each other in space across the borders of cells too, and any run of them fills a
@@ -10,7 +11,7 @@
 // blocks that a v-sphere meets.)
 //
 // Codes have 16 bits an axis in the points' bounding cube. Points that share a code though they differ
-// are sorted again in a cube of their own, so one stray point far away does not blunt the rest.
+// are sorted again in a cube of their own, four deep, so one stray point far away does not blunt the rest.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -18,9 +19,6 @@
 #include <vector>
 
 namespace rimline {
-
-/// Cubes within cubes: each resolves 2^-16 of the one around it.
-constexpr std::uint32_t k_octree_max_cubes = 4;
 
 /// The points' numbers in order. Coordinates must be finite, and their differences too. `sizes`, empty or
 /// one for each point, at most 255, come before position: all of the smallest size first. Points that

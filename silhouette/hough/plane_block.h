@@ -22,7 +22,8 @@
 //
 // and elsewhere is_front decides from the mesh's own plane: for about one block in two hundred of those
 // that a v-sphere meets. T is clamped to ±1.09e9 and |k·W| <= 2*16383*32002 < 1.05e9, so that nothing
-// overflows and clamping changes no sign. A step is at least 2^-20, which keeps what planes that
+// overflows and clamping changes no sign; the margin is clamped above |T + k·W| < 2.14e9, where nothing
+// is certain. A step is at least 2^-20, which keeps what planes that
 // coincide cannot decide below a float's own resolution.
 //
 // Negated planes serve as well as planes: -X changes sign where X does.
@@ -40,6 +41,8 @@ namespace rimline {
 constexpr std::uint32_t k_block_size = 16;
 constexpr float k_block_margin = 65536.0f;
 constexpr float k_block_threshold_limit = 1.09e9f;
+/// The greatest float below 2^31, and above any |T + k·W|: at it everything is in doubt.
+constexpr float k_block_greatest_margin = 2147483520.0f;
 
 /// Two pairs of components a plane, each pair for all sixteen: what one instruction multiplies and adds.
 struct alignas(64) PlaneBlock {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
@@ -23,14 +24,16 @@ Value value_of(const BlockFrame& frame, const PlaneBlock& block, std::uint32_t l
                const BlockPoint& point) {
     float dot = 0.0f;
     for (std::size_t i = 0; i < 4; ++i) dot += frame.center[i] * point.scaled[i];
-    const float threshold = dot * frame.step_inverse;
+    const float threshold =
+        std::clamp(dot * frame.step_inverse, -k_block_threshold_limit, k_block_threshold_limit);
     const std::int64_t sum = std::int64_t{block.normal_xy[2 * lane]} * point.weights[0] +
                              std::int64_t{block.normal_xy[2 * lane + 1]} * point.weights[1] +
                              std::int64_t{block.normal_z_distance[2 * lane]} * point.weights[2] +
                              std::int64_t{block.normal_z_distance[2 * lane + 1]} * point.weights[3];
     CHECK(std::abs(sum) < 1'050'000'000);
     return {std::trunc(double{threshold}) + static_cast<double>(sum),
-            double{frame.step_inverse} * double{point.spread} + double{k_block_margin}};
+            std::min(double{frame.step_inverse} * double{point.spread} + double{k_block_margin},
+                     double{k_block_greatest_margin})};
 }
 
 TEST_CASE("beyond the margin the sign is the face bit, and planes are seldom within it") {
@@ -79,6 +82,24 @@ TEST_CASE("beyond the margin the sign is the face bit, and planes are seldom wit
         // Many probes lie in planes, and from far away all is doubtful where floats say nothing.
         if (name == "torus" || name == "sphere" || name == "knot") CHECK(doubts < ordinary / 10);
     }
+}
+
+TEST_CASE("where floats say nothing, nothing is certain, however large the sum") {
+    // Seen from 2^60 away beside an origin as far off: thresholds and products at their limits.
+    const glm::dvec3 origin(0x1p59, 0x1p59, 0x1p59);
+    const HomogeneousPoint p = HomogeneousPoint::viewpoint(glm::vec3(origin));
+    std::vector<PlaneVector> planes;
+    for (const double sign : {1.0, -1.0}) planes.push_back({0.5, 0.5, 0.5, 1.0 - sign * 0x1p-6});
+    const BlockFrame frame = BlockFrame::around(planes);
+    PlaneBlock block{};
+    for (std::uint32_t i = 0; i < 2; ++i) frame.encode(planes[i], i, block);
+    const BlockPoint point(p, origin, 1.0);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        const Value value = value_of(frame, block, i, point);
+        CHECK(std::abs(value.sum) < value.margin);
+    }
+    CHECK(double{k_block_threshold_limit} + 2.0 * 16383.0 * 32002.0 <
+          double{k_block_greatest_margin});
 }
 
 TEST_CASE("a negated plane has the negated value") {

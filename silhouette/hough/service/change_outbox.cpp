@@ -8,14 +8,16 @@ namespace rimline {
 void ChangeOutbox::open(TrackerId owner) noexcept {
     {
         const std::lock_guard lock(mutex_);
-        // A large model's buffers do not stay with a small one's tracker.
-        for (PublishedChange& place : places_) place = PublishedChange();
         next_ = 0;
         count_ = 0;
         owner_ = owner;
         lost_ = false;
     }
     published_.notify_all();
+}
+
+void ChangeOutbox::free_buffers() noexcept {
+    for (PublishedChange& place : places_) place = PublishedChange();
 }
 
 void ChangeOutbox::end_waits() noexcept {

@@ -43,6 +43,9 @@ public:
     /// Empties the box for a new tracker; the old one's consumers are told that it is gone.
     void open(TrackerId owner) noexcept;
     void close() noexcept { open(k_no_tracker); }
+    /// After close(), with which nobody looks at the places any more: a large model's buffers do not stay
+    /// with a small one's tracker. Takes no lock, so that nobody waits for memory to be freed.
+    void free_buffers() noexcept;
     /// Ends all waits, now and later.
     void end_waits() noexcept;
 
@@ -65,7 +68,7 @@ public:
 private:
     bool is_full() const noexcept { return count_ == places_.size(); }
 
-    mutable std::mutex mutex_;  // For moments: nothing is copied or allocated under it.
+    mutable std::mutex mutex_;  // For moments: nothing is copied, allocated or freed under it.
     std::condition_variable published_;
     std::vector<PublishedChange> places_;
     std::size_t next_ = 0;   // Where to publish. The worker's alone; the places in use end there.

@@ -53,10 +53,10 @@ struct alignas(64) SilhouetteService::Slot : ReadyQueue::Node {
     ChangeOutbox outbox;
 };
 
-struct SilhouetteService::Block {
-    explicit Block(std::uint32_t max_pending) {
-        slots.reserve(k_block_size);
-        for (std::uint32_t i = 0; i < k_block_size; ++i)
+struct SilhouetteService::SlotBlock {
+    explicit SlotBlock(std::uint32_t max_pending) {
+        slots.reserve(k_slots_a_block);
+        for (std::uint32_t i = 0; i < k_slots_a_block; ++i)
             slots.push_back(std::make_unique<Slot>(max_pending));
     }
     std::vector<std::unique_ptr<Slot>> slots;
@@ -80,7 +80,7 @@ SilhouetteService::SilhouetteService(const SilhouetteServiceOptions& options)
 SilhouetteService::~SilhouetteService() {
     RIMLINE_CHECK(waiting_ == 0);
     stop();
-    for (const std::atomic<Block*>& block : blocks_) delete block.load();
+    for (const std::atomic<SlotBlock*>& block : blocks_) delete block.load();
 }
 
 TrackerId SilhouetteService::add(const HoughOctree& octree, const HomogeneousPoint& point) {
@@ -99,14 +99,17 @@ bool SilhouetteService::remove(TrackerId id) {
     std::optional<SilhouetteTracker> tracker;
     {
         const std::lock_guard moving(place.moving);
-        const std::lock_guard posting(place.posting);
-        if (place.owner != id) return false;
-        place.owner = k_no_tracker;
-        place.tracker.swap(
-            tracker);  // Its memory takes a while to free; nobody should wait for that.
-        Posted dropped;
-        place.latest.take(dropped);  // The next tracker does not go there.
-        place.outbox.close();
+        {
+            const std::lock_guard posting(place.posting);
+            if (place.owner != id) return false;
+            place.owner = k_no_tracker;
+            // Its memory takes a while to free; nobody should wait for that.
+            place.tracker.swap(tracker);
+            Posted dropped;
+            place.latest.take(dropped);  // The next tracker does not go there.
+            place.outbox.close();
+        }
+        place.outbox.free_buffers();
     }
     // The slot may still be scheduled. Whoever pops it finds no tracker, or the next one with nothing
     // to do, or with something, and then it was scheduled for that as well.
@@ -190,13 +193,13 @@ SilhouetteServiceCounters SilhouetteService::counters() const noexcept {
 }
 
 SilhouetteService::Slot& SilhouetteService::slot(std::uint32_t index) noexcept {
-    Block* block = blocks_[index / k_block_size].load(std::memory_order_acquire);
+    SlotBlock* block = blocks_[index / k_slots_a_block].load(std::memory_order_acquire);
     RIMLINE_CHECK(block != nullptr);
-    return *block->slots[index % k_block_size];
+    return *block->slots[index % k_slots_a_block];
 }
 
 SilhouetteService::Slot& SilhouetteService::slot(TrackerId id) noexcept {
-    RIMLINE_CHECK(id != k_no_tracker && index_of(id) < k_block_size * k_max_blocks);
+    RIMLINE_CHECK(id != k_no_tracker && index_of(id) < k_slots_a_block * k_max_blocks);
     return slot(index_of(id));
 }
 
@@ -209,13 +212,13 @@ std::uint32_t SilhouetteService::claim_slot() {
         free_slots_.pop_back();
         return index;
     }
-    if (slot_count_ == k_block_size * k_max_blocks)
+    if (slot_count_ == k_slots_a_block * k_max_blocks)
         throw Error(ErrorCode::too_large, "a silhouette service holds " +
                                               std::to_string(slot_count_) + " trackers at most");
-    if (slot_count_ % k_block_size == 0) {
-        free_slots_.reserve(slot_count_ + k_block_size);  // remove() does not allocate.
-        blocks_[slot_count_ / k_block_size].store(new Block(max_pending_),
-                                                  std::memory_order_release);
+    if (slot_count_ % k_slots_a_block == 0) {
+        free_slots_.reserve(slot_count_ + k_slots_a_block);  // remove() does not allocate.
+        blocks_[slot_count_ / k_slots_a_block].store(new SlotBlock(max_pending_),
+                                                     std::memory_order_release);
     }
     return slot_count_++;
 }

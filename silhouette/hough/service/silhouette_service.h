@@ -109,10 +109,10 @@ public:
 
 private:
     struct Slot;
-    struct
-        Block;  // Slots are made in blocks, which stay until the end: post() looks them up unlocked.
+    // Slots are made in blocks, which stay until the end: post() looks them up unlocked.
+    struct SlotBlock;
 
-    static constexpr std::uint32_t k_block_size = 64;
+    static constexpr std::uint32_t k_slots_a_block = 64;
     static constexpr std::uint32_t k_max_blocks = 256;
 
     Slot& slot(std::uint32_t index) noexcept;
@@ -126,7 +126,7 @@ private:
 
     const std::uint32_t max_pending_;
     const std::uint32_t worker_count_;
-    std::array<std::atomic<Block*>, k_max_blocks> blocks_{};
+    std::array<std::atomic<SlotBlock*>, k_max_blocks> blocks_{};
     ReadyQueue ready_;
     std::atomic<bool> stopped_{false};
 
