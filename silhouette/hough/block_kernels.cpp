@@ -84,6 +84,18 @@ struct Thresholds {
     hn::Vec<Ints> threshold;
     hn::Vec<Ints> margin;
 };
+
+// Of eight blocks from `lane` on, those that their thresholds do not settle. |T| - limit lies between
+// -1.05e9 and 1.09e9: nothing overflows.
+HWY_INLINE std::uint32_t near_lanes(const NodeFrames& frames, std::size_t lane,
+                                    const Thresholds& t) {
+    const Floats d;
+    const Ints di;
+    const auto limit = hn::ConvertTo(
+        di, hn::Mul(hn::Load(d, frames.longest + lane), hn::Set(d, k_block_weight_length)));
+    return lanes_of(di, hn::Lt(hn::Sub(hn::Abs(t.threshold), limit), t.margin));
+}
+
 HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane,
                                       const BlockPoint& point) {
     const Floats d;
@@ -113,27 +125,29 @@ HWY_INLINE hn::Vec<D> compressed(D d, hn::Vec<D> vector, hn::Vec<Unsigneds> lane
     return hn::TableLookupLanes(vector, hn::IndicesFromVec(d, lanes));
 }
 
-// Appends the children of node `n` that `lanes` from `lane` on name; with `frames`, their thresholds too.
+// Appends the children of node `n` that `lanes` from `lane` on name.
 HWY_INLINE std::uint32_t append_children(std::uint32_t n, std::size_t lane, std::uint32_t lanes,
-                                         const NodeFrames* frames, const BlockPoint& point,
-                                         std::uint32_t* out, std::uint32_t end,
-                                         BlockScratch& scratch) {
+                                         std::uint32_t* out, std::uint32_t end) {
     const Unsigneds du;
-    const auto kept = compressed_lanes(lanes);
     const auto base = static_cast<std::uint32_t>(n * k_node_width + lane);
-    hn::StoreU(hn::Add(kept, hn::Set(du, base)), du, out + end);
-    if (frames != nullptr) {
-        const Ints di;
-        const Thresholds t = make_thresholds(frames[n], lane, point);
-        hn::StoreU(compressed(di, t.threshold, kept), di, scratch.threshold.data() + end);
-        hn::StoreU(compressed(di, t.margin, kept), di, scratch.margin.data() + end);
-    }
+    hn::StoreU(hn::Add(compressed_lanes(lanes), hn::Set(du, base)), du, out + end);
     return end + static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{lanes}));
 }
 
+// The same of blocks, with their thresholds.
+HWY_INLINE std::uint32_t append_blocks(std::uint32_t n, std::size_t lane, std::uint32_t lanes,
+                                       const Thresholds& t, std::uint32_t end,
+                                       BlockScratch& scratch) {
+    const Ints di;
+    const auto kept = compressed_lanes(lanes);
+    hn::StoreU(compressed(di, t.threshold, kept), di, scratch.threshold.data() + end);
+    hn::StoreU(compressed(di, t.margin, kept), di, scratch.margin.data() + end);
+    return append_children(n, lane, lanes, scratch.block.data(), end);
+}
+
 std::uint32_t FindMixed(const BoxTree& tree, std::span<const NodeFrames> frames,
-                        const BoxQuery& query, const BlockPoint& point, BlockScratch& scratch,
-                        std::uint64_t& nodes) {
+                        const BoxQuery& query, const BlockPoint& point, SettledBy settled_by,
+                        BlockScratch& scratch, std::uint64_t& nodes) {
     if (tree.block_count() == 0) return 0;
     const Floats d;
     const std::uint32_t levels = tree.level_count();
@@ -156,9 +170,15 @@ std::uint32_t FindMixed(const BoxTree& tree, std::span<const NodeFrames> frames,
             const std::uint32_t n = from[i];
             for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(d)) {
                 const Interval g = test_boxes(level[n], lane, query);
-                const std::uint32_t mixed = lanes_of(d, hn::Le(hn::Abs(g.value), g.reach));
-                end = append_children(n, lane, mixed, is_last ? frames.data() : nullptr, point, to,
-                                      end, scratch);
+                std::uint32_t mixed = lanes_of(d, hn::Le(hn::Abs(g.value), g.reach));
+                if (!is_last) {
+                    end = append_children(n, lane, mixed, to, end);
+                    continue;
+                }
+                const Thresholds t = make_thresholds(frames[n], lane, point);
+                if (settled_by == SettledBy::box_and_threshold)
+                    mixed &= near_lanes(frames[n], lane, t);
+                end = append_blocks(n, lane, mixed, t, end, scratch);
             }
         }
         count = end;
@@ -203,8 +223,9 @@ std::uint32_t FindChanging(const BoxTree& tree, std::span<const NodeFrames> fram
                     mixed,
                     hn::Or(hn::And(hn::Gt(g.value, hn::Zero(d)), hn::Lt(h.value, hn::Zero(d))),
                            hn::And(hn::Lt(g.value, hn::Zero(d)), hn::Gt(h.value, hn::Zero(d)))));
-                end = append_children(n, lane, lanes_of(d, mixed),
-                                      is_last ? frames.data() : nullptr, point, to, end, scratch);
+                end = is_last ? append_blocks(n, lane, lanes_of(d, mixed),
+                                              make_thresholds(frames[n], lane, point), end, scratch)
+                              : append_children(n, lane, lanes_of(d, mixed), to, end);
                 const auto base = static_cast<std::uint32_t>(n * k_node_width + lane);
                 for (std::uint32_t lanes = lanes_of(d, differ); lanes != 0; lanes &= lanes - 1) {
                     const std::uint32_t child =
@@ -230,6 +251,22 @@ std::uint32_t TakeAll(std::span<const NodeFrames> frames, std::uint32_t block_co
     }
     for (std::uint32_t b = 0; b < block_count; ++b) scratch.block[b] = b;
     return block_count;
+}
+
+std::uint32_t FindNear(std::span<const NodeFrames> frames, std::uint32_t block_count,
+                       const BlockPoint& point, BlockScratch& scratch) {
+    const Ints di;
+    std::uint32_t end = 0;
+    for (std::uint32_t n = 0; n < frames.size(); ++n) {
+        const std::uint32_t left = block_count - n * k_node_width;
+        const std::uint32_t in_use = left < k_node_width ? (1u << left) - 1 : 0xffu;
+        for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(di)) {
+            const Thresholds t = make_thresholds(frames[n], lane, point);
+            const std::uint32_t lanes = near_lanes(frames[n], lane, t) & in_use >> lane;
+            end = append_blocks(n, lane, lanes, t, end, scratch);
+        }
+    }
+    return end;
 }
 
 // k·W of the planes from `lane` on.
@@ -371,15 +408,16 @@ namespace rimline::kernels {
 HWY_EXPORT(FindMixed);
 HWY_EXPORT(FindChanging);
 HWY_EXPORT(TakeAll);
+HWY_EXPORT(FindNear);
 HWY_EXPORT(TestEdges);
 HWY_EXPORT(WriteEdges);
 HWY_EXPORT(TestFaces);
 HWY_EXPORT(TargetName);
 
 std::uint32_t find_mixed(const BoxTree& tree, std::span<const NodeFrames> frames,
-                         const BoxQuery& query, const BlockPoint& point, BlockScratch& scratch,
-                         std::uint64_t& nodes) {
-    return HWY_DYNAMIC_DISPATCH(FindMixed)(tree, frames, query, point, scratch, nodes);
+                         const BoxQuery& query, const BlockPoint& point, SettledBy settled_by,
+                         BlockScratch& scratch, std::uint64_t& nodes) {
+    return HWY_DYNAMIC_DISPATCH(FindMixed)(tree, frames, query, point, settled_by, scratch, nodes);
 }
 
 std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> frames,
@@ -393,6 +431,11 @@ std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> fra
 std::uint32_t take_all(std::span<const NodeFrames> frames, std::uint32_t block_count,
                        const BlockPoint& point, BlockScratch& scratch) {
     return HWY_DYNAMIC_DISPATCH(TakeAll)(frames, block_count, point, scratch);
+}
+
+std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_count,
+                        const BlockPoint& point, BlockScratch& scratch) {
+    return HWY_DYNAMIC_DISPATCH(FindNear)(frames, block_count, point, scratch);
 }
 
 std::uint32_t test_edges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,

@@ -12,11 +12,15 @@
 
 namespace rimline::kernels {
 
+/// What settles a block: its box against the query, or also its threshold (plane_block.h), which says
+/// something of the one point alone.
+enum class SettledBy { box, box_and_threshold };
+
 /// Fills `scratch` with the blocks of `tree` that `query` does not settle, and their thresholds seen
 /// from `point`. Returns their number; adds to `nodes` how many nodes were tested.
 std::uint32_t find_mixed(const BoxTree& tree, std::span<const NodeFrames> frames,
-                         const BoxQuery& query, const BlockPoint& point, BlockScratch& scratch,
-                         std::uint64_t& nodes);
+                         const BoxQuery& query, const BlockPoint& point, SettledBy settled_by,
+                         BlockScratch& scratch, std::uint64_t& nodes);
 
 /// The same for what may lie on different sides of two v-spheres. The first `certain_count` of
 /// scratch.certain become the runs of blocks that certainly do, whose faces all flip.
@@ -28,6 +32,9 @@ std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> fra
 /// Fills `scratch` with all blocks.
 std::uint32_t take_all(std::span<const NodeFrames> frames, std::uint32_t block_count,
                        const BlockPoint& point, BlockScratch& scratch);
+/// Fills `scratch` with the blocks that their thresholds do not settle. Returns their number.
+std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_count,
+                        const BlockPoint& point, BlockScratch& scratch);
 
 /// For the first `count` blocks of `scratch`: found_block and found_lanes become those that hold edges
 /// on the silhouette, or in found_doubts, whose lanes must be decided exactly. Returns their number.

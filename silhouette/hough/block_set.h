@@ -21,6 +21,7 @@ namespace rimline {
 struct alignas(64) NodeFrames {
     float center[4][k_node_width];
     float step_inverse[k_node_width];
+    float longest[k_node_width];  ///< No |k| of a block's planes is longer.
 };
 
 /// Where the planes of one set of blocks are measured from, and by.

@@ -89,12 +89,12 @@ void HoughOctree::extract_blocks(const EdgeBlocks& blocks, const HomogeneousPoin
     std::uint64_t nodes = 0;
     const std::uint32_t count =
         blocks.tree.block_count() == 0
-            ? kernels::take_all(blocks.frames, static_cast<std::uint32_t>(blocks.planes.size()),
-                                seen_from, scratch)
+            ? kernels::find_near(blocks.frames, static_cast<std::uint32_t>(blocks.planes.size()),
+                                 seen_from, scratch)
             : kernels::find_mixed(
                   blocks.tree, blocks.frames,
                   BoxQuery(point, blocks.space.origin, blocks.tree.greatest_reach()), seen_from,
-                  scratch, nodes);
+                  kernels::SettledBy::box_and_threshold, scratch, nodes);
     const std::uint32_t found = kernels::test_edges(blocks, seen_from, count, scratch);
     decide_edges(blocks.edges, point, found, scratch);
     // Vectors are stored whole, so one more block must fit.
@@ -177,7 +177,7 @@ std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const Homogene
             is_small_step(from, to, tree)
                 ? kernels::find_mixed(tree, blocks.frames,
                                       BoxQuery::between(from, to, origin, tree.greatest_reach()),
-                                      seen_from, scratch, nodes)
+                                      seen_from, kernels::SettledBy::box, scratch, nodes)
                 : kernels::find_changing(tree, blocks.frames,
                                          BoxQuery(from, origin, tree.greatest_reach()),
                                          BoxQuery(to, origin, tree.greatest_reach()), seen_from,

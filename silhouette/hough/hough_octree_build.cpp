@@ -36,11 +36,13 @@ std::vector<NodeFrames> make_node_frames(std::uint32_t block_count) {
     return std::vector<NodeFrames>((block_count + k_node_width - 1) / k_node_width);
 }
 
-void set_frame(std::vector<NodeFrames>& frames, std::size_t block, const BlockFrame& frame) {
+void set_frame(std::vector<NodeFrames>& frames, std::size_t block, const BlockFrame& frame,
+               float longest) {
     NodeFrames& node = frames[block / k_node_width];
     const std::size_t lane = block % k_node_width;
     for (std::size_t i = 0; i < 4; ++i) node.center[i][lane] = frame.center[i];
     node.step_inverse[lane] = frame.step_inverse;
+    node.longest[lane] = longest;
 }
 
 // How long a segment is against most of them, in powers of two: long ones would widen the boxes of the
@@ -187,10 +189,12 @@ private:
                 planes[i - begin] = blocks.space.vector_of(mesh_.plane(face));
             }
             const BlockFrame frame = BlockFrame::around(std::span(planes).first(end - begin));
-            set_frame(blocks.frames, b, frame);
+            float longest = 0.0f;
             blocks.planes[b] = {};
             for (std::size_t i = begin; i < end; ++i)
-                frame.encode(planes[i - begin], size32(i - begin), blocks.planes[b]);
+                longest = std::max(
+                    longest, frame.encode(planes[i - begin], size32(i - begin), blocks.planes[b]));
+            set_frame(blocks.frames, b, frame, longest);
         });
         blocks.tree = BoxTree(std::move(bounds));
         return blocks;
@@ -276,8 +280,8 @@ private:
         const std::vector<std::uint32_t> order = octree_order(middles, length_classes(squares));
 
         EdgeBlocks blocks;
-        const auto longest = std::max_element(lengths.begin(), lengths.end());
-        blocks.space = space_of(around, longest == lengths.end() ? 0.0 : *longest);
+        const auto greatest = std::max_element(lengths.begin(), lengths.end());
+        blocks.space = space_of(around, greatest == lengths.end() ? 0.0 : *greatest);
         blocks.last_lanes = lanes_of_last_block(edges.size());
         const std::uint32_t block_count = block_count_of(edges.size());
         blocks.planes.resize(block_count);
@@ -301,10 +305,12 @@ private:
                 }
             }
             const BlockFrame frame = BlockFrame::around(std::span(planes).first(count));
-            set_frame(blocks.frames, b, frame);
+            float longest = 0.0f;
             blocks.planes[b] = {};
             for (std::size_t i = 0; i < count; ++i)
-                frame.encode(planes[i], size32(i / 2), blocks.planes[b][i % 2]);
+                longest = std::max(longest,
+                                   frame.encode(planes[i], size32(i / 2), blocks.planes[b][i % 2]));
+            set_frame(blocks.frames, b, frame, longest);
         });
         if (!always) blocks.tree = BoxTree(std::move(bounds));
         return blocks;

@@ -35,8 +35,8 @@ BlockFrame BlockFrame::around(std::span<const PlaneVector> planes) noexcept {
     return frame;
 }
 
-void BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
-                        PlaneBlock& block) const noexcept {
+float BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
+                         PlaneBlock& block) const noexcept {
     const auto steps = [&](std::size_t i) {
         const double count = (plane[i] - double{center[i]}) * double{step_inverse};
         // lround is a call, and a branch on the sign is taken at random.
@@ -46,6 +46,12 @@ void BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
     block.normal_xy[2 * lane + 1] = steps(1);
     block.normal_z_distance[2 * lane] = steps(2);
     block.normal_z_distance[2 * lane + 1] = steps(3);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double k = steps(i);
+        squares += k * k;
+    }
+    return static_cast<float>(std::sqrt(squares) * (1.0 + 0x1p-20));
 }
 
 BlockPoint::BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin,

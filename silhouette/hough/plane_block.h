@@ -26,6 +26,10 @@
 // is certain. A step is at least 2^-20, which keeps what planes that
 // coincide cannot decide below a float's own resolution.
 //
+// A block that no box settles may still be settled by T alone: |k·W| <= |k| * 32002, so where
+// |T| >= longest |k| * 32002 + margin all its planes have the sign of T. That needs no origin, and is what
+// settles planes that hold it.
+//
 // Negated planes serve as well as planes: -X changes sign where X does.
 
 #include <array>
@@ -40,6 +44,7 @@ namespace rimline {
 
 constexpr std::uint32_t k_block_size = 16;
 constexpr float k_block_margin = 65536.0f;
+constexpr float k_block_weight_length = 32002.0f;  ///< No |W| is longer.
 constexpr float k_block_threshold_limit = 1.09e9f;
 /// The greatest float below 2^31, and above any |T + k·W|: at it everything is in doubt.
 constexpr float k_block_greatest_margin = 2147483520.0f;
@@ -61,8 +66,8 @@ struct BlockFrame {
 
     /// The smallest that holds all of `planes`, which may be none.
     static BlockFrame around(std::span<const PlaneVector> planes) noexcept;
-    /// Writes a plane that the frame holds.
-    void encode(const PlaneVector& plane, std::uint32_t lane, PlaneBlock& block) const noexcept;
+    /// Writes a plane that the frame holds, and returns the length of its k, rounded up.
+    float encode(const PlaneVector& plane, std::uint32_t lane, PlaneBlock& block) const noexcept;
 };
 
 /// A silhouette point as blocks relative to one origin read it.

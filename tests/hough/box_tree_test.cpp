@@ -56,7 +56,7 @@ TEST_CASE("planes of a box that is not mixed have equal bits, from every kind of
                 std::uint64_t nodes = 0;
                 const std::uint32_t count = kernels::find_mixed(
                     boxes.tree, boxes.frames, BoxQuery(p, origins[0], boxes.tree.greatest_reach()),
-                    BlockPoint(p, origins[0], 1.0), scratch, nodes);
+                    BlockPoint(p, origins[0], 1.0), kernels::SettledBy::box, scratch, nodes);
                 std::vector<bool> is_mixed(boxes.planes.size(), false);
                 for (std::uint32_t j = 0; j < count; ++j) {
                     REQUIRE(scratch.block[j] < boxes.planes.size());
@@ -92,7 +92,8 @@ TEST_CASE("every depth of tree holds every block once") {
         std::uint64_t nodes = 0;
         REQUIRE(kernels::find_mixed(tree, frames,
                                     BoxQuery(p, glm::dvec3(0.0), tree.greatest_reach()),
-                                    BlockPoint(p, glm::dvec3(0.0), 1.0), scratch, nodes) == count);
+                                    BlockPoint(p, glm::dvec3(0.0), 1.0), kernels::SettledBy::box,
+                                    scratch, nodes) == count);
         for (std::uint32_t b = 0; b < count; ++b) REQUIRE(scratch.block[b] == b);
         CHECK(nodes == tree.node_count());
     }
