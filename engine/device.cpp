@@ -108,11 +108,12 @@ std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance) {
 }
 
 DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice device, VkQueue queue,
-                                  std::uint32_t queue_family) {
+                                  std::uint32_t queue_family, const DeviceFeatures& features) {
     DeviceContext context{.physical_device = physical_device,
                           .device = device,
                           .queue = queue,
-                          .queue_family = queue_family};
+                          .queue_family = queue_family,
+                          .features = features};
     vkGetPhysicalDeviceMemoryProperties(physical_device, &context.memory);
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical_device, &properties);
@@ -135,7 +136,7 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
                                              .queueCount = 1,
                                              .pQueuePriorities = &priority};
     FeatureChain features;
-    features.v10.features.geometryShader = VK_TRUE;
+    features.v10.features.geometryShader = facts_.geometry_shader;
     features.v10.features.depthClamp = VK_TRUE;
     features.v12.bufferDeviceAddress = VK_TRUE;
     features.v12.scalarBlockLayout = VK_TRUE;
@@ -151,7 +152,8 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
     vk_check(vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
     VkQueue queue = VK_NULL_HANDLE;
     vkGetDeviceQueue(device, family, 0, &queue);
-    context_ = make_device_context(physical, device, queue, family);
+    context_ = make_device_context(physical, device, queue, family,
+                                   {.geometry_shader = facts_.geometry_shader});
     try {
         face_bits_agree_ = test_face_bits(context_);
     } catch (...) {

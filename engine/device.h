@@ -17,6 +17,12 @@ namespace rimline {
 /// Of every depth attachment: reversed depth needs floats.
 constexpr VkFormat k_depth_stencil_format = VK_FORMAT_D32_SFLOAT_S8_UINT;
 
+/// What a device may have beyond what judge_device() asks for. Each is true only where it was enabled
+/// when the device was opened; passes choose their way by it.
+struct DeviceFeatures {
+    bool geometry_shader = false;
+};
+
 /// What the passes need of a device: ours or a caller's. The caller keeps everything alive, and has
 /// enabled what judge_device() asks for.
 struct DeviceContext {
@@ -26,15 +32,16 @@ struct DeviceContext {
     std::uint32_t queue_family = 0;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
+    DeviceFeatures features{};
     std::uint32_t samples = 1;  ///< Greatest sample count, at most 4, of all attachments.
 };
 
 /// Every physical device of an instance, usable or not, in Vulkan's order.
 std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance);
 
-/// Reads a context from handles a caller made.
+/// Reads a context from handles a caller made; `features` are those the caller enabled.
 DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice device, VkQueue queue,
-                                  std::uint32_t queue_family);
+                                  std::uint32_t queue_family, const DeviceFeatures& features);
 
 class Device {
 public:
