@@ -155,4 +155,17 @@ std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad) 
     return normals;
 }
 
+CornerGroupList corner_groups(const Mesh& mesh, float crease_angle_rad) {
+    RIMLINE_CHECK(crease_angle_rad >= 0.0f);
+    CornerGroups groups = group_corners(mesh, face_normals(mesh), crease_angle_rad);
+    const std::uint32_t corner_count = 3 * mesh.face_count();
+    CornerGroupList list{.begin = std::vector<std::uint32_t>(groups.number() + std::size_t{1}),
+                         .corners = std::vector<std::uint32_t>(corner_count)};
+    for (std::uint32_t c = 0; c < corner_count; ++c) ++list.begin[groups.group(c) + 1];
+    std::partial_sum(list.begin.begin(), list.begin.end(), list.begin.begin());
+    std::vector<std::uint32_t> next(list.begin.begin(), list.begin.end() - 1);
+    for (std::uint32_t c = 0; c < corner_count; ++c) list.corners[next[groups.group(c)]++] = c;
+    return list;
+}
+
 }  // namespace rimline

@@ -9,6 +9,7 @@
 //
 // For shading only: which faces are front is decided by planes, never by these.
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -21,5 +22,14 @@ namespace rimline {
 /// Degenerate faces weigh nothing; their corners take a neighbour's normal, or +y where none has one.
 /// O(faces) but for the inverse Ackermann function, whatever the valences.
 std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad);
+
+/// The groups themselves, for who computes normals from other positions of the same triangles. Corner c
+/// of face f is number 3f + c; group g holds corners[begin[g]] to corners[begin[g + 1]], ascending.
+struct CornerGroupList {
+    std::vector<std::uint32_t> begin;
+    std::vector<std::uint32_t> corners;
+};
+/// The groups of corner_normals() for the same mesh and angle. O(faces), likewise.
+CornerGroupList corner_groups(const Mesh& mesh, float crease_angle_rad);
 
 }  // namespace rimline

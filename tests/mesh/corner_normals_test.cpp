@@ -1,6 +1,7 @@
 #include "silhouette/mesh/corner_normals.h"
 
 #include <doctest/doctest.h>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -208,6 +209,26 @@ TEST_CASE("tiny and huge meshes have the same corner normals") {
         for (std::size_t i = 0; i < expected.size(); ++i)
             REQUIRE(glm::length(normals[i] - expected[i]) < 1e-6f);
     }
+}
+
+TEST_CASE("corners of one group share their normal, and the groups hold every corner once") {
+    for (const char* name : {"box", "knot", "terrain"}) {
+        const Mesh mesh(make_built_in_shape(name, 1000));
+        const auto normals = corner_normals(mesh, radians(40));
+        const CornerGroupList groups = corner_groups(mesh, radians(40));
+        std::vector<std::uint32_t> seen(normals.size(), 0);
+        for (std::size_t g = 0; g + 1 < groups.begin.size(); ++g)
+            for (std::uint32_t i = groups.begin[g]; i < groups.begin[g + 1]; ++i) {
+                ++seen[groups.corners[i]];
+                REQUIRE(normals[groups.corners[i]] == normals[groups.corners[groups.begin[g]]]);
+                REQUIRE((i == groups.begin[g] || groups.corners[i - 1] < groups.corners[i]));
+            }
+        CHECK(std::ranges::all_of(seen, [](std::uint32_t count) { return count == 1; }));
+    }
+    const Mesh box(make_built_in_shape("box", 12));
+    CHECK(corner_groups(box, radians(40)).begin.size() - 1 == 24);
+    CHECK(corner_groups(box, k_pi).begin.size() - 1 == 8);
+    CHECK(corner_groups(Mesh(MeshSource{}), 0.0f).corners.empty());
 }
 
 }  // namespace rimline

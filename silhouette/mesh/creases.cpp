@@ -1,0 +1,51 @@
+#include "silhouette/mesh/creases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace rimline {
+
+namespace {
+
+// Between two normals. The arc tangent is exact where the cosine's arc is not: near 0 and 180 degrees.
+double angle_between(const Plane& a, const Plane& b) {
+    const glm::dvec3 u(a.nx, a.ny, a.nz);
+    const glm::dvec3 v(b.nx, b.ny, b.nz);
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+double bend_of(const Mesh& mesh, EdgeId edge) {
+    const std::span<const FaceId> faces = mesh.faces_of(edge);
+    const EdgeClass edge_class = mesh.edge_class(edge);
+    double bend = 0.0;
+    const Plane& first = mesh.plane(faces[0]);
+    for (const FaceId face : faces.subspan(1)) {
+        const Plane& other = mesh.plane(face);
+        if (!first.has_normal() || !other.has_normal()) continue;
+        const double angle = angle_between(first, other);
+        const double turned = std::numbers::pi - angle;
+        bend = std::max(bend, edge_class == EdgeClass::regular        ? angle
+                              : edge_class == EdgeClass::inconsistent ? turned
+                                                                      : std::min(angle, turned));
+    }
+    return bend;
+}
+
+}  // namespace
+
+std::vector<Crease> find_creases(const Mesh& mesh, float least_bend_rad) {
+    std::vector<Crease> creases;
+    const std::uint32_t border = mesh.edges_of_class(EdgeClass::border).first;
+    for (std::uint32_t e = 0; e < border; ++e) {
+        const auto bend = static_cast<float>(bend_of(mesh, EdgeId{e}));
+        if (bend >= least_bend_rad && bend > 0.0f) creases.push_back({EdgeId{e}, bend});
+    }
+    std::ranges::sort(creases, [](const Crease& a, const Crease& b) {
+        return a.bend_rad != b.bend_rad ? a.bend_rad > b.bend_rad : a.edge < b.edge;
+    });
+    return creases;
+}
+
+}  // namespace rimline

@@ -1,0 +1,171 @@
+#include "silhouette/hough/service/silhouette_follower.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <deque>
+#include <random>
+
+#include "silhouette/hough/baselines/brute_force.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/hough/service/allocation_faults.h"
+#include "tests/hough/service/follower.h"
+#include "tests/hough/support/random_walk.h"
+
+namespace rimline {
+namespace {
+
+struct Model {
+    explicit Model(const char* shape, std::uint32_t faces)
+        : mesh(make_built_in_shape(shape, faces)), octree(mesh) {}
+    const Mesh mesh;
+    const HoughOctree octree;
+};
+
+// Holds what the calls say, as the GPU does, and refuses what would not fit on what it holds.
+struct Consumer {
+    std::uint64_t sequence = 0;
+    std::vector<EdgeId> slots;
+    std::vector<std::uint32_t> words;
+    int applied = 0;
+    int resent = 0;
+    bool refuses = false;
+
+    bool apply(const ChangeSet& changes) {
+        if (refuses || changes.sequence != sequence + 1) return false;
+        sequence = changes.sequence;
+        slots.resize(changes.silhouette_size, k_no_edge);
+        for (const SlotWrite& write : changes.slots) slots.at(write.slot) = write.edge;
+        for (const WordWrite& write : changes.words) words.at(write.word) = write.bits;
+        ++applied;
+        return true;
+    }
+    void resend(const SilhouetteSnapshot& snapshot) {
+        sequence = snapshot.sequence;
+        slots = snapshot.slots;
+        words = snapshot.words;
+        ++resent;
+    }
+};
+
+bool is_silhouette(const Mesh& mesh, const Consumer& consumer, const HomogeneousPoint& point) {
+    return tests::ascending<EdgeId>(consumer.slots) ==
+               tests::ascending<EdgeId>(brute_force_silhouette(mesh, point)) &&
+           consumer.words == brute_force_face_bits(mesh, point);
+}
+
+TEST_CASE("a follower leads to exactly its point, whatever was announced, missed or refused") {
+    const Model model("knot", 600);
+    constexpr std::uint32_t k_seed = 41;
+    CAPTURE(k_seed);
+    std::mt19937 random(k_seed);
+    SilhouetteService service({.workers = 2, .max_pending = 2});
+    struct Followed {
+        Followed(SilhouetteService& service, const Model& model, std::uint64_t seed)
+            : walk(model.mesh, seed), follower(service, model.octree, walk.point()) {}
+        tests::RandomWalk walk;
+        SilhouetteFollower follower;
+        Consumer consumer;
+        int invalidated = 0;
+        int stolen = 0;
+    };
+    std::deque<Followed> all;
+    for (std::uint64_t i = 0; i < 4; ++i) all.emplace_back(service, model, k_seed + i);
+
+    for (int frame = 0; frame < 1500; ++frame) {
+        CAPTURE(frame);
+        std::vector<HomogeneousPoint> points;
+        for (Followed& f : all) {
+            points.push_back(f.walk.next());
+            switch (random() % 6) {
+                case 0: break;                                      // Not announced.
+                case 1: f.follower.announce(f.walk.next()); break;  // Wrongly.
+                case 2: {
+                    // Change sets of several points wait, and one goes missing: not the last, which
+                    // the service never loses without a word.
+                    const HomogeneousPoint between = f.walk.next();
+                    f.follower.announce(between);
+                    if (between == points.back()) break;
+                    service.wait_idle();
+                    PublishedChange change;
+                    f.stolen += service.take(f.follower.tracker(), change) == Taken::change;
+                    break;
+                }
+                case 3:
+                    f.follower.announce(f.walk.next());
+                    f.follower.announce(points.back());
+                    f.follower.announce(f.walk.next());
+                    break;
+                default: f.follower.announce(points.back());
+            }
+            f.consumer.refuses = random() % 16 == 0;
+            if (random() % 16 == 0) {
+                f.follower.invalidate();
+                ++f.invalidated;
+            }
+        }
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            CAPTURE(i);
+            all[i].follower.follow(points[i], all[i].consumer);
+            REQUIRE(all[i].follower.point() == points[i]);
+            REQUIRE(is_silhouette(model.mesh, all[i].consumer, points[i]));
+        }
+    }
+    for (const Followed& f : all) {
+        CHECK(f.stolen > 20);
+        CHECK(f.consumer.applied > 500);
+        CHECK(f.consumer.resent > f.invalidated / 2);
+    }
+}
+
+TEST_CASE("a follower told of the state it has asks for nothing") {
+    const Model model("torus", 400);
+    SilhouetteService service({.workers = 1});
+    const HomogeneousPoint point = HomogeneousPoint::viewpoint({3.0f, 1.0f, 0.5f});
+    SilhouetteFollower follower(service, model.octree, point);
+    Consumer consumer;
+    follower.follow(point, consumer);
+    for (int i = 0; i < 3; ++i) follower.follow(point, consumer);
+    CHECK(consumer.resent == 1);
+    CHECK(consumer.applied == 0);
+    CHECK(service.counters().posts == 0);
+    SilhouetteSnapshot state;
+    follower.read_state(state);
+    CHECK(state.slots == consumer.slots);
+}
+
+TEST_CASE("a change set lost for want of memory becomes one whole state") {
+    const Model model("spring", 2000);
+    SilhouetteService service({.workers = 1});
+    SilhouetteFollower follower(service, model.octree, HomogeneousPoint::viewpoint({3, 1, 0.5f}));
+    Consumer consumer;
+    follower.follow(HomogeneousPoint::viewpoint({3, 1, 0.5f}), consumer);
+    const HomogeneousPoint point = HomogeneousPoint::viewpoint({-2, 0.5f, 2});
+    {
+        const tests::AllocationFaults faults;
+        follower.announce(point);
+        service.wait_idle();
+    }
+    CHECK(service.counters().lost == 1);
+    follower.follow(point, consumer);
+    CHECK(consumer.resent == 2);
+    CHECK(is_silhouette(model.mesh, consumer, point));
+}
+
+TEST_CASE("a stopped service ends a follower with an error, not a wait") {
+    const Model model("torus", 400);
+    SilhouetteService service({.workers = 1});
+    SilhouetteFollower follower(service, model.octree, HomogeneousPoint::viewpoint({3, 1, 0.5f}));
+    Consumer consumer;
+    service.stop();
+    follower.announce(HomogeneousPoint::viewpoint({3, 1, 1}));
+    try {
+        follower.follow(HomogeneousPoint::viewpoint({3, 1, 2}), consumer);
+        FAIL("followed");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::cancelled);
+    }
+}
+
+}  // namespace
+}  // namespace rimline
