@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/memory.h"
+#include "engine/picture_target.h"
 
 namespace rimline {
 
@@ -17,7 +18,19 @@ struct StageAccess {
 };
 
 struct ImageTransition {
-    const Image& image;
+    ImageTransition(const Image& moved, VkImageLayout from, VkImageLayout to)
+        : image(moved.handle()),
+          range{moved.aspects(), 0, 1, 0, 1},
+          old_layout(from),
+          new_layout(to) {}
+    ImageTransition(const PictureTarget& target, VkImageLayout from, VkImageLayout to)
+        : image(target.image),
+          range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, target.layer, 1},
+          old_layout(from),
+          new_layout(to) {}
+
+    VkImage image;
+    VkImageSubresourceRange range;
     VkImageLayout old_layout;
     VkImageLayout new_layout;
 };
@@ -36,8 +49,8 @@ inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAcce
                           .newLayout = t.new_layout,
                           .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                           .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                          .image = t.image.handle(),
-                          .subresourceRange = {t.image.aspects(), 0, 1, 0, 1}});
+                          .image = t.image,
+                          .subresourceRange = t.range});
     const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                   .srcStageMask = from.stages,
                                   .srcAccessMask = from.access,

@@ -10,12 +10,18 @@
 //
 // A ring slot belongs to one frame in flight: the caller names the slot, and has waited until the GPU
 // is done with the frame that used it last.
+//
+// The slots' buffer has room for every edge that can be on a silhouette. Ring slots do not: few
+// silhouettes come near that, and there are several ring slots. They begin with room for an eighth of the
+// edges, and one that is too small is replaced by a larger one when its frame begins to need it.
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/memory.h"
+#include "engine/memory_budget.h"
 #include "engine/pipeline.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/mesh/mesh.h"
@@ -33,10 +39,33 @@ private:
     OwnedPipeline pipeline_;
 };
 
+/// How many slots a silhouette can fill and how many words of face bits there are: what a stream costs.
+struct StreamSize {
+    std::uint64_t slots = 0;
+    std::uint32_t words = 0;
+
+    static StreamSize of(const Mesh& mesh) noexcept;
+    /// What the GPU holds.
+    std::uint64_t state_bytes() const noexcept;
+    /// A ring slot at first, and when a silhouette of all edges has been sent whole.
+    std::uint64_t first_ring_bytes() const noexcept;
+    std::uint64_t last_ring_bytes() const noexcept;
+    /// A stream when it is made; it grows to state_bytes() + ring_slots * last_ring_bytes() at most.
+    std::uint64_t first_bytes(std::uint32_t ring_slots) const noexcept {
+        return state_bytes() + ring_slots * first_ring_bytes();
+    }
+};
+
 class ChangeStream {
 public:
-    /// Room for any silhouette of `mesh`. Its state is empty until the first resend().
-    ChangeStream(const DeviceContext& context, const Mesh& mesh, std::uint32_t ring_slots);
+    /// Its state is empty until the first resend(). What it allocates, later too, is of `budget`, which
+    /// must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the budget,
+    /// or the device's limit.
+    ChangeStream(const DeviceContext& context, const StreamSize& size, std::uint32_t ring_slots,
+                 MemoryBudget* budget = nullptr, const std::string& model = "the model");
+    /// Room for any silhouette of `mesh`.
+    ChangeStream(const DeviceContext& context, const Mesh& mesh, std::uint32_t ring_slots)
+        : ChangeStream(context, StreamSize::of(mesh), ring_slots) {}
 
     /// Forgets what the GPU holds: only resend() will do next. For a frame that was queued and never
     /// ran.
@@ -46,7 +75,8 @@ public:
     void begin_frame(std::uint32_t ring_slot);
 
     /// Queues a change set. False, and nothing queued, where only resend() will do: the sequence has a
-    /// gap, or the whole state is smaller.
+    /// gap, or the whole state is smaller. Throws Error{too_large} when the ring slot cannot grow, as
+    /// resend() does; call invalidate() then.
     [[nodiscard]] bool apply(const ChangeSet& changes);
 
     /// Queues the whole state; what was queued this frame before is dropped.
@@ -59,13 +89,16 @@ public:
     static void record_before(VkCommandBuffer commands);
     static void record_after(VkCommandBuffer commands);
 
+    /// Bytes of buffers.
+    std::uint64_t size_bytes() const noexcept;
     /// Bytes queued in this frame, and what sending the whole state would have cost.
     std::uint64_t bytes_streamed() const noexcept { return used_; }
     std::uint64_t bytes_full() const noexcept;
     std::uint32_t silhouette_size() const noexcept { return silhouette_size_; }
 
     /// For a caller's own shaders: slots hold edge numbers, words hold face bits, and the arguments
-    /// (VkDrawIndirectCommand) draw one point a slot in use.
+    /// (gpu::SlotArguments) draw the slots in use, as points, as strips of four vertices, or as the sides
+    /// of shadow volumes.
     const Buffer& slots() const noexcept { return slots_; }
     const Buffer& face_words() const noexcept { return face_words_; }
     const Buffer& arguments() const noexcept { return arguments_; }
@@ -79,16 +112,24 @@ private:
         bool full;  // Plain values to copy, not writes to scatter.
     };
 
-    std::uint64_t ring_offset() const noexcept { return ring_slot_ * slot_capacity_; }
-    std::byte* write(const void* data, std::uint64_t size_bytes);
+    struct RingSlot {
+        MemoryBudget::Share share;
+        Buffer data;
+    };
 
-    std::uint32_t word_count_;
-    std::uint64_t slot_capacity_;  // Bytes of a ring slot: the greatest whole state.
-    Buffer ring_;
+    const Buffer& ring() const noexcept { return ring_[ring_slot_].data; }
+    void reserve(std::uint64_t size_bytes);
+    void write(const void* data, std::uint64_t size_bytes);
+
+    DeviceContext context_;
+    StreamSize size_;
+    std::string model_;
+    MemoryBudget::Share share_;  // Of all but the ring.
+    std::vector<RingSlot> ring_;
     Buffer slots_;
     Buffer face_words_;
     Buffer arguments_;
-    std::uint64_t ring_slot_ = 0;
+    std::uint32_t ring_slot_ = 0;
     std::uint64_t used_ = 0;
     std::uint64_t sequence_ = 0;
     bool has_state_ = false;

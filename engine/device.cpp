@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "engine/face_bits_pass.h"
 
@@ -23,14 +24,15 @@ struct FeatureChain {
 };
 
 std::vector<VkPhysicalDevice> physical_devices(const VulkanInstance& instance) {
-    std::uint32_t count = 0;
-    // A loader without drivers answers with an error here; that is a machine without devices.
-    if (vkEnumeratePhysicalDevices(instance.handle(), &count, nullptr) != VK_SUCCESS) return {};
-    std::vector<VkPhysicalDevice> devices(count);
-    vk_check(vkEnumeratePhysicalDevices(instance.handle(), &count, devices.data()),
-             "vkEnumeratePhysicalDevices");
-    devices.resize(count);
-    return devices;
+    return enumerate<VkPhysicalDevice>(
+        [&](std::uint32_t* count, VkPhysicalDevice* devices) {
+            const VkResult result = vkEnumeratePhysicalDevices(instance.handle(), count, devices);
+            if (result != VK_ERROR_INITIALIZATION_FAILED) return result;
+            // A loader without drivers answers so; that is a machine without devices.
+            *count = 0;
+            return VK_SUCCESS;
+        },
+        "vkEnumeratePhysicalDevices");
 }
 
 constexpr VkQueueFlags k_queue_flags = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
@@ -45,6 +47,18 @@ std::uint32_t find_queue_family(VkPhysicalDevice device, std::uint32_t& family_c
             return (family.queueFlags & k_queue_flags) == k_queue_flags;
         });
     return static_cast<std::uint32_t>(found - families.begin());
+}
+
+bool has_extension(VkPhysicalDevice device, std::string_view name) {
+    std::uint32_t count = 0;
+    vk_check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
+             "vkEnumerateDeviceExtensionProperties");
+    std::vector<VkExtensionProperties> extensions(count);
+    vk_check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
+             "vkEnumerateDeviceExtensionProperties");
+    return std::ranges::any_of(extensions, [name](const VkExtensionProperties& extension) {
+        return name == extension.extensionName;
+    });
 }
 
 bool has_depth_stencil_format(VkPhysicalDevice device) {
@@ -84,6 +98,7 @@ DeviceFacts describe(VkPhysicalDevice device) {
     const std::uint32_t family = find_queue_family(device, family_count);
     facts.driver = std::string(v12.driverName) + " " + v12.driverInfo;
     facts.geometry_shader = features.v10.features.geometryShader == VK_TRUE;
+    facts.occlusion_query_precise = features.v10.features.occlusionQueryPrecise == VK_TRUE;
     facts.depth_clamp = features.v10.features.depthClamp == VK_TRUE;
     facts.buffer_device_address = features.v12.bufferDeviceAddress == VK_TRUE;
     facts.scalar_block_layout = features.v12.scalarBlockLayout == VK_TRUE;
@@ -91,6 +106,7 @@ DeviceFacts describe(VkPhysicalDevice device) {
     facts.dynamic_rendering = features.v13.dynamicRendering == VK_TRUE;
     facts.synchronization2 = features.v13.synchronization2 == VK_TRUE;
     facts.maintenance4 = features.v13.maintenance4 == VK_TRUE;
+    facts.swapchain = has_extension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
     facts.graphics_and_compute_queue = family < family_count;
     facts.samples = common_samples(properties.properties.limits);
@@ -115,10 +131,18 @@ DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice dev
                           .queue_family = queue_family,
                           .features = features};
     vkGetPhysicalDeviceMemoryProperties(physical_device, &context.memory);
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(physical_device, &properties);
-    context.limits = properties.limits;
-    context.samples = common_samples(properties.limits);
+    VkPhysicalDeviceMaintenance4Properties maintenance4{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
+    VkPhysicalDeviceMaintenance3Properties maintenance3{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
+        .pNext = &maintenance4};
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+                                           .pNext = &maintenance3};
+    vkGetPhysicalDeviceProperties2(physical_device, &properties);
+    context.limits = properties.properties.limits;
+    context.max_buffer_bytes = maintenance4.maxBufferSize;
+    context.max_allocation_bytes = maintenance3.maxMemoryAllocationSize;
+    context.samples = common_samples(context.limits);
     return context;
 }
 
@@ -137,6 +161,7 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
                                              .pQueuePriorities = &priority};
     FeatureChain features;
     features.v10.features.geometryShader = facts_.geometry_shader;
+    features.v10.features.occlusionQueryPrecise = facts_.occlusion_query_precise;
     features.v10.features.depthClamp = VK_TRUE;
     features.v12.bufferDeviceAddress = VK_TRUE;
     features.v12.scalarBlockLayout = VK_TRUE;
@@ -144,16 +169,22 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
     features.v13.dynamicRendering = VK_TRUE;
     features.v13.maintenance4 = VK_TRUE;  // glslang writes LocalSizeId.
     features.v13.synchronization2 = VK_TRUE;
+    const bool presents = instance.presents() && facts_.swapchain;
+    const char* const swapchain_extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
     const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                   .pNext = &features.v10,
                                   .queueCreateInfoCount = 1,
-                                  .pQueueCreateInfos = &queue_info};
+                                  .pQueueCreateInfos = &queue_info,
+                                  .enabledExtensionCount = presents ? 1u : 0u,
+                                  .ppEnabledExtensionNames = &swapchain_extension};
     VkDevice device = VK_NULL_HANDLE;
     vk_check(vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
     VkQueue queue = VK_NULL_HANDLE;
     vkGetDeviceQueue(device, family, 0, &queue);
     context_ = make_device_context(physical, device, queue, family,
-                                   {.geometry_shader = facts_.geometry_shader});
+                                   {.geometry_shader = facts_.geometry_shader,
+                                    .swapchain = presents,
+                                    .occlusion_query_precise = facts_.occlusion_query_precise});
     try {
         face_bits_agree_ = test_face_bits(context_);
     } catch (...) {
@@ -163,7 +194,8 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
 }
 
 Device::~Device() {
-    vkDeviceWaitIdle(context_.device);
+    // A device that was lost is done with everything.
+    (void)repeat_wait([&] { return vkDeviceWaitIdle(context_.device); });
     vkDestroyDevice(context_.device, nullptr);
 }
 
@@ -195,7 +227,7 @@ void run_commands(const DeviceContext& context,
                                .commandBufferInfoCount = 1,
                                .pCommandBufferInfos = &submitted};
     vk_check(vkQueueSubmit2(context.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
-    vk_check(vkQueueWaitIdle(context.queue), "vkQueueWaitIdle");
+    vk_check(repeat_wait([&] { return vkQueueWaitIdle(context.queue); }), "vkQueueWaitIdle");
 }
 
 }  // namespace rimline

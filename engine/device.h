@@ -21,6 +21,8 @@ constexpr VkFormat k_depth_stencil_format = VK_FORMAT_D32_SFLOAT_S8_UINT;
 /// when the device was opened; passes choose their way by it.
 struct DeviceFeatures {
     bool geometry_shader = false;
+    bool swapchain = false;  ///< Only asked for of an instance that presents.
+    bool occlusion_query_precise = false;
 };
 
 /// What the passes need of a device: ours or a caller's. The caller keeps everything alive, and has
@@ -32,6 +34,9 @@ struct DeviceContext {
     std::uint32_t queue_family = 0;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
+    /// maxBufferSize and maxMemoryAllocationSize.
+    VkDeviceSize max_buffer_bytes = ~VkDeviceSize{0};
+    VkDeviceSize max_allocation_bytes = ~VkDeviceSize{0};
     DeviceFeatures features{};
     std::uint32_t samples = 1;  ///< Greatest sample count, at most 4, of all attachments.
 };
@@ -46,7 +51,8 @@ DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice dev
 class Device {
 public:
     /// Chooses, opens and tests a device. `instance` must outlive it.
-    /// Throws Error{no_device} when none fits `request` (device_choice.h) or can be opened.
+    /// Throws Error{no_device} when none fits `request` (device_choice.h) or can be opened, and
+    /// Error{too_large} or Error{device_lost} when that fails for want of memory or of the device.
     explicit Device(const VulkanInstance& instance, const DeviceRequest& request = {});
     ~Device();
     Device(const Device&) = delete;
@@ -66,6 +72,7 @@ private:
 };
 
 /// Records commands, submits them, and waits until they are done. For setting up, not for frames.
+/// Throws what vk_check() does; what the commands use may be freed then.
 void run_commands(const DeviceContext& context, const std::function<void(VkCommandBuffer)>& record);
 
 }  // namespace rimline

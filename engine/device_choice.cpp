@@ -74,7 +74,6 @@ DeviceVerdict judge_device(const DeviceFacts& facts) {
     };
     need(facts.api_version >= VK_API_VERSION_1_3, "Vulkan 1.3");
     need(facts.graphics_and_compute_queue, "a queue for graphics and compute");
-    need(facts.geometry_shader, "geometry shaders");
     need(facts.depth_clamp, "depth clamping");
     need(facts.buffer_device_address, "buffer device addresses");
     need(facts.scalar_block_layout, "scalar block layout");

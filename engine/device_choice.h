@@ -19,6 +19,7 @@ struct DeviceFacts {
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
     std::uint32_t api_version = 0;
     bool geometry_shader = false;
+    bool occlusion_query_precise = false;
     bool depth_clamp = false;
     bool buffer_device_address = false;
     bool scalar_block_layout = false;
@@ -26,6 +27,7 @@ struct DeviceFacts {
     bool dynamic_rendering = false;
     bool synchronization2 = false;
     bool maintenance4 = false;
+    bool swapchain = false;                 ///< Can show pictures in a window.
     bool round_to_nearest_float32 = false;  ///< RoundingModeRTE can be declared.
     bool graphics_and_compute_queue = false;
     /// Greatest sample count, at most 4, that the color, depth and stencil formats share.

@@ -5,15 +5,21 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <vector>
 
+#include "engine/shadow_choice.h"
 #include "shaders/layout.h"
 
 namespace rimline {
 
-/// Draw arguments in a buffer (VkDrawIndirectCommand), as a ChangeStream keeps them.
+/// Draw arguments in a buffer (gpu::SlotArguments), as a ChangeStream keeps them.
 struct IndirectDraw {
     VkBuffer arguments = VK_NULL_HANDLE;
+    static constexpr VkDeviceSize k_points = offsetof(gpu::SlotArguments, points);
+    static constexpr VkDeviceSize k_strips = offsetof(gpu::SlotArguments, strips);
+    static constexpr VkDeviceSize k_pointed_sides = offsetof(gpu::SlotArguments, pointed_sides);
+    static constexpr VkDeviceSize k_sides = offsetof(gpu::SlotArguments, sides);
 };
 
 /// One instance as seen from one light.
@@ -21,17 +27,43 @@ struct DrawnLight {
     VkDeviceAddress data = 0;  ///< gpu::LightData.
     bool casts_shadow = false;
     bool ends_in_one_point = false;  ///< A directional light whose volumes reach infinity.
-    IndirectDraw sides;              ///< One point a silhouette slot; only of casters.
+    IndirectDraw sides;              ///< Of the silhouette slots; only of casters.
+    ShadowMethod method = ShadowMethod::fail;  ///< Not automatic.
+    ShadowForm form = ShadowForm::general;     ///< Not automatic.
+};
+
+/// The whole of an instance's mesh, for line paths without slots (line_path.h).
+struct EveryEdgeDraw {
+    std::uint32_t regular_edge_count = 0;
+    std::uint32_t irregular_pair_count = 0;
+    std::uint32_t adjacency_index_count = 0;
+    VkBuffer adjacency = VK_NULL_HANDLE;  ///< 32-bit indices, six a face.
 };
 
 struct DrawnInstance {
     VkDeviceAddress data = 0;  ///< gpu::InstanceData.
     std::uint32_t face_count = 0;
     std::uint32_t border_count = 0;
+    std::uint32_t crease_count = 0;  ///< Those drawn as lines.
     std::uint32_t loose_count = 0;
     bool has_lines = false;
-    IndirectDraw silhouette;         ///< One point a silhouette slot; only where has_lines.
+    IndirectDraw silhouette;   ///< Of the slots; only where has_lines and the path draws them.
+    EveryEdgeDraw every_edge;  ///< Only where has_lines and the path draws no slots.
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
+};
+
+/// A caster's volume, or that of some of its faces.
+struct ShadowDraw {
+    std::uint32_t instance = 0;
+    std::uint32_t first_face = 0;
+    std::uint32_t face_count = 0;
+    /// Every face casts a volume of its own, in the general form; else all must be drawn.
+    bool face_by_face = false;
+};
+
+/// What is counted before the stencil is folded (shadow_volume_pass.h).
+struct ShadowBatch {
+    std::vector<ShadowDraw> draws;
 };
 
 struct DrawList {
@@ -39,6 +71,8 @@ struct DrawList {
     std::size_t light_count = 0;
     bool shadows = false;
     std::vector<DrawnInstance> instances;
+    /// Of each light; where there is one batch it counts up to 255, else each up to 127.
+    std::vector<std::vector<ShadowBatch>> shadow_batches;
 };
 
 constexpr VkShaderStageFlags k_draw_stages =

@@ -1,9 +1,9 @@
 #include "engine/gpu_mesh.h"
 
-#include <vector>
+#include <algorithm>
 
-#include "shaders/layout.h"
 #include "silhouette/mesh/corner_normals.h"
+#include "silhouette/mesh/creases.h"
 
 namespace rimline {
 
@@ -14,16 +14,20 @@ static_assert(sizeof(Triangle) == sizeof(gpu::TriangleRecord));
 std::vector<gpu::EdgeRecord> edge_records(const Mesh& mesh) {
     std::vector<gpu::EdgeRecord> records;
     records.reserve(mesh.edge_count());
-    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
-        const Edge& edge = mesh.edge(EdgeId{e});
-        const bool regular = mesh.edge_class(EdgeId{e}) == EdgeClass::regular;
-        records.push_back({index(edge.vertices[0]), index(edge.vertices[1]), index(edge.faces[0]),
-                           index(regular ? edge.faces[1] : k_no_face)});
-    }
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
+        records.push_back(edge_record(mesh, EdgeId{e}));
     return records;
 }
 
-// Each face's own record of each of its edges that is not regular, as the face runs it.
+}  // namespace
+
+gpu::EdgeRecord edge_record(const Mesh& mesh, EdgeId id) {
+    const Edge& edge = mesh.edge(id);
+    const bool regular = mesh.edge_class(id) == EdgeClass::regular;
+    return {index(edge.vertices[0]), index(edge.vertices[1]), index(edge.faces[0]),
+            index(regular ? edge.faces[1] : k_no_face)};
+}
+
 std::vector<gpu::EdgeRecord> loose_edge_records(const Mesh& mesh) {
     std::vector<gpu::EdgeRecord> records;
     for (std::uint32_t e = mesh.edges_of_class(EdgeClass::regular).last; e < mesh.edge_count(); ++e)
@@ -37,13 +41,13 @@ std::vector<gpu::EdgeRecord> loose_edge_records(const Mesh& mesh) {
     return records;
 }
 
-}  // namespace
-
-GpuMesh::GpuMesh(const DeviceContext& context, const Mesh& mesh, float crease_angle_rad)
+GpuMesh::GpuMesh(const DeviceContext& context, const Mesh& mesh, float crease_angle_rad,
+                 LinePath line_path)
     : face_count_(mesh.face_count()),
       border_count_(mesh.edges_of_class(EdgeClass::border).size()),
       border_offset_bytes_(sizeof(gpu::EdgeRecord) *
                            std::uint64_t{mesh.edges_of_class(EdgeClass::border).first}),
+      middle_(mesh.center()),
       positions_(upload_buffer(context, mesh.positions(), "positions")),
       triangles_(upload_buffer(context, mesh.triangles(), "triangles")) {
     const std::vector<glm::vec3> normals = rimline::corner_normals(mesh, crease_angle_rad);
@@ -53,6 +57,20 @@ GpuMesh::GpuMesh(const DeviceContext& context, const Mesh& mesh, float crease_an
     const std::vector<gpu::EdgeRecord> loose = loose_edge_records(mesh);
     loose_count_ = static_cast<std::uint32_t>(loose.size());
     loose_edges_ = upload_buffer(context, std::span<const gpu::EdgeRecord>(loose), "loose edges");
+    std::vector<gpu::EdgeRecord> creases;
+    for (const Crease& crease : find_creases(mesh, k_least_crease_rad)) {
+        const Edge& edge = mesh.edge(crease.edge);
+        creases.push_back({index(edge.vertices[0]), index(edge.vertices[1]), index(edge.faces[0]),
+                           index(edge.faces[1])});
+        crease_bends_rad_.push_back(crease.bend_rad);
+    }
+    creases_ = upload_buffer(context, std::span<const gpu::EdgeRecord>(creases), "creases");
+    if (!draws_slots(line_path)) comparator_.emplace(context, mesh);
+}
+
+std::uint32_t GpuMesh::crease_count(float least_bend_rad) const noexcept {
+    const auto end = std::ranges::upper_bound(crease_bends_rad_, least_bend_rad, std::greater<>());
+    return static_cast<std::uint32_t>(end - crease_bends_rad_.begin());
 }
 
 }  // namespace rimline

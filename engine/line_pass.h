@@ -1,9 +1,10 @@
 #pragma once
 
-// Silhouette and border lines with a width in pixels and round ends, as coverage: red where seen, green
-// where hidden. A compositing pass inks them (shaders/composite.frag).
+// Silhouette, border and crease lines with a width in pixels and round ends, as coverage: red where
+// seen, green where hidden. A compositing pass inks them (shaders/composite.frag).
 
 #include "engine/draw_list.h"
+#include "engine/line_path.h"
 #include "engine/pipeline.h"
 #include "engine/sampled_images.h"
 
@@ -11,8 +12,12 @@ namespace rimline {
 
 class LinePass {
 public:
-    /// Draws into one two-channel attachment of `coverage_format`.
-    LinePass(const DeviceContext& context, VkFormat coverage_format);
+    /// Draws into one two-channel attachment of `coverage_format`. Where the device has no geometry
+    /// shaders LinePath::geometry is made pulling; other paths that need them throw Error{no_device}.
+    LinePass(const DeviceContext& context, VkFormat coverage_format,
+             LinePath path = LinePath::geometry);
+
+    LinePath path() const noexcept { return path_; }
 
     /// The finished depth of the surfaces, one sample a pixel.
     void set_surface_depth(const Image& depth) { depth_.set({&depth}); }
@@ -21,9 +26,15 @@ public:
     void record(VkCommandBuffer commands, const DrawList& list) const;
 
 private:
+    void record_list(VkCommandBuffer commands, std::uint32_t edge_count) const;
+    void record_every_edge(VkCommandBuffer commands, const DrawList& list,
+                           const DrawnInstance& instance) const;
+
+    LinePath path_;
     SampledImages depth_;
     OwnedPipelineLayout layout_;
     OwnedPipeline pipeline_;
+    OwnedPipeline adjacency_;  // Only of that path.
 };
 
 }  // namespace rimline

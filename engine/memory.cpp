@@ -1,26 +1,26 @@
 #include "engine/memory.h"
 
 #include <algorithm>
+#include <string>
+
+#include "engine/memory_budget.h"
 
 namespace rimline {
 
 namespace {
 
-std::string megabytes(VkDeviceSize size) { return std::to_string((size + 0xfffff) >> 20) + " MiB"; }
-
-bool is_out_of_memory(VkResult result) {
-    return result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY ||
-           result == VK_ERROR_TOO_MANY_OBJECTS;
-}
-
-[[noreturn]] void fail_out_of_memory(VkDeviceSize size, const char* what) {
-    throw Error(ErrorCode::too_large, "the device has no memory left for " + std::string(what) +
-                                          " of " + megabytes(size));
+// vk_check(), and what the memory was for where there is none left.
+void check_room(VkResult result, const char* call, VkDeviceSize size, const std::string& what) {
+    if (is_out_of_memory(result))
+        throw Error(ErrorCode::too_large, "the device has no memory left for " + what + " of " +
+                                              size_text(size) + ": " + call + " failed with " +
+                                              name_of(result));
+    vk_check(result, call);
 }
 
 OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& requirements,
                      VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed, bool addressable,
-                     const char* what) {
+                     const std::string& what) {
     const auto find = [&](VkMemoryPropertyFlags flags) {
         std::uint32_t type = 0;
         while (type < context.memory.memoryTypeCount &&
@@ -32,13 +32,17 @@ OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& r
     std::uint32_t type = find(wanted | needed);
     if (type == context.memory.memoryTypeCount) type = find(needed);
     if (type == context.memory.memoryTypeCount)
-        throw Error(ErrorCode::no_device, std::string("the device has no memory for ") + what);
+        throw Error(ErrorCode::no_device, "the device has no memory for " + what);
+    const auto fail_beyond = [&](VkDeviceSize limit, const char* of) {
+        if (requirements.size <= limit) return;
+        throw Error(ErrorCode::too_large, what + " needs " + size_text(requirements.size) +
+                                              ", more than the device's " + of + " of " +
+                                              size_text(limit));
+    };
+    fail_beyond(context.max_allocation_bytes, "maxMemoryAllocationSize");
     const VkDeviceSize heap =
         context.memory.memoryHeaps[context.memory.memoryTypes[type].heapIndex].size;
-    if (requirements.size > heap)
-        throw Error(ErrorCode::too_large,
-                    std::string(what) + " needs " + megabytes(requirements.size) +
-                        ", more than the device's memory of " + megabytes(heap));
+    fail_beyond(heap, "memory");
 
     const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
                                           .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
@@ -47,9 +51,8 @@ OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& r
                                     .allocationSize = requirements.size,
                                     .memoryTypeIndex = type};
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    const VkResult result = vkAllocateMemory(context.device, &info, nullptr, &memory);
-    if (is_out_of_memory(result)) fail_out_of_memory(requirements.size, what);
-    vk_check(result, "vkAllocateMemory");
+    check_room(vkAllocateMemory(context.device, &info, nullptr, &memory), "vkAllocateMemory",
+               requirements.size, what);
     return {context.device, memory};
 }
 
@@ -64,18 +67,22 @@ VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
 
 }  // namespace
 
-Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place, const char* what)
+Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place,
+               const std::string& what)
     : size_(std::max<VkDeviceSize>(size, 4)) {
+    if (size_ > context.max_buffer_bytes)
+        throw Error(ErrorCode::too_large, what + " needs " + size_text(size_) +
+                                              ", more than the device's maxBufferSize of " +
+                                              size_text(context.max_buffer_bytes));
     const VkBufferCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
         .size = size_,
         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT};
+                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT};
     VkBuffer handle = VK_NULL_HANDLE;
-    const VkResult result = vkCreateBuffer(context.device, &info, nullptr, &handle);
-    if (is_out_of_memory(result)) fail_out_of_memory(size_, what);
-    vk_check(result, "vkCreateBuffer");
+    check_room(vkCreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer", size_,
+               what);
     buffer_ = {context.device, handle};
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(context.device, handle, &requirements);
@@ -84,10 +91,12 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
             ? 0
             : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     memory_ = allocate(context, requirements, wanted_properties(place), needed, true, what);
-    vk_check(vkBindBufferMemory(context.device, handle, memory_, 0), "vkBindBufferMemory");
+    check_room(vkBindBufferMemory(context.device, handle, memory_, 0), "vkBindBufferMemory", size_,
+               what);
     if (place != BufferPlace::device) {
         void* mapped = nullptr;
-        vk_check(vkMapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory");
+        check_room(vkMapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
+                   "vkMapMemory", size_, what);
         mapped_ = static_cast<std::byte*>(mapped);
     }
     const VkBufferDeviceAddressInfo address{.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
@@ -96,7 +105,7 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
 }
 
 Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,
-                     const char* what) {
+                     const std::string& what) {
     Buffer buffer(context, data.size(), BufferPlace::device, what);
     if (data.empty()) return buffer;
     const Buffer staging(context, data.size(), BufferPlace::upload, what);
@@ -134,14 +143,15 @@ VkImageAspectFlags Image::aspects() const noexcept {
                : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
-Image::Image(const DeviceContext& context, const ImageDescription& description, const char* what)
+Image::Image(const DeviceContext& context, const ImageDescription& description,
+             const std::string& what)
     : description_(description) {
     const std::uint32_t limit = context.limits.maxImageDimension2D;
     if (description.extent.width > limit || description.extent.height > limit)
-        throw Error(ErrorCode::too_large,
-                    std::string(what) + " of " + std::to_string(description.extent.width) + "x" +
-                        std::to_string(description.extent.height) +
-                        " exceeds the device's maxImageDimension2D of " + std::to_string(limit));
+        throw Error(ErrorCode::too_large, what + " of " + std::to_string(description.extent.width) +
+                                              "x" + std::to_string(description.extent.height) +
+                                              " exceeds the device's maxImageDimension2D of " +
+                                              std::to_string(limit));
     const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                  .imageType = VK_IMAGE_TYPE_2D,
                                  .format = description.format,
@@ -152,12 +162,15 @@ Image::Image(const DeviceContext& context, const ImageDescription& description, 
                                  .tiling = VK_IMAGE_TILING_OPTIMAL,
                                  .usage = description.usage};
     VkImage handle = VK_NULL_HANDLE;
-    vk_check(vkCreateImage(context.device, &info, nullptr, &handle), "vkCreateImage");
+    const VkDeviceSize pixels = VkDeviceSize{description.extent.width} * description.extent.height;
+    check_room(vkCreateImage(context.device, &info, nullptr, &handle), "vkCreateImage",
+               4 * pixels * description.samples, what);
     image_ = {context.device, handle};
     VkMemoryRequirements requirements;
     vkGetImageMemoryRequirements(context.device, handle, &requirements);
     memory_ = allocate(context, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, false, what);
-    vk_check(vkBindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory");
+    check_room(vkBindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory",
+               requirements.size, what);
 
     const auto view_of = [&](VkImageAspectFlags aspects) {
         const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,

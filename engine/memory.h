@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <string>
 
 #include "engine/device.h"
 #include "engine/vulkan_handle.h"
@@ -19,13 +20,15 @@ enum class BufferPlace {
     readback,  ///< Persistently mapped; the GPU writes, the host reads.
 };
 
-/// Every buffer can be addressed by shaders, copied from and to, and drawn from indirectly.
+/// Every buffer can be addressed by shaders, copied from and to, drawn from indirectly, and can hold
+/// indices.
 class Buffer {
 public:
     Buffer() = default;
-    /// A size of 0 is made 4. Throws Error{too_large} when the device has no such memory left; the
-    /// message names `what`.
-    Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place, const char* what);
+    /// A size of 0 is made 4. Throws Error{too_large} when that is beyond a limit of the device, or when
+    /// it has no such memory left; the message names `what` and the limit.
+    Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place,
+           const std::string& what);
 
     VkBuffer handle() const noexcept { return buffer_.get(); }
     VkDeviceAddress address() const noexcept { return address_; }
@@ -43,10 +46,11 @@ private:
 
 /// Makes a device buffer that holds `data`, and waits until it does.
 Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,
-                     const char* what);
+                     const std::string& what);
 
 template <typename T>
-Buffer upload_buffer(const DeviceContext& context, std::span<const T> data, const char* what) {
+Buffer upload_buffer(const DeviceContext& context, std::span<const T> data,
+                     const std::string& what) {
     return upload_buffer(context, std::as_bytes(data), what);
 }
 
@@ -66,7 +70,8 @@ class Image {
 public:
     Image() = default;
     /// Throws Error{too_large} naming the limit when the device cannot make it.
-    Image(const DeviceContext& context, const ImageDescription& description, const char* what);
+    Image(const DeviceContext& context, const ImageDescription& description,
+          const std::string& what);
 
     VkImage handle() const noexcept { return image_.get(); }
     VkImageView attachment_view() const noexcept { return attachment_view_.get(); }

@@ -27,6 +27,15 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
     constexpr VkColorComponentFlags k_all = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                             VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
     const VkBlendOp operation = blend == Blend::maximum ? VK_BLEND_OP_MAX : VK_BLEND_OP_ADD;
+    if (blend == Blend::over)
+        return {.blendEnable = VK_TRUE,
+                .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
+                .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+                .colorBlendOp = VK_BLEND_OP_ADD,
+                .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+                .alphaBlendOp = VK_BLEND_OP_ADD,
+                .colorWriteMask = k_all};
     return {.blendEnable = blend == Blend::add || blend == Blend::maximum,
             .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
             .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
@@ -35,6 +44,18 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
             .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
             .alphaBlendOp = operation,
             .colorWriteMask = blend == Blend::none_written ? 0 : k_all};
+}
+
+VkStencilOpState stencil_state(const GraphicsPipelineDescription& description) {
+    if (description.stencil == StencilUse::given) return description.stencil_state;
+    const bool zero = description.stencil == StencilUse::zero;
+    return {.failOp = VK_STENCIL_OP_KEEP,
+            .passOp = VK_STENCIL_OP_KEEP,
+            .depthFailOp = VK_STENCIL_OP_KEEP,
+            .compareOp = zero ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_ALWAYS,
+            .compareMask = 0xff,
+            .writeMask = zero ? 0u : 0xffu,
+            .reference = 0};
 }
 
 }  // namespace
@@ -92,20 +113,15 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
         .depthClampEnable = description.depth_clamp,
         .polygonMode = VK_POLYGON_MODE_FILL,
-        .cullMode = VK_CULL_MODE_NONE,
+        .cullMode = description.cull,
         .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+        .depthBiasEnable = description.depth_bias_slopes != 0.0f,
+        .depthBiasSlopeFactor = description.depth_bias_slopes,
         .lineWidth = 1.0f};
     const VkPipelineMultisampleStateCreateInfo multisample{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = static_cast<VkSampleCountFlagBits>(description.formats.samples)};
-    const bool zero = description.stencil == StencilUse::zero;
-    const VkStencilOpState stencil{.failOp = VK_STENCIL_OP_KEEP,
-                                   .passOp = VK_STENCIL_OP_KEEP,
-                                   .depthFailOp = VK_STENCIL_OP_KEEP,
-                                   .compareOp = zero ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_ALWAYS,
-                                   .compareMask = 0xff,
-                                   .writeMask = zero ? 0u : 0xffu,
-                                   .reference = 0};
+    const VkStencilOpState stencil = stencil_state(description);
     const VkPipelineDepthStencilStateCreateInfo depth_stencil{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = description.formats.depth_stencil != VK_FORMAT_UNDEFINED,
@@ -121,10 +137,11 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .attachmentCount = has_color ? 1u : 0u,
         .pAttachments = &attachment};
     constexpr std::array k_dynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                   VK_DYNAMIC_STATE_STENCIL_OP};
+                                   VK_DYNAMIC_STATE_STENCIL_OP,
+                                   VK_DYNAMIC_STATE_STENCIL_WRITE_MASK};
     const VkPipelineDynamicStateCreateInfo dynamic{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-        .dynamicStateCount = description.stencil == StencilUse::count ? 3u : 2u,
+        .dynamicStateCount = description.stencil == StencilUse::count ? 4u : 2u,
         .pDynamicStates = k_dynamic.data()};
     const VkPipelineRenderingCreateInfo rendering{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,

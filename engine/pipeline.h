@@ -26,13 +26,15 @@ enum class Blend {
     replace,
     add,
     maximum,
+    over,          ///< By the source's alpha; the picture stays opaque.
     none_written,  ///< The pass writes no color.
 };
 
 enum class StencilUse {
     off,
-    count,  ///< Operations on depth fail, set dynamically; always passes.
+    count,  ///< Operations and written bits are set dynamically; always passes.
     zero,   ///< Passes where the stencil is zero, writes nothing.
+    given,  ///< As GraphicsPipelineDescription::stencil_state says, on both faces.
 };
 
 /// Formats and samples of the attachments a pipeline draws into.
@@ -42,7 +44,7 @@ struct AttachmentFormats {
     std::uint32_t samples = 1;
 };
 
-/// Viewport and scissor are dynamic; nothing is culled; counter-clockwise on the screen is front.
+/// Viewport and scissor are dynamic; counter-clockwise on the screen is front.
 struct GraphicsPipelineDescription {
     SpirvCode vertex;
     SpirvCode geometry;  ///< Empty: none.
@@ -53,7 +55,11 @@ struct GraphicsPipelineDescription {
     VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
     bool depth_write = false;
     bool depth_clamp = false;
+    /// Added to depth: this many times what it changes by towards the next pixel, right or down.
+    float depth_bias_slopes = 0.0f;
     StencilUse stencil = StencilUse::off;
+    VkStencilOpState stencil_state{};
+    VkCullModeFlags cull = VK_CULL_MODE_NONE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
 };
 

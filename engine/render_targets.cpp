@@ -8,7 +8,10 @@ namespace rimline {
 
 namespace {
 
-constexpr StageAccess k_nothing{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0};
+// Whatever came before in the same commands, which may be another picture's passes or the caller's.
+constexpr StageAccess k_before{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
+constexpr StageAccess k_after{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                              VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
 constexpr StageAccess k_drawing{
     VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
         VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
@@ -17,7 +20,6 @@ constexpr StageAccess k_drawing{
         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
 constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
-constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 
 void begin_rendering(VkCommandBuffer commands, VkExtent2D extent,
                      const VkRenderingAttachmentInfo& color,
@@ -39,9 +41,9 @@ void begin_rendering(VkCommandBuffer commands, VkExtent2D extent,
     vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
-VkRenderingAttachmentInfo color_attachment(const Image& image, VkAttachmentLoadOp load) {
+VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp load) {
     return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-            .imageView = image.attachment_view(),
+            .imageView = view,
             .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
             .loadOp = load,
             .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
@@ -77,13 +79,13 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
     constexpr VkImageUsageFlags k_drawn_and_read =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     surfaces_ = Image(context, {k_surface_format, extent, k_drawn_and_read}, "the picture");
-    depth_ =
-        Image(context,
-              {.format = k_depth_stencil_format,
-               .extent = extent,
-               .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-               .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
-              "the picture's depth");
+    depth_ = Image(context,
+                   {.format = k_depth_stencil_format,
+                    .extent = extent,
+                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                    .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
+                   "the picture's depth");
     if (is_multisampled()) {
         multisampled_surfaces_ =
             Image(context, {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples},
@@ -94,15 +96,12 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
             "the depth of the picture's samples");
     }
     lines_ = Image(context, {k_coverage_format, extent, k_drawn_and_read}, "the picture's lines");
-    picture_ = Image(context,
-                     {k_picture_format, size,
-                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-                     "the picture");
 }
 
 void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float background[4]) const {
-    VkRenderingAttachmentInfo color = color_attachment(
-        is_multisampled() ? multisampled_surfaces_ : surfaces_, VK_ATTACHMENT_LOAD_OP_CLEAR);
+    VkRenderingAttachmentInfo color =
+        color_attachment((is_multisampled() ? multisampled_surfaces_ : surfaces_).attachment_view(),
+                         VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = {{background[0], background[1], background[2], background[3]}};
     VkRenderingAttachmentInfo depth{
         .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
@@ -123,31 +122,34 @@ void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float backgro
 }
 
 void RenderTargets::begin_lines(VkCommandBuffer commands) const {
-    begin_rendering(commands, pass_extent(), color_attachment(lines_, VK_ATTACHMENT_LOAD_OP_CLEAR));
+    begin_rendering(commands, pass_extent(),
+                    color_attachment(lines_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
 }
 
-void RenderTargets::begin_picture(VkCommandBuffer commands) const {
-    begin_rendering(commands, size_, color_attachment(picture_, VK_ATTACHMENT_LOAD_OP_DONT_CARE));
+void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target) {
+    begin_rendering(commands, target.extent,
+                    color_attachment(target.view, VK_ATTACHMENT_LOAD_OP_DONT_CARE));
 }
 
-void RenderTargets::record_before_surfaces(VkCommandBuffer commands) const {
+void RenderTargets::record_before_surfaces(VkCommandBuffer commands,
+                                           const PictureTarget& target) const {
     constexpr VkImageLayout k_fresh = VK_IMAGE_LAYOUT_UNDEFINED;
     constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_depth = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     if (is_multisampled())
-        record_barrier(commands, k_nothing, k_drawing,
+        record_barrier(commands, k_before, k_drawing,
                        {{surfaces_, k_fresh, k_color},
                         {depth_, k_fresh, k_depth},
                         {multisampled_surfaces_, k_fresh, k_color},
                         {multisampled_depth_, k_fresh, k_depth},
                         {lines_, k_fresh, k_color},
-                        {picture_, k_fresh, k_color}});
+                        {target, target.initial_layout, k_color}});
     else
-        record_barrier(commands, k_nothing, k_drawing,
+        record_barrier(commands, k_before, k_drawing,
                        {{surfaces_, k_fresh, k_color},
                         {depth_, k_fresh, k_depth},
                         {lines_, k_fresh, k_color},
-                        {picture_, k_fresh, k_color}});
+                        {target, target.initial_layout, k_color}});
 }
 
 void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
@@ -164,16 +166,9 @@ void RenderTargets::record_before_picture(VkCommandBuffer commands) const {
                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
 }
 
-void RenderTargets::record_readback(VkCommandBuffer commands, const Buffer& target) const {
-    record_barrier(commands, k_drawing, k_copying,
-                   {{picture_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
-    const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                   .imageExtent = {size_.width, size_.height, 1}};
-    vkCmdCopyImageToBuffer(commands, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                           target.handle(), 1, &region);
-    record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                   {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+void RenderTargets::record_after_picture(VkCommandBuffer commands, const PictureTarget& target) {
+    record_barrier(commands, k_drawing, k_after,
+                   {{target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, target.final_layout}});
 }
 
 }  // namespace rimline

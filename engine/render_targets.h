@@ -1,20 +1,21 @@
 #pragma once
 
-// The images of one picture size.
+// The images that the passes of one picture size draw into, up to the picture itself.
 //
 //     surfaces (color, depth + stencil; several samples) --resolved--> surfaces, depth (one sample)
-//     lines (coverage) is drawn against depth; composite averages scale x scale texels to a pixel.
+//     lines (coverage) is drawn against depth; composite averages scale x scale texels to a pixel of
+//     the target.
 
 #include <vulkan/vulkan.h>
 
 #include "engine/memory.h"
+#include "engine/picture_target.h"
 #include "engine/pipeline.h"
 
 namespace rimline {
 
 constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat k_coverage_format = VK_FORMAT_R8G8_UNORM;
-constexpr VkFormat k_picture_format = VK_FORMAT_R8G8B8A8_UNORM;
 
 /// The greatest scale up to `wanted`, and at least 1, whose images are within the device's limits and
 /// take no more than half of its memory.
@@ -39,19 +40,18 @@ public:
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
     const Image& lines() const noexcept { return lines_; }
-    const Image& picture() const noexcept { return picture_; }
 
-    /// Scopes of dynamic rendering; each clears what it draws into.
+    /// Scopes of dynamic rendering; each clears what it draws into, or overwrites all of it.
     void begin_surfaces(VkCommandBuffer commands, const float background[4]) const;
     void begin_lines(VkCommandBuffer commands) const;
-    void begin_picture(VkCommandBuffer commands) const;
+    static void begin_picture(VkCommandBuffer commands, const PictureTarget& target);
 
-    /// Layout changes between the scopes, for all images at once.
-    void record_before_surfaces(VkCommandBuffer commands) const;
+    /// Layout changes between the scopes, for all images at once, the target among them.
+    void record_before_surfaces(VkCommandBuffer commands, const PictureTarget& target) const;
     void record_before_lines(VkCommandBuffer commands) const;
     void record_before_picture(VkCommandBuffer commands) const;
-    /// Copies the picture to `target`, 4 bytes a pixel, visible to the host when the commands are done.
-    void record_readback(VkCommandBuffer commands, const Buffer& target) const;
+    /// Leaves the target in its final layout, and orders all that follows after it.
+    static void record_after_picture(VkCommandBuffer commands, const PictureTarget& target);
 
 private:
     bool is_multisampled() const noexcept { return samples_ > 1; }
@@ -62,7 +62,6 @@ private:
     Image surfaces_, depth_;                            // One sample.
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
     Image lines_;
-    Image picture_;
 };
 
 }  // namespace rimline

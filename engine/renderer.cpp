@@ -4,7 +4,11 @@
 #include <chrono>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
+
+#include "engine/barrier.h"
+#include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
 
@@ -12,16 +16,24 @@ namespace {
 
 static_assert(static_cast<int>(Style::ink) == RIMLINE_STYLE_INK &&
               static_cast<int>(Style::toon) == RIMLINE_STYLE_TOON &&
-              static_cast<int>(Style::mask) == RIMLINE_STYLE_MASK);
+              static_cast<int>(Style::mask) == RIMLINE_STYLE_MASK &&
+              static_cast<int>(Style::blueprint) == RIMLINE_STYLE_BLUEPRINT &&
+              static_cast<int>(Style::hatch) == RIMLINE_STYLE_HATCH);
 
 // A light's volumes in an orthographic view reach behind everything there is, and no farther than that
 // needs: what they stretch over costs the depth of their sides its precision.
 constexpr double k_greatest_extrusion_times = 65536.0;
 constexpr double k_finite_extrusion_radii = 8.0;
 
-// How far behind its surface a line may lie, of its distance from the viewer or of the scene's depth:
-// a hundred times the rounding of depth, a hundredth of a pixel on a usual picture.
+// How far behind its surface a line may lie, of its distance from the viewer or of the scene's depth.
+// Lines and surfaces have their depths from the same vertices and the same expressions; interpolating
+// them rounds by some 1e-7, and continuing a surface to a line's spine (line.frag) multiplies that by a
+// few: a hundred times that much keeps lines whole on their own surface. It is safe, for what it shows
+// wrongly lies behind by a hundred-thousandth of its distance: a seventieth of a pixel's width at a field
+// of view of 40 degrees and 1000 pixels.
 constexpr float k_depth_slack = 1e-5f;
+
+constexpr VkFormat k_picture_format = VK_FORMAT_R8G8B8A8_UNORM;
 
 AttachmentFormats surface_formats(std::uint32_t samples) {
     return {k_surface_format, k_depth_stencil_format, samples};
@@ -66,6 +78,11 @@ HomogeneousPoint camera_point(const SceneInstance& instance, const Camera& camer
         glm::vec3(direction_in_object(instance, glm::normalize(camera.eye - camera.target))));
 }
 
+// From where lines are silhouettes: the camera, unless they are frozen.
+const Camera& lines_camera(const Scene& scene) {
+    return scene.silhouette_camera ? *scene.silhouette_camera : scene.camera;
+}
+
 HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) {
     if (!light.directional)
         return HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, light.vector)));
@@ -78,12 +95,45 @@ HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) 
 float finite_extrusion(const Light& light, const SceneInstance& instance,
                        const SceneBounds& bounds) {
     if (light.directional) return float(k_finite_extrusion_radii * bounds.radius);
-    const Mesh& mesh = instance.octree->mesh();
-    const glm::dvec3 middle = instance.rotation * mesh.center() + instance.translation;
-    const double begin = glm::distance(light.vector, middle) - mesh.radius();
+    const BoundingSphere sphere = instance.bounds();
+    const glm::dvec3 middle = instance.rotation * sphere.center + instance.translation;
+    const double begin = glm::distance(light.vector, middle) - sphere.radius;
     const double end = glm::distance(light.vector, bounds.center) + 1.01 * bounds.radius;
     if (begin * k_greatest_extrusion_times <= end) return float(k_greatest_extrusion_times);
     return float(end / begin);
+}
+
+// The camera for choosing how `instance` casts.
+ShadowView shadow_view(const Scene& scene, const SceneInstance& instance,
+                       const Projection& projection) {
+    const glm::dvec3 back = glm::normalize(scene.camera.eye - scene.camera.target);
+    ShadowView view{.orthographic = scene.camera.is_orthographic(),
+                    // As instance_data() has it.
+                    .eye = glm::dvec3(glm::vec3(point_in_object(instance, scene.camera.eye))),
+                    .back = direction_in_object(instance, back)};
+    if (!view.orthographic) {
+        // The near plane is where clip.z is clip.w; at its corners clip.x and clip.y are too.
+        const double near = projection.z[1];
+        view.near_reach =
+            near * glm::length(glm::dvec3(1.0 / projection.scale.x, 1.0 / projection.scale.y, 1.0));
+    } else {
+        // Depth ends at -z[1] / z[0] along the view.
+        view.far = glm::dot(view.back, view.eye) - projection.z[1] / projection.z[0];
+    }
+    return view;
+}
+
+struct CasterBox {
+    glm::dvec3 low, high;
+};
+
+// Holds all of an instance in its own coordinates.
+CasterBox caster_box(const SceneInstance& instance) {
+    if (!instance.deforming)
+        return {glm::dvec3(instance.mesh().bounds().low),
+                glm::dvec3(instance.mesh().bounds().high)};
+    const BoundingSphere sphere = instance.bounds();
+    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
 }
 
 // Where in a pixel the first of its samples lies (Vulkan's standard sample locations).
@@ -92,10 +142,24 @@ glm::vec2 first_sample_place(std::uint32_t samples) {
     return samples == 2 ? glm::vec2(0.75f, 0.75f) : glm::vec2(0.5f, 0.5f);
 }
 
-std::uint32_t regular_edges(const Mesh& mesh, std::span<const EdgeId> edges) {
-    const std::uint32_t end = mesh.edges_of_class(EdgeClass::regular).last;
-    return static_cast<std::uint32_t>(
-        std::ranges::count_if(edges, [end](EdgeId edge) { return index(edge) < end; }));
+bool has_lines(const Scene& scene, const SceneInstance& instance) {
+    return scene.lines && instance.has_lines;
+}
+bool casts_shadows(const Scene& scene, const SceneInstance& instance) {
+    return scene.shadows && instance.casts_shadows;
+}
+
+// From where a light casts: what has a volume needs a light that is on none of its vertices.
+HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance,
+                               const Light& light) {
+    const HomogeneousPoint point = light_point(instance, light);
+    if (!casts_shadows(scene, instance) || !instance.octree) return point;
+    return light_off_vertices(instance.octree->mesh(), point);
+}
+
+std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh) {
+    if (scene.crease_angle_deg <= 0.0f) return 0;
+    return mesh.crease_count(glm::radians(scene.crease_angle_deg));
 }
 
 gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
@@ -114,7 +178,13 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
             .style = static_cast<std::uint32_t>(scene.style),
             .background = scene.palette.background,
-            .shade = scene.palette.shade};
+            .shade = scene.palette.shade,
+            .ink = scene.palette.ink,
+            .hatch_spacing = scene.hatch_spacing_px * float(targets.scale()),
+            .dash_period = (scene.dash_px + scene.dash_gap_px) * float(targets.scale()),
+            .dash_length = scene.dash_px * float(targets.scale()),
+            .frozen_lines = scene.silhouette_camera ? 1u : 0u,
+            .padding = 0};
 }
 
 gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& mesh,
@@ -123,19 +193,24 @@ gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& me
     // the same float.
     const HomogeneousPoint eye =
         HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, camera.eye)));
+    const HomogeneousPoint viewpoint = camera_point(instance, camera);
     return {.positions = mesh.positions(),
             .triangles = mesh.triangles(),
             .corner_normals = mesh.corner_normals(),
             .edges = mesh.edges(),
             .loose_edges = mesh.loose_edges(),
             .borders = mesh.borders(),
+            .creases = mesh.creases(),
             .slots = slots,
+            .planes = mesh.comparator() ? mesh.comparator()->planes() : 0,
+            .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
             .eye_from_object = glm::mat3(camera_from_world(camera) * instance.rotation),
             .camera = eye.xyz(),
+            .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},
+            .middle = mesh.middle(),
             .color = instance.color,
             .fade_radius = float(instance.fade_radius),
-            .fade_center = glm::vec3(point_in_object(instance, instance.fade_center)),
-            .padding = 0};
+            .fade_center = glm::vec3(point_in_object(instance, instance.fade_center))};
 }
 
 }  // namespace
@@ -143,13 +218,19 @@ gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& me
 Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
     : context_(context),
       options_(fitted(context, options)),
+      own_service_(options.service ? nullptr : std::make_unique<SilhouetteService>()),
+      service_(options.service ? options.service : own_service_.get()),
+      stream_budget_(options.stream_memory_bytes,
+                     "the budget for silhouettes (RendererOptions::stream_memory_bytes)"),
       scatter_(context),
       surface_pass_(context, surface_formats(options_.samples)),
-      shadow_pass_(context, surface_formats(options_.samples)),
-      line_pass_(context, k_coverage_format),
-      composite_pass_(context, k_picture_format),
+      shadow_pass_(context, surface_formats(options_.samples), options_.shadow_sides),
+      line_pass_(context, k_coverage_format, options_.line_path),
+      composite_pass_(context),
       timeline_(make_timeline(context)),
-      command_pool_(make_command_pool(context)) {
+      command_pool_(make_command_pool(context)),
+      marks_(context, k_frames_in_flight),
+      check_(context, k_frames_in_flight) {
     for (Frame& frame : frames_) {
         const VkCommandBufferAllocateInfo info{
             .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
@@ -169,77 +250,157 @@ Renderer::~Renderer() {
     }
 }
 
-void Renderer::wait_for(std::uint64_t frame_count) const {
+void Renderer::wait_for(std::uint64_t timeline_value) const {
     const VkSemaphore semaphore = timeline_;
     const VkSemaphoreWaitInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
                                    .semaphoreCount = 1,
                                    .pSemaphores = &semaphore,
-                                   .pValues = &frame_count};
-    vk_check(vkWaitSemaphores(context_.device, &info, UINT64_MAX), "vkWaitSemaphores");
+                                   .pValues = &timeline_value};
+    vk_check(repeat_wait([&] { return vkWaitSemaphores(context_.device, &info, UINT64_MAX); }),
+             "vkWaitSemaphores");
+}
+
+bool Renderer::is_done(const Frame& frame) const noexcept {
+    const auto slot = static_cast<std::uint32_t>(&frame - frames_.data());
+    return frame.number == 0 || marks_.has(slot, frame.number);
 }
 
 void Renderer::prepare_targets(VkExtent2D size) {
-    if (targets_ && targets_->size().width == size.width && targets_->size().height == size.height)
+    const std::uint32_t scale = fitting_scale(context_, size, options_.scale, options_.samples);
+    if (targets_ && targets_->size().width == size.width &&
+        targets_->size().height == size.height && targets_->scale() == scale)
         return;
     wait_for(submitted_);
+    for (const Frame& frame : frames_) RIMLINE_CHECK(frame.timeline_value != 0 || is_done(frame));
     targets_.reset();  // Free before making anew.
-    targets_ = std::make_unique<RenderTargets>(
-        context_, size, fitting_scale(context_, size, options_.scale, options_.samples),
-        options_.samples);
-    line_pass_.set_surface_depth(targets_->depth());
-    composite_pass_.set_images(targets_->surfaces(), targets_->lines());
+    auto targets = std::make_unique<RenderTargets>(context_, size, scale, options_.samples);
+    line_pass_.set_surface_depth(targets->depth());
+    composite_pass_.set_images(targets->surfaces(), targets->lines());
+    targets_ = std::move(targets);
 }
 
-void Renderer::prepare_instances(const Scene& scene) {
-    const auto is_kept = [&](std::size_t i) {
-        return instances_[i].octree == scene.instances[i].octree &&
-               instances_[i].lights.size() <= scene.lights.size();
-    };
-    bool all_kept = instances_.size() <= scene.instances.size();
-    for (std::size_t i = 0; i < instances_.size() && all_kept; ++i) all_kept = is_kept(i);
-    // Frames in flight may still read what goes.
-    if (!all_kept) wait_for(submitted_);
+void Renderer::prepare_picture(VkExtent2D size) {
+    const VkExtent2D old = picture_.description().extent;
+    if (old.width == size.width && old.height == size.height) return;
+    wait_for(submitted_);
+    picture_ = {};  // Free before making anew.
+    picture_ =
+        Image(context_,
+              {.format = k_picture_format,
+               .extent = size,
+               .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+              "the picture");
+}
 
-    instances_.resize(scene.instances.size());
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        InstanceState& state = instances_[i];
-        const HoughOctree* octree = scene.instances[i].octree;
-        if (state.octree != octree) {
-            std::unique_ptr<GpuMesh>& mesh = meshes_[&octree->mesh()];
-            if (!mesh)
-                mesh =
-                    std::make_unique<GpuMesh>(context_, octree->mesh(), options_.crease_angle_rad);
-            state = {.octree = octree, .mesh = mesh.get()};
-        }
-        state.lights.resize(scene.lights.size());
-    }
-    if (all_kept) return;
-    std::erase_if(meshes_, [&](const auto& entry) {
-        return std::ranges::none_of(instances_, [&](const InstanceState& state) {
-            return state.mesh == entry.second.get();
+// Made before what goes there is taken: nothing may be freed because there was no room to keep it.
+Renderer::Retired& Renderer::next_retired() {
+    return retired_.emplace_back(Retired{recorded_, nullptr, nullptr, nullptr});
+}
+
+void Renderer::retire(std::unique_ptr<TrackedSilhouette>& silhouette) {
+    if (silhouette) next_retired().silhouette = std::move(silhouette);
+}
+
+void Renderer::retire(InstanceState& state) {
+    retire(state.camera);
+    for (std::unique_ptr<TrackedSilhouette>& light : state.lights) retire(light);
+    if (state.deforming) next_retired().deforming = std::move(state.deforming);
+    unused_meshes_ = true;
+    state = {};
+}
+
+void Renderer::free_retired() noexcept {
+    std::erase_if(retired_, [&](const Retired& retired) {
+        return std::ranges::all_of(frames_, [&](const Frame& frame) {
+            return frame.number > retired.last_frame || is_done(frame);
         });
     });
 }
 
-const ChangeStream& Renderer::follow(std::unique_ptr<Tracked>& tracked, const HoughOctree& octree,
-                                     const HomogeneousPoint& point, Frame& frame) {
-    bool sent = false;
-    if (!tracked) {
-        tracked = std::make_unique<Tracked>(
-            Tracked{SilhouetteTracker(octree, point),
-                    ChangeStream(context_, octree.mesh(), k_frames_in_flight)});
-        tracked->stream.begin_frame(ring_slot());
-    } else {
-        tracked->stream.begin_frame(ring_slot());
-        sent = tracked->stream.apply(tracked->tracker.move_to(point));
+void Renderer::prepare_instances(const Scene& scene) {
+    free_retired();
+    for (std::size_t i = scene.instances.size(); i < instances_.size(); ++i) retire(instances_[i]);
+    instances_.resize(scene.instances.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        InstanceState& state = instances_[i];
+        const SceneInstance& instance = scene.instances[i];
+        const HoughOctree* octree = instance.deforming ? nullptr : instance.octree;
+        const Mesh& source = instance.mesh();
+        if (state.source != &source || state.octree != octree) {
+            retire(state);
+            std::unique_ptr<GpuMesh>& mesh = meshes_[&source];
+            if (!mesh)
+                mesh = std::make_unique<GpuMesh>(context_, source, options_.crease_angle_rad,
+                                                 line_pass_.path());
+            if (instance.deforming) {
+                if (!deform_passes_) deform_passes_ = std::make_unique<DeformPasses>(context_);
+                state.deforming = std::make_unique<DeformingInstance>(
+                    context_, source, *mesh, options_.crease_angle_rad, k_frames_in_flight);
+            }
+            state.source = &source;
+            state.octree = octree;
+            state.mesh = mesh.get();
+            state.is_closed_chain = is_closed_chain(source);
+        }
+        for (std::size_t l = scene.lights.size(); l < state.lights.size(); ++l)
+            retire(state.lights[l]);
+        state.lights.resize(scene.lights.size());
     }
-    if (!sent)
-        tracked->stream.resend(tracked->tracker.sequence(), tracked->tracker.silhouette(),
-                               tracked->tracker.face_words());
-    frame.streams.push_back(&tracked->stream);
-    frame.report.bytes_streamed += tracked->stream.bytes_streamed();
-    frame.report.bytes_full += tracked->stream.bytes_full();
-    return tracked->stream;
+    if (!unused_meshes_) return;
+    for (auto& [mesh, uploaded] : meshes_)
+        if (std::ranges::none_of(instances_, [&](const InstanceState& state) {
+                return state.mesh == uploaded.get();
+            }))
+            next_retired().mesh = std::move(uploaded);
+    std::erase_if(meshes_, [](const auto& entry) { return !entry.second; });
+    unused_meshes_ = false;
+}
+
+// Makes what is missing, and sets the service to work on all points before the first is waited for.
+void Renderer::prepare_silhouettes(const Scene& scene) {
+    const auto prepare = [&](std::unique_ptr<TrackedSilhouette>& silhouette,
+                             const SceneInstance& instance, const HomogeneousPoint& point) {
+        if (silhouette)
+            silhouette->announce(point);
+        else
+            silhouette = std::make_unique<TrackedSilhouette>(context_, *service_, *instance.octree,
+                                                             point, k_frames_in_flight,
+                                                             stream_budget_, instance.name);
+    };
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const SceneInstance& instance = scene.instances[i];
+        if (instance.deforming) continue;
+        if (has_lines(scene, instance) && draws_slots(line_pass_.path()))
+            prepare(instances_[i].camera, instance, camera_point(instance, lines_camera(scene)));
+        if (!casts_shadows(scene, instance)) continue;
+        for (std::size_t l = 0; l < scene.lights.size(); ++l)
+            prepare(instances_[i].lights[l], instance,
+                    casting_point(scene, instance, scene.lights[l]));
+    }
+}
+
+void Renderer::announce(const Scene& scene) noexcept {
+    for (std::size_t i = 0; i < std::min(scene.instances.size(), instances_.size()); ++i) {
+        const SceneInstance& instance = scene.instances[i];
+        InstanceState& state = instances_[i];
+        if (instance.deforming || state.octree != instance.octree) continue;
+        if (state.camera && has_lines(scene, instance))
+            state.camera->announce(camera_point(instance, lines_camera(scene)));
+        if (!casts_shadows(scene, instance)) continue;
+        for (std::size_t l = 0; l < std::min(scene.lights.size(), state.lights.size()); ++l)
+            if (state.lights[l])
+                state.lights[l]->announce(casting_point(scene, instance, scene.lights[l]));
+    }
+}
+
+const ChangeStream& Renderer::follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point,
+                                     Frame& frame) {
+    silhouette.follow(point, ring_slot());
+    const ChangeStream& stream = silhouette.stream();
+    frame.silhouettes.push_back(&silhouette);
+    frame.report.bytes_streamed += stream.bytes_streamed();
+    frame.report.bytes_full += stream.bytes_full();
+    return stream;
 }
 
 DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
@@ -261,30 +422,59 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
     DrawList list{.frame = put(0, frame_data(scene, *targets_)),
                   .light_count = light_count,
                   .shadows = scene.shadows,
-                  .instances = {}};
+                  .instances = {},
+                  .shadow_batches = {}};
     const SceneBounds bounds = bounds_of(scene);
+    const VkExtent2D extent = targets_->pass_extent();
+    const Projection projection = make_projection(
+        scene.camera, double(extent.width) / extent.height, bounds.center, bounds.radius);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const SceneInstance& instance = scene.instances[i];
         InstanceState& state = instances_[i];
         DrawnInstance drawn{.data = 0,
                             .face_count = state.mesh->face_count(),
                             .border_count = state.mesh->border_count(),
+                            .crease_count = 0,
                             .loose_count = state.mesh->loose_count(),
-                            .has_lines = scene.lines && instance.has_lines,
+                            .has_lines = has_lines(scene, instance),
                             .silhouette = {},
+                            .every_edge = {},
                             .lights = {}};
         VkDeviceAddress slots = 0;
+        if (state.deforming)
+            state.deforming->begin_frame(instance.deformation, ring_slot(), frame.deformed);
         if (drawn.has_lines) {
+            drawn.crease_count = crease_count(scene, *state.mesh);
+            frame.report.silhouette += drawn.border_count;
+            frame.report.creases += drawn.crease_count;
+            if (state.mesh->comparator()) drawn.every_edge = state.mesh->comparator()->draw();
+        }
+        if (drawn.has_lines && state.deforming) {
+            RIMLINE_CHECK(draws_slots(line_pass_.path()));
+            const GpuSilhouette& found = state.deforming->camera(
+                camera_point(instance, lines_camera(scene)), frame.deformed);
+            slots = found.slots().address();
+            drawn.silhouette = {found.arguments().handle()};
+            frame.report.bytes_full += 4 * face_word_count(drawn.face_count);
+        } else if (drawn.has_lines && draws_slots(line_pass_.path())) {
             const ChangeStream& stream =
-                follow(state.camera, *instance.octree, camera_point(instance, scene.camera), frame);
+                follow(*state.camera, camera_point(instance, lines_camera(scene)), frame);
+            frame.report.camera += state.camera->changes();
             slots = stream.slots().address();
             drawn.silhouette = {stream.arguments().handle()};
-            frame.report.silhouette += stream.silhouette_size() + drawn.border_count;
+            frame.report.silhouette += stream.silhouette_size();
         }
-        drawn.data = put(instances_at + i * sizeof(gpu::InstanceData),
-                         instance_data(instance, *state.mesh, scene.camera, slots));
+        gpu::InstanceData data = instance_data(instance, *state.mesh, scene.camera, slots);
+        if (state.deforming) {
+            data.positions = state.deforming->mesh().positions();
+            data.corner_normals = state.deforming->mesh().corner_normals();
+        }
+        drawn.data = put(instances_at + i * sizeof(gpu::InstanceData), data);
+        const ShadowView view = shadow_view(scene, instance, projection);
+        const CasterBox box = caster_box(instance);
         for (std::size_t l = 0; l < light_count; ++l) {
-            const HomogeneousPoint point = light_point(instance, scene.lights[l]);
+            const bool casts = casts_shadows(scene, instance);
+            const HomogeneousPoint point = casting_point(scene, instance, scene.lights[l]);
             gpu::LightData light{.slots = 0,
                                  .face_words = 0,
                                  .light = {point.x, point.y, point.z, point.w},
@@ -293,17 +483,39 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
             if (scene.camera.is_orthographic())
                 light.extrusion = finite_extrusion(scene.lights[l], instance, bounds);
             DrawnLight drawn_light{
-                .casts_shadow = scene.shadows && instance.casts_shadows,
+                .casts_shadow = casts,
                 .ends_in_one_point = point.is_direction() && light.extrusion == 0.0f};
-            if (drawn_light.casts_shadow) {
-                const ChangeStream& stream =
-                    follow(state.lights[l], *instance.octree, point, frame);
+            if (casts) {
+                const ShadowChoice choice = choose_shadow(
+                    scene.shadow_method, scene.shadow_form, view,
+                    {.low = box.low,
+                     .high = box.high,
+                     .is_closed_chain = state.is_closed_chain,
+                     .light = point,
+                     .extrusion = light.extrusion,
+                     .reaches_far_enough =
+                         point.is_direction() || light.extrusion < k_greatest_extrusion_times});
+                drawn_light.method = choice.method;
+                drawn_light.form = choice.form;
+                frame.report.shadows.push_back(
+                    {.instance = static_cast<std::uint32_t>(i),
+                     .light = static_cast<std::uint32_t>(l),
+                     .choice = choice,
+                     .light_moved = !(point == light_point(instance, scene.lights[l]))});
+            }
+            if (drawn_light.casts_shadow && state.deforming) {
+                const GpuSilhouette& found = state.deforming->light(l, point, frame.deformed);
+                light.slots = found.slots().address();
+                light.face_words = found.face_words().address();
+                drawn_light.sides = {found.arguments().handle()};
+                frame.report.shadow_edges += drawn.loose_count;
+                frame.report.bytes_full += 4 * face_word_count(drawn.face_count);
+            } else if (drawn_light.casts_shadow) {
+                const ChangeStream& stream = follow(*state.lights[l], point, frame);
                 light.slots = stream.slots().address();
                 light.face_words = stream.face_words().address();
                 drawn_light.sides = {stream.arguments().handle()};
-                frame.report.shadow_edges +=
-                    regular_edges(instance.octree->mesh(), state.lights[l]->tracker.silhouette()) +
-                    drawn.loose_count;
+                frame.report.shadow_edges += state.lights[l]->regular_count() + drawn.loose_count;
             }
             drawn_light.data =
                 put(lights_at + (i * light_count + l) * sizeof(gpu::LightData), light);
@@ -311,21 +523,54 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
         }
         list.instances.push_back(std::move(drawn));
     }
+    plan_shadows(list, frame);
     return list;
 }
 
-void Renderer::record(const Scene& scene, const DrawList& list, const Frame& frame) const {
-    const VkCommandBuffer commands = frame.commands;
-    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    vk_check(vkResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
-    vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+// Divides each light's casters into batches that the stencil can count.
+void Renderer::plan_shadows(DrawList& list, Frame& frame) {
+    list.shadow_batches.resize(list.light_count);
+    for (std::size_t l = 0; l < list.light_count; ++l) {
+        shadow_counter_.begin();
+        for (ShadowReport& shadow : frame.report.shadows) {
+            if (shadow.light != l) continue;
+            const InstanceState& state = instances_[shadow.instance];
+            if (state.deforming) {
+                shadow.bound =
+                    shadow_counter_.add_unseen(shadow.instance, state.mesh->face_count());
+                continue;
+            }
+            const TrackedSilhouette& volume = *state.lights[l];
+            shadow.bound = shadow_counter_.add(shadow.instance, {.mesh = &volume.mesh(),
+                                                                 .silhouette = volume.silhouette(),
+                                                                 .face_words = volume.face_words(),
+                                                                 .light = volume.point(),
+                                                                 .form = shadow.choice.form});
+        }
+        list.shadow_batches[l] = shadow_counter_.end();
+        for (const ShadowBatch& batch : list.shadow_batches[l])
+            for (const ShadowDraw& draw : batch.draws) {
+                if (!draw.face_by_face) continue;
+                const auto shadow = std::ranges::find_if(frame.report.shadows, [&](const auto& s) {
+                    return s.light == l && s.instance == draw.instance;
+                });
+                ++shadow->runs;
+                shadow->choice.form = ShadowForm::general;
+                shadow->choice.form_reason = "more triangles may be in a row than a batch counts";
+            }
+    }
+}
+
+void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+                             Frame& frame, const PictureTarget& target) const {
+    if (!frame.deformed.is_empty()) frame.deformed.record(context_, commands, *deform_passes_);
     ChangeStream::record_before(commands);
-    for (const ChangeStream* stream : frame.streams) stream->record(commands, scatter_);
+    for (const TrackedSilhouette* silhouette : frame.silhouettes)
+        silhouette->stream().record(commands, scatter_);
     ChangeStream::record_after(commands);
 
     const VkExtent2D extent = targets_->pass_extent();
-    targets_->record_before_surfaces(commands);
+    targets_->record_before_surfaces(commands, target);
     const glm::vec4 background(scene.palette.background, 1.0f);
     targets_->begin_surfaces(commands, &background[0]);
     surface_pass_.record_unlit(commands, list);
@@ -341,15 +586,69 @@ void Renderer::record(const Scene& scene, const DrawList& list, const Frame& fra
     vkCmdEndRendering(commands);
 
     targets_->record_before_picture(commands);
-    targets_->begin_picture(commands);
-    composite_pass_.record(commands, glm::vec4(scene.palette.ink, scene.hidden_line_strength),
+    RenderTargets::begin_picture(commands, target);
+    composite_pass_.record(commands, target.format,
+                           {glm::vec4(scene.palette.ink, scene.hidden_line_strength),
+                            glm::vec4(scene.palette.grid, scene.palette.grid_strength)},
                            targets_->scale());
     vkCmdEndRendering(commands);
-    targets_->record_readback(commands, frame.picture);
-    vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+    RenderTargets::record_after_picture(commands, target);
 }
 
-void Renderer::submit(const Frame& frame) {
+// Everything that render() and record() share: `frame` is counted as recorded when this returns.
+FrameReport Renderer::record_frame(VkCommandBuffer commands, const Scene& scene,
+                                   const PictureTarget& target, Frame& frame) {
+    prepare_targets(target.extent);
+    composite_pass_.prepare(context_, target.format);
+    prepare_instances(scene);
+    const auto started = std::chrono::steady_clock::now();
+    frame.started = started;
+    frame.report = {};
+    frame.silhouettes.clear();
+    frame.deformed.clear();
+    FrameReport report;
+    try {
+        prepare_silhouettes(scene);
+        const DrawList list = build_draw_list(scene, frame);
+        record_passes(commands, scene, list, frame, target);
+        if (options_.check_silhouettes) check_.record(commands, ring_slot(), frame.silhouettes);
+        marks_.record(commands, ring_slot(), recorded_ + 1);
+        frame.report.record_ms =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started)
+                .count();
+        report = frame.report;  // Before the frame counts, for it allocates.
+    } catch (...) {
+        check_.forget(ring_slot());
+        forget_gpu_state();
+        throw;
+    }
+    frame.number = ++recorded_;
+    return report;
+}
+
+FrameReport Renderer::record(VkCommandBuffer commands, const Scene& scene,
+                             const PictureTarget& target) {
+    const std::uint32_t slot = ring_slot();
+    Frame& frame = frames_[slot];
+    RIMLINE_CHECK(is_done(frame) && std::ranges::find(queued_, slot) == queued_.end());
+    count_differences(slot);
+    FrameReport report = record_frame(commands, scene, target, frame);
+    frame.timeline_value = 0;
+    return report;
+}
+
+void Renderer::forget_recorded() noexcept {
+    bool forgotten = false;
+    for (Frame& frame : frames_) {
+        if (frame.timeline_value != 0 || is_done(frame)) continue;
+        frame.number = 0;
+        check_.forget(static_cast<std::uint32_t>(&frame - frames_.data()));
+        forgotten = true;
+    }
+    if (forgotten) forget_gpu_state();
+}
+
+void Renderer::submit(Frame& frame) {
     const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                              .commandBuffer = frame.commands};
     const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
@@ -362,47 +661,93 @@ void Renderer::submit(const Frame& frame) {
                                .signalSemaphoreInfoCount = 1,
                                .pSignalSemaphoreInfos = &signal};
     vk_check(vkQueueSubmit2(context_.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
-    ++submitted_;
+    frame.timeline_value = ++submitted_;
 }
 
 // What a frame that failed has queued never ran, though its trackers have moved.
 void Renderer::forget_gpu_state() noexcept {
     for (InstanceState& state : instances_) {
-        if (state.camera) state.camera->stream.invalidate();
+        if (state.camera) state.camera->invalidate();
         for (const auto& light : state.lights)
-            if (light) light->stream.invalidate();
+            if (light) light->invalidate();
     }
 }
 
 void Renderer::submit(const Scene& scene, std::uint32_t width, std::uint32_t height) {
-    RIMLINE_CHECK(submitted_ - finished_ < k_frames_in_flight);
-    prepare_targets({width, height});
-    prepare_instances(scene);
-    Frame& frame = frames_[ring_slot()];
-    frame.started = std::chrono::steady_clock::now();
-    frame.report = {};
-    frame.streams.clear();
+    RIMLINE_CHECK(queued_.size() < k_frames_in_flight);
+    const std::uint32_t slot = ring_slot();
+    Frame& frame = frames_[slot];
+    RIMLINE_CHECK(is_done(frame) && std::ranges::find(queued_, slot) == queued_.end());
+    count_differences(slot);
     frame.size = {width, height};
+    prepare_picture(frame.size);
     const VkDeviceSize picture_bytes = VkDeviceSize{4} * width * height;
     if (frame.picture.size() < picture_bytes)
         frame.picture = Buffer(context_, picture_bytes, BufferPlace::readback, "the picture");
+
+    const VkCommandBuffer commands = frame.commands;
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(vkResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
+    vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+    record_frame(commands, scene,
+                 {.image = picture_.handle(),
+                  .view = picture_.attachment_view(),
+                  .format = k_picture_format,
+                  .extent = frame.size,
+                  .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL},
+                 frame);
     try {
-        const DrawList list = build_draw_list(scene, frame);
-        record(scene, list, frame);
+        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                       .imageExtent = {width, height, 1}};
+        vkCmdCopyImageToBuffer(commands, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                               frame.picture.handle(), 1, &region);
+        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+        vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+        queued_.push_back(slot);  // Before what cannot be taken back.
         submit(frame);
     } catch (...) {
+        if (!queued_.empty() && queued_.back() == slot) queued_.pop_back();
+        frame.number = 0;
+        check_.forget(slot);
+        --recorded_;  // Its slot is the next one's: the other may still be in use.
         forget_gpu_state();
         throw;
     }
 }
 
+// What was not known when the frame was recorded.
+void Renderer::add_deformed_counts(Frame& frame) {
+    if (frame.deformed.is_empty()) return;
+    const DeformedCounts lines = frame.deformed.counts(DeformedFrame::Purpose::line);
+    const DeformedCounts shadows = frame.deformed.counts(DeformedFrame::Purpose::shadow);
+    frame.report.silhouette += static_cast<std::uint32_t>(lines.silhouette);
+    frame.report.shadow_edges += static_cast<std::uint32_t>(shadows.regular);
+    frame.report.bytes_full += 4 * (lines.silhouette + shadows.silhouette);
+    frame.report.camera.edges += lines.silhouette;
+    frame.report.camera.flips += lines.flips;
+    frame.report.camera.added += lines.added;
+    frame.report.camera.removed += lines.removed;
+}
+
 Picture Renderer::finish() {
-    RIMLINE_CHECK(finished_ < submitted_);
-    Frame& frame = frames_[finished_ % k_frames_in_flight];
-    wait_for(++finished_);
+    RIMLINE_CHECK(!queued_.empty());
+    const std::uint32_t slot = queued_.front();
+    Frame& frame = frames_[slot];
+    queued_.pop_front();
+    try {
+        wait_for(frame.timeline_value);
+    } catch (...) {
+        frame.number = 0;  // A lost device leaves no marks.
+        check_.forget(slot);
+        throw;
+    }
+    count_differences(slot);
     Picture picture{frame.size.width, frame.size.height, {}};
     const auto* pixels = reinterpret_cast<const std::uint8_t*>(frame.picture.mapped());
     picture.rgba.assign(pixels, pixels + std::size_t{4} * picture.width * picture.height);
+    add_deformed_counts(frame);
     report_ = frame.report;
     report_.frame_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - frame.started)
@@ -410,21 +755,15 @@ Picture Renderer::finish() {
     return picture;
 }
 
-const Renderer::Tracked* Renderer::find(std::size_t instance,
-                                        std::optional<std::size_t> light) const {
+void Renderer::count_differences(std::uint32_t ring_slot) {
+    frames_[ring_slot].report.differences = check_.take_differences(ring_slot);
+    differences_ += frames_[ring_slot].report.differences;
+}
+
+const TrackedSilhouette* Renderer::silhouette(std::size_t instance,
+                                              std::optional<std::size_t> light) const {
     const InstanceState& state = instances_.at(instance);
     return light ? state.lights.at(*light).get() : state.camera.get();
-}
-
-const SilhouetteTracker* Renderer::tracker(std::size_t instance,
-                                           std::optional<std::size_t> light) const {
-    const Tracked* tracked = find(instance, light);
-    return tracked ? &tracked->tracker : nullptr;
-}
-
-const ChangeStream* Renderer::stream(std::size_t instance, std::optional<std::size_t> light) const {
-    const Tracked* tracked = find(instance, light);
-    return tracked ? &tracked->stream : nullptr;
 }
 
 }  // namespace rimline

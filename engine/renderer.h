@@ -1,30 +1,41 @@
 #pragma once
 
-// Draws scenes: one tracker and one change stream for each pair of an instance and a silhouette point,
-// the camera or a light; a frame moves the trackers, streams what changed, and records the passes.
+// Draws scenes: one tracked silhouette for each pair of an instance and a silhouette point, the camera
+// or a light; a frame moves the trackers, streams what changed, and records the passes. Trackers move
+// on the threads of a SilhouetteService: side by side within a frame, and for a frame that is announced
+// while the GPU draws the one before.
 //
 //     move trackers --> streams --> surfaces, unlit --> for each light: volumes, surfaces, lit
 //                                   --> lines --> composite --> picture
+//
+// There are two ways to a picture. render(), or its halves submit() and finish(), submit to the queue
+// and read the picture back. record() writes the same commands into a caller's command buffer, drawing
+// into a caller's image, and leaves the queue to the caller.
 
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "engine/change_stream.h"
 #include "engine/composite_pass.h"
+#include "engine/consistency_check.h"
+#include "engine/deforming_instance.h"
 #include "engine/draw_list.h"
+#include "engine/frame_marks.h"
 #include "engine/gpu_mesh.h"
 #include "engine/line_pass.h"
+#include "engine/picture_target.h"
 #include "engine/png.h"
 #include "engine/render_targets.h"
 #include "engine/scene.h"
+#include "engine/shadow_batches.h"
 #include "engine/shadow_volume_pass.h"
 #include "engine/surface_pass.h"
-#include "silhouette/hough/silhouette_tracker.h"
+#include "engine/tracked_silhouette.h"
 
 namespace rimline {
 
@@ -35,19 +46,56 @@ struct RendererOptions {
     std::uint32_t scale = 2;
     /// Shading is smooth across edges that bend by no more than this.
     float crease_angle_rad = 0.7f;
+    /// Pixels are the same but for what SideStage says.
+    SideStage shadow_sides = SideStage::vertex;
+    /// What all silhouettes on the GPU may take together (StreamSize, change_stream.h): 80 MiB for each
+    /// silhouette point of a mesh of 10 million faces, 5 bytes a face.
+    std::uint64_t stream_memory_bytes = std::uint64_t{1} << 30;
+    /// Moves the trackers, for several renderers if so wished; must outlive them. Null: one of its own.
+    SilhouetteService* service = nullptr;
+    /// Reads slots, face bits and draw arguments back every frame and compares them with the trackers
+    /// (consistency_check.h).
+    bool check_silhouettes = false;
+    /// How lines are drawn. The comparators (line_path.h) throw Error{no_device} where they need
+    /// geometry shaders and the device has none.
+    LinePath line_path = LinePath::geometry;
 };
 
-/// What a frame took.
+/// How one caster's shadow from one light was drawn.
+struct ShadowReport {
+    std::uint32_t instance = 0;
+    std::uint32_t light = 0;
+    ShadowChoice choice;
+    /// No more triangles than this are in a row from the light, by shadow_batches.h.
+    std::uint32_t bound = 0;
+    /// Drawn in so many runs of faces that each cast for itself, in the general form; 0: whole.
+    std::uint32_t runs = 0;
+    /// The light lay exactly on a vertex, and was moved (light_off_vertices).
+    bool light_moved = false;
+};
+
+/// What a frame took. What the GPU finds by itself of instances that deform is counted when the frame is
+/// finished: a frame that a caller submits has no such counts.
 struct FrameReport {
-    std::uint32_t silhouette = 0;  ///< The camera's silhouette edges and borders drawn as lines.
+    /// The camera's silhouette edges and borders drawn as lines; of a line path without slots, which
+    /// knows no silhouette, the borders alone.
+    std::uint32_t silhouette = 0;
+    std::uint32_t creases = 0;  ///< Creases drawn as lines, on the silhouette or not.
     /// Sides of shadow volumes over all lights: regular silhouette edges, and any other edge once for
     /// each of its faces.
     std::uint32_t shadow_edges = 0;
-    std::uint64_t bytes_streamed = 0;  ///< What went to the GPU for silhouettes and face bits.
-    std::uint64_t bytes_full = 0;      ///< What sending them whole would have cost.
-    /// From moving the trackers to the finished picture, by the clock. Uploading a mesh drawn for the
-    /// first time is not in it; extracting the first silhouettes is.
+    std::vector<ShadowReport> shadows;  ///< Each caster before each light.
+    std::uint64_t bytes_streamed = 0;   ///< What went to the GPU for silhouettes and face bits.
+    std::uint64_t bytes_full = 0;       ///< What sending them whole would have cost.
+    /// From moving the trackers to the last command recorded, by the clock. Uploading a mesh drawn for
+    /// the first time is not in it; extracting the first silhouettes is.
+    double record_ms = 0.0;
+    /// The same up to the finished picture; 0 for a frame that a caller submits.
     double frame_ms = 0.0;
+    SilhouetteChanges camera;  ///< Of the silhouettes drawn as lines, over all instances.
+    /// With options.check_silhouettes: words on the GPU that differ from what the trackers say. Of a frame
+    /// that a caller submits they are known later, to Renderer::differences().
+    std::uint64_t differences = 0;
 };
 
 class Renderer {
@@ -61,7 +109,8 @@ public:
     /// Draws `scene` as a picture of the given size, and waits for it. Trackers and streams are kept
     /// from one call to the next for an instance that has the same octree at its index, and there for
     /// lights by theirs; meshes as long as each scene has them. An octree must not be replaced by
-    /// another at its address in between. Where the device cannot hold options.scale pixels along each
+    /// another at its address in between. A mesh that deforms is kept likewise, by its address; its lines
+    /// need a line path that draws slots (RendererOptions::line_path). Where the device cannot hold options.scale pixels along each
     /// side of a pixel, fewer are taken; throws Error{too_large} naming the limit where not even one
     /// fits. After an error the next call is as good as the first.
     Picture render(const Scene& scene, std::uint32_t width, std::uint32_t height) {
@@ -71,59 +120,121 @@ public:
 
     /// The same in two halves, so that the CPU works on a frame while the GPU draws the one before:
     /// submit() queues a frame, finish() waits for the oldest one queued. No more than
-    /// k_frames_in_flight may be queued at a time.
+    /// k_frames_in_flight may be queued at a time. A frame whose submit() throws is not queued, and one
+    /// whose finish() throws is over.
     static constexpr std::uint32_t k_frames_in_flight = 2;
+
     void submit(const Scene& scene, std::uint32_t width, std::uint32_t height);
     Picture finish();
+
+    /// Says what the next frame will probably show: its silhouettes are computed while the GPU draws.
+    /// Does not wait. Instances and lights that were not in the frame before are left for the next frame,
+    /// which is right whatever was announced.
+    void announce(const Scene& scene) noexcept;
+
+    /// Records everything of a frame into `commands`: change sets, passes, the picture into `target`.
+    /// The commands are outside a render pass, for the context's queue family or one that draws and
+    /// computes too. The caller submits them in the order of recording, and
+    ///   - records a frame only when the GPU is done with the frame recorded k_frames_in_flight before,
+    ///     and one into a target of another size only when it is done with all of them;
+    ///   - destroys the renderer only when the GPU is done.
+    /// A frame that should be done and is not is found by the mark that each leaves (frame_marks.h), and
+    /// stops the program. A mesh drawn for the first time is uploaded here, over the context's queue,
+    /// and waited for. Bound pipelines, sets, push constants and dynamic state are others afterwards.
+    /// Throws as render(), and Error{bad_input} for a format that is none to draw into; `commands` may
+    /// then hold a part of the frame, and must not be submitted.
+    FrameReport record(VkCommandBuffer commands, const Scene& scene, const PictureTarget& target);
+
+    /// Says that frames recorded by record() and not done by now will never run: a command buffer was
+    /// dropped, or the device lost. None of them may be running. The next frame sends everything whole.
+    void forget_recorded() noexcept;
+
+    /// Sets RendererOptions::scale of the frames to come. For record(), a change of it is as a change of
+    /// the target's size.
+    void set_scale(std::uint32_t scale) noexcept { options_.scale = scale; }
 
     /// Of the frame finished last.
     const FrameReport& report() const noexcept { return report_; }
 
-    /// The camera's and the lights' tracker and stream of an instance submitted last, for tests and for
-    /// a caller's own shaders. Null where there is none.
-    const SilhouetteTracker* tracker(std::size_t instance, std::optional<std::size_t> light) const;
-    const ChangeStream* stream(std::size_t instance, std::optional<std::size_t> light) const;
+    /// The camera's and the lights' silhouettes of an instance drawn last, for a caller's own shaders.
+    /// Null where there is none.
+    const TrackedSilhouette* silhouette(std::size_t instance,
+                                        std::optional<std::size_t> light) const;
+
+    /// With options.check_silhouettes: FrameReport::differences of all frames that are done, but for
+    /// those a caller submitted whose ring slot has not been used again.
+    std::uint64_t differences() const noexcept { return differences_; }
+
+    /// What silhouettes take of options.stream_memory_bytes.
+    std::uint64_t stream_bytes() const noexcept { return stream_budget_.used_bytes(); }
+    /// The images of the passes, null before the first frame. After a frame depth() is read-only; with
+    /// one sample its stencil holds the count of the last light.
+    const RenderTargets* targets() const noexcept { return targets_.get(); }
 
 private:
-    // One silhouette point of one instance.
-    struct Tracked {
-        SilhouetteTracker tracker;
-        ChangeStream stream;
-    };
     struct InstanceState {
-        const HoughOctree* octree = nullptr;
+        const Mesh* source = nullptr;
+        const HoughOctree* octree = nullptr;  // Null where the mesh deforms.
         const GpuMesh* mesh = nullptr;
-        std::unique_ptr<Tracked> camera;
-        std::vector<std::unique_ptr<Tracked>> lights;
+        bool is_closed_chain = false;
+        std::unique_ptr<DeformingInstance> deforming;
+        std::unique_ptr<TrackedSilhouette> camera;
+        std::vector<std::unique_ptr<TrackedSilhouette>> lights;
     };
-    // What a frame in flight owns until it is finished. Frame n is frames_[n % k_frames_in_flight], has
-    // that ring slot of every stream, and ends when the timeline reaches n + 1.
+    // What a frame in flight owns until it is done. Frame n is frames_[n % k_frames_in_flight], has
+    // that ring slot of every stream and of the marks.
     struct Frame {
-        VkCommandBuffer commands = VK_NULL_HANDLE;
-        Buffer data;
+        std::uint64_t number = 0;                   // n + 1; 0 when there is no frame to wait for.
+        VkCommandBuffer commands = VK_NULL_HANDLE;  // This and the rest for submit() only.
+        std::uint64_t timeline_value = 0;           // 0: a caller submits it.
         Buffer picture;
         VkExtent2D size{};
-        std::vector<const ChangeStream*> streams;  // Those with something to send.
+        Buffer data;
+        std::vector<TrackedSilhouette*> silhouettes;  // Those followed.
+        DeformedFrame deformed;
         std::chrono::steady_clock::time_point started;
         FrameReport report;
     };
 
+    // What has gone from the scene, while frames up to `last_frame` may still read it.
+    struct Retired {
+        std::uint64_t last_frame;
+        std::unique_ptr<TrackedSilhouette> silhouette;
+        std::unique_ptr<GpuMesh> mesh;
+        std::unique_ptr<DeformingInstance> deforming;
+    };
+
     std::uint32_t ring_slot() const noexcept {
-        return static_cast<std::uint32_t>(submitted_ % k_frames_in_flight);
+        return static_cast<std::uint32_t>(recorded_ % k_frames_in_flight);
     }
-    void wait_for(std::uint64_t frame_count) const;
+    void wait_for(std::uint64_t timeline_value) const;
+    bool is_done(const Frame& frame) const noexcept;
+    Retired& next_retired();
+    void retire(std::unique_ptr<TrackedSilhouette>& silhouette);
+    void retire(InstanceState& state);
+    void free_retired() noexcept;
+    void prepare_picture(VkExtent2D size);
     void prepare_targets(VkExtent2D size);
     void prepare_instances(const Scene& scene);
-    const ChangeStream& follow(std::unique_ptr<Tracked>& tracked, const HoughOctree& octree,
-                               const HomogeneousPoint& point, Frame& frame);
+    void prepare_silhouettes(const Scene& scene);
+    const ChangeStream& follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point,
+                               Frame& frame);
+    void count_differences(std::uint32_t ring_slot);
+    void plan_shadows(DrawList& list, Frame& frame);
     DrawList build_draw_list(const Scene& scene, Frame& frame);
-    void record(const Scene& scene, const DrawList& list, const Frame& frame) const;
-    void submit(const Frame& frame);
+    FrameReport record_frame(VkCommandBuffer commands, const Scene& scene,
+                             const PictureTarget& target, Frame& frame);
+    void record_passes(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+                       Frame& frame, const PictureTarget& target) const;
+    static void add_deformed_counts(Frame& frame);
+    void submit(Frame& frame);
     void forget_gpu_state() noexcept;
-    const Tracked* find(std::size_t instance, std::optional<std::size_t> light) const;
 
     DeviceContext context_;
     RendererOptions options_;
+    std::unique_ptr<SilhouetteService> own_service_;
+    SilhouetteService* service_;
+    MemoryBudget stream_budget_;
     ScatterPass scatter_;
     SurfacePass surface_pass_;
     ShadowVolumePass shadow_pass_;
@@ -132,11 +243,20 @@ private:
     OwnedSemaphore timeline_;
     OwnedCommandPool command_pool_;
     std::array<Frame, k_frames_in_flight> frames_;
-    std::uint64_t submitted_ = 0;  // Frames so far.
-    std::uint64_t finished_ = 0;
+    FrameMarks marks_;
+    ConsistencyCheck check_;
+    std::uint64_t recorded_ = 0;        // Frames so far.
+    std::uint64_t submitted_ = 0;       // Of these, by submit(): the timeline's last value.
+    std::deque<std::uint32_t> queued_;  // Ring slots of those submitted and not finished.
     std::unique_ptr<RenderTargets> targets_;
+    Image picture_;  // Where submit() draws.
     std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
+    std::unique_ptr<DeformPasses> deform_passes_;  // When the first instance deforms.
     std::vector<InstanceState> instances_;
+    std::vector<Retired> retired_;
+    ShadowCounter shadow_counter_;
+    bool unused_meshes_ = false;  // Whether meshes_ may hold one that no instance has.
+    std::uint64_t differences_ = 0;
     FrameReport report_;
 };
 

@@ -4,10 +4,14 @@
 
 namespace rimline {
 
-SampledImages::SampledImages(const DeviceContext& context, std::uint32_t count)
+SampledImages::SampledImages(const DeviceContext& context, std::uint32_t count, VkFilter filter)
     : device_(context.device) {
-    // Shaders fetch texels; filters do not matter, and nearest is allowed for every format.
-    const VkSamplerCreateInfo sampler_info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    // Where shaders fetch texels filters do not matter, and nearest is allowed for every format.
+    const VkSamplerCreateInfo sampler_info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                           .magFilter = filter,
+                                           .minFilter = filter,
+                                           .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                           .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
     VkSampler sampler = VK_NULL_HANDLE;
     vk_check(vkCreateSampler(device_, &sampler_info, nullptr, &sampler), "vkCreateSampler");
     sampler_ = {device_, sampler};

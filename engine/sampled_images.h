@@ -12,7 +12,9 @@ namespace rimline {
 
 class SampledImages {
 public:
-    SampledImages(const DeviceContext& context, std::uint32_t count);
+    /// Linear filters are for color alone.
+    SampledImages(const DeviceContext& context, std::uint32_t count,
+                  VkFilter filter = VK_FILTER_NEAREST);
 
     /// Points the bindings at `images`, which will be in SHADER_READ_ONLY_OPTIMAL or, for depth,
     /// DEPTH_STENCIL_READ_ONLY_OPTIMAL. Not while a frame that reads the set is in flight.

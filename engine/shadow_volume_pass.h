@@ -1,12 +1,19 @@
 #pragma once
 
-// Stencil shadow volumes by depth fail, in the general form: every face is a light cap and a dark cap,
-// every edge is extruded as often as its faces' bits say.
+// Stencil shadow volumes: caps and sides of every caster, counted into the stencil as shadow_choice.h
+// chose for it.
 //
-// The stencil then counts the triangles between the light and the surface, for any mesh: open,
-// non-manifold, inconsistently oriented, self-intersecting, and with the light inside. The camera may
-// be in shadow and the near plane inside a volume, for only what lies behind the surface is counted.
-// The count is kept modulo 256: exactly 256 triangles in a row cast no shadow.
+// In the general form every face is a light cap and a dark cap and every edge is extruded as often as
+// its faces' bits say. The stencil then counts the triangles between the light and the surface, for any
+// mesh: open, non-manifold, inconsistently oriented, self-intersecting, and with the light inside. The
+// single form does with front faces and half the sides. By depth fail the camera may be in shadow and
+// the near plane inside a volume, for only what lies behind the surface is counted; by depth pass there
+// are no caps to draw.
+//
+// Eight bits count to 255. Where more triangles may lie in a row (shadow_batches.h), volumes are drawn
+// in batches that count to 127, each then folded into the top bit: 0 is still just what is lit.
+//
+//     stencil   [ t | c c c c c c c ]   c: the batch's count, t: a batch before counted something
 //
 // Caps lie on their own surfaces; depth is compared strictly, so that a surface does not shade itself.
 // Where the light lies in a face's plane the sides lie on it too; there the surface pass asks the bit.
@@ -18,18 +25,35 @@
 
 namespace rimline {
 
+/// The stage that makes sides of edge records. Both draw the same triangles; where a driver transforms
+/// what leaves a geometry stage with other roundings, pixels on a volume's edge can fall between its
+/// caps and its sides, about one in ten million, and depth pass and depth fail can differ there.
+enum class SideStage : std::uint8_t {
+    vertex,    ///< Vertex pulling: on every device, watertight to the last bit.
+    geometry,  ///< Geometry shaders, where the device has them.
+};
+
 class ShadowVolumePass {
 public:
-    ShadowVolumePass(const DeviceContext& context, const AttachmentFormats& formats);
+    /// SideStage::geometry becomes vertex where the device has no geometry shaders.
+    ShadowVolumePass(const DeviceContext& context, const AttachmentFormats& formats,
+                     SideStage stage = SideStage::vertex);
 
     /// Clears the stencil and counts into it. Depth must be complete; color is left alone.
     void record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
                 VkExtent2D extent) const;
 
 private:
+    void record_caps(VkCommandBuffer commands, const DrawList& list, std::size_t light,
+                     const ShadowBatch& batch) const;
+    void record_sides(VkCommandBuffer commands, const DrawList& list, std::size_t light,
+                      const ShadowBatch& batch) const;
+
     OwnedPipelineLayout layout_;
     OwnedPipeline caps_;
-    OwnedPipeline sides_;
+    OwnedPipeline pulled_sides_;
+    OwnedPipeline geometry_sides_;  // Null where sides are pulled.
+    OwnedPipeline fold_;
 };
 
 }  // namespace rimline

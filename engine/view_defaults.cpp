@@ -95,11 +95,32 @@ MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius) {
     return ground;
 }
 
+StyleDefaults style_defaults(Style style) {
+    // sRGB 248, 244, 236 and 22, 60, 118.
+    constexpr glm::vec3 k_paper(0.9387f, 0.9047f, 0.8388f);
+    constexpr glm::vec3 k_blue(0.0080f, 0.0452f, 0.1812f);
+    switch (style) {
+        case Style::ink:
+        case Style::toon:
+        case Style::mask: return {k_paper, 2.5f, 0.0f, 0.5f};
+        case Style::blueprint: return {k_blue, 1.6f, 40.0f, 0.6f};
+        case Style::hatch: return {k_paper, 2.0f, 0.0f, 0.6f};
+    }
+    return {};
+}
+
 Palette default_palette(Style style, const glm::vec3& background) {
     switch (style) {
         case Style::ink: return {background, {0.012f, 0.012f, 0.016f}, {0.50f, 0.51f, 0.55f}};
         case Style::toon: return {background, {0.012f, 0.010f, 0.014f}, {0.30f, 0.33f, 0.46f}};
         case Style::mask: return {background, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+        case Style::blueprint:
+            return {background,
+                    {0.82f, 0.90f, 1.0f},
+                    {0.70f, 0.74f, 0.80f},
+                    {0.45f, 0.65f, 1.0f},
+                    0.1f};
+        case Style::hatch: return {background, {0.016f, 0.014f, 0.018f}, glm::vec3(0.42f)};
     }
     return {};
 }
@@ -109,6 +130,8 @@ glm::vec3 default_surface_color(Style style, const glm::vec3& background) {
         case Style::ink: return background;
         case Style::toon: return {0.78f, 0.36f, 0.18f};
         case Style::mask: return {1.0f, 1.0f, 1.0f};
+        case Style::blueprint: return background + glm::vec3(0.010f, 0.026f, 0.050f);
+        case Style::hatch: return background;
     }
     return background;
 }

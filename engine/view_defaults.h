@@ -23,6 +23,15 @@ Light default_sun(const Camera& camera);
 /// they end.
 MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius);
 
+/// How a style is drawn where nobody says otherwise.
+struct StyleDefaults {
+    glm::vec3 background;  ///< Linear light.
+    float line_width_px;
+    float crease_angle_deg;      ///< 0: creases are no lines.
+    float hidden_line_strength;  ///< Where hidden lines are drawn.
+};
+StyleDefaults style_defaults(Style style);
+
 Palette default_palette(Style style, const glm::vec3& background);
 glm::vec3 default_surface_color(Style style, const glm::vec3& background);
 

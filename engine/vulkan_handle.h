@@ -4,8 +4,13 @@
 
 #include <vulkan/vulkan.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "silhouette/error.h"
 
@@ -14,13 +19,50 @@ namespace rimline {
 /// The name of a result as Vulkan writes it: "VK_ERROR_DEVICE_LOST".
 std::string name_of(VkResult result);
 
-/// Throws Error{no_device} naming `call` unless `result` is VK_SUCCESS.
+/// Whether memory, address space, a pool or a number of objects has run out: the same call may do later.
+bool is_out_of_memory(VkResult result) noexcept;
+
+/// What a failed `call` throws: device_lost where the device is, too_large where memory has run out, and
+/// no_device for all else, which a machine that judge_device() found usable does not answer.
+Error error_of(VkResult result, const std::string& call);
+
+/// Throws error_of() unless `result` is VK_SUCCESS. Calls with another good answer look at it first.
 inline void vk_check(VkResult result, const char* call) {
-    if (result != VK_SUCCESS)
-        throw Error(ErrorCode::no_device, std::string(call) + " failed with " + name_of(result));
+    if (result != VK_SUCCESS) throw error_of(result, call);
 }
 
-/// Owns one object of a device: `destroy` is its vkDestroy function. The device must outlive it.
+/// All that a vkEnumerate function lists, called as call(&count, items): with null items it counts. The
+/// list may grow between the two calls (VK_INCOMPLETE); then both are made again.
+template <typename Item, typename Call>
+std::vector<Item> enumerate(Call&& call, const char* name) {
+    std::vector<Item> items;
+    VkResult result = VK_INCOMPLETE;
+    while (result == VK_INCOMPLETE) {
+        std::uint32_t count = 0;
+        vk_check(call(&count, nullptr), name);
+        items.resize(count);
+        result = call(&count, items.data());
+        items.resize(std::min<std::size_t>(count, items.size()));
+    }
+    vk_check(result, name);
+    return items;
+}
+
+/// Calls `wait` again, for about a second, while it fails for want of memory: what it waits for is still
+/// in use, and nobody may free it because the wait could not be made. Returns its last answer.
+template <typename Wait>
+VkResult repeat_wait(Wait&& wait) {
+    constexpr int k_most_repetitions = 1000;
+    VkResult result = wait();
+    for (int i = 0; is_out_of_memory(result) && i < k_most_repetitions; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        result = wait();
+    }
+    return result;
+}
+
+/// Owns one object of a device: `destroy` is its vkDestroy function. The device must outlive it; it may
+/// be lost.
 template <typename Handle, auto destroy>
 class DeviceHandle {
 public:
@@ -56,6 +98,9 @@ using OwnedDescriptorSetLayout = DeviceHandle<VkDescriptorSetLayout, vkDestroyDe
 using OwnedDescriptorPool = DeviceHandle<VkDescriptorPool, vkDestroyDescriptorPool>;
 using OwnedSampler = DeviceHandle<VkSampler, vkDestroySampler>;
 using OwnedSemaphore = DeviceHandle<VkSemaphore, vkDestroySemaphore>;
+using OwnedFence = DeviceHandle<VkFence, vkDestroyFence>;
+using OwnedSwapchain = DeviceHandle<VkSwapchainKHR, vkDestroySwapchainKHR>;
+using OwnedQueryPool = DeviceHandle<VkQueryPool, vkDestroyQueryPool>;
 using OwnedCommandPool = DeviceHandle<VkCommandPool, vkDestroyCommandPool>;
 
 }  // namespace rimline

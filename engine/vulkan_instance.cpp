@@ -15,12 +15,11 @@ namespace {
 constexpr const char* k_validation_layer = "VK_LAYER_KHRONOS_validation";
 
 bool has_validation_layer() {
-    std::uint32_t count = 0;
-    vk_check(vkEnumerateInstanceLayerProperties(&count, nullptr),
-             "vkEnumerateInstanceLayerProperties");
-    std::vector<VkLayerProperties> layers(count);
-    vk_check(vkEnumerateInstanceLayerProperties(&count, layers.data()),
-             "vkEnumerateInstanceLayerProperties");
+    const std::vector<VkLayerProperties> layers = enumerate<VkLayerProperties>(
+        [](std::uint32_t* count, VkLayerProperties* all) {
+            return vkEnumerateInstanceLayerProperties(count, all);
+        },
+        "vkEnumerateInstanceLayerProperties");
     return std::any_of(layers.begin(), layers.end(), [](const VkLayerProperties& layer) {
         return std::strcmp(layer.layerName, k_validation_layer) == 0;
     });
@@ -50,9 +49,9 @@ struct VulkanInstance::Messages {
 };
 
 VulkanInstance::VulkanInstance(const InstanceOptions& options)
-    : messages_(std::make_unique<Messages>()) {
+    : presents_(!options.window_extensions.empty()), messages_(std::make_unique<Messages>()) {
     std::uint32_t version = VK_API_VERSION_1_0;
-    vkEnumerateInstanceVersion(&version);
+    vk_check(vkEnumerateInstanceVersion(&version), "vkEnumerateInstanceVersion");
     if (version < VK_API_VERSION_1_3)
         throw Error(ErrorCode::no_device,
                     "the Vulkan loader is older than 1.3: install a newer libvulkan1");
@@ -77,16 +76,20 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
         .pNext = &messenger,  // Covers the making and the end of the instance itself.
         .enabledValidationFeatureCount = k_checks.size(),
         .pEnabledValidationFeatures = k_checks.data()};
-    constexpr std::array k_extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
-                                      VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
-    VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
-                              .pApplicationInfo = &application};
+    std::vector<const char*> extensions;
+    for (const std::string& name : options.window_extensions) extensions.push_back(name.c_str());
+    if (options.validate)
+        extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
+                                             VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
+    VkInstanceCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+        .pApplicationInfo = &application,
+        .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+        .ppEnabledExtensionNames = extensions.data()};
     if (options.validate) {
         info.pNext = &features;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &k_validation_layer;
-        info.enabledExtensionCount = k_extensions.size();
-        info.ppEnabledExtensionNames = k_extensions.data();
     }
     const VkResult created = vkCreateInstance(&info, nullptr, &instance_);
     // The loader's answer where no driver is installed at all.
@@ -96,7 +99,8 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
     if (options.validate) {
         const auto create = instance_function<PFN_vkCreateDebugUtilsMessengerEXT>(
             instance_, "vkCreateDebugUtilsMessengerEXT");
-        const VkResult result = create(instance_, &messenger, nullptr, &messenger_);
+        const VkResult result = create ? create(instance_, &messenger, nullptr, &messenger_)
+                                       : VK_ERROR_EXTENSION_NOT_PRESENT;
         if (result != VK_SUCCESS) vkDestroyInstance(instance_, nullptr);
         vk_check(result, "vkCreateDebugUtilsMessengerEXT");
     }

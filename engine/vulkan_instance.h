@@ -16,6 +16,8 @@ namespace rimline {
 struct InstanceOptions {
     /// Turns on the validation layer with synchronisation checks. Missing layers are an error.
     bool validate = false;
+    /// Instance extensions that a window system needs; with any, devices are opened for presenting.
+    std::vector<std::string> window_extensions;
 };
 
 class VulkanInstance {
@@ -28,6 +30,8 @@ public:
 
     VkInstance handle() const noexcept { return instance_; }
     bool validates() const noexcept { return messenger_ != VK_NULL_HANDLE; }
+    /// Whether it was made with the extensions of a window system.
+    bool presents() const noexcept { return presents_; }
 
     /// Warnings and errors of the validation layer so far; nothing where it is off. Any thread.
     std::optional<std::uint32_t> validation_message_count() const noexcept;
@@ -39,6 +43,7 @@ private:
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    bool presents_;
     std::unique_ptr<Messages> messages_;  // Its address is the messenger's user data.
 };
 

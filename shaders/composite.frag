@@ -1,15 +1,17 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// The finished picture: ink over surfaces, averaged from `scale` x `scale` samples a pixel in linear
-// light, then encoded as sRGB.
+// The finished picture: ink over the paper's grid over surfaces, averaged from `scale` x `scale` samples a pixel in linear
+// light, then encoded as sRGB where the image does not do so by itself.
 
 layout(set = 0, binding = 0) uniform sampler2D surfaces;
 layout(set = 0, binding = 1) uniform sampler2D lines;
 
 layout(push_constant) uniform Constants {
     vec4 ink;      // Linear; alpha is the strength of hidden lines.
+    vec4 grid;     // Linear; alpha is the strength of every fifth line.
     int scale;
+    uint encodes_srgb;
 };
 
 layout(location = 0) out vec4 color;
@@ -18,7 +20,17 @@ vec3 srgb_from_linear(vec3 c) {
     return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
+const int k_grid_px = 16;
+
+// A grid of lines a pixel wide, one of them through the middle, every fifth one strong.
+float grid_at(ivec2 pixel) {
+    const ivec2 from_middle = abs(pixel - textureSize(surfaces, 0) / (2 * scale));
+    if (any(equal(from_middle % (5 * k_grid_px), ivec2(0)))) return grid.a;
+    return any(equal(from_middle % k_grid_px, ivec2(0))) ? 0.45 * grid.a : 0.0;
+}
+
 void main() {
+    const float ruled = grid.a > 0.0 ? grid_at(ivec2(gl_FragCoord.xy)) : 0.0;
     const ivec2 first = ivec2(gl_FragCoord.xy) * scale;
     vec3 sum = vec3(0.0);
     for (int y = 0; y < scale; ++y)
@@ -26,7 +38,9 @@ void main() {
             const ivec2 at = first + ivec2(x, y);
             const vec2 line = texelFetch(lines, at, 0).rg;
             const float covered = max(line.r, line.g * ink.a);
-            sum += mix(texelFetch(surfaces, at, 0).rgb, ink.rgb, covered);
+            const vec3 paper = mix(texelFetch(surfaces, at, 0).rgb, grid.rgb, ruled);
+            sum += mix(paper, ink.rgb, covered);
         }
-    color = vec4(srgb_from_linear(clamp(sum / float(scale * scale), 0.0, 1.0)), 1.0);
+    const vec3 linear = clamp(sum / float(scale * scale), 0.0, 1.0);
+    color = vec4(encodes_srgb != 0 ? srgb_from_linear(linear) : linear, 1.0);
 }

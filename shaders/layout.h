@@ -36,6 +36,16 @@ struct EdgeRecord {
     uint f1;
 };
 
+// A pair of faces at an edge that is not regular, for line paths that test every edge in every frame:
+// the edge, as it stands in the list of all edges, is drawn when the bits of a and b differ or, where
+// drawn_if_equal is 1, are equal. An edge with more faces has several pairs.
+struct FacePairRecord {
+    EdgeRecord edge;
+    uint face_a;
+    uint face_b;
+    uint drawn_if_equal;
+};
+
 // A scattered write of a change set: target[place] = value.
 struct PlacedWrite {
     uint place;
@@ -48,12 +58,28 @@ struct TriangleRecord {
     uint v2;
 };
 
+// An edge to be drawn as a line: the vertices it runs between.
+struct LineEnds {
+    uint from;
+    uint to;
+};
+
 // VkDrawIndirectCommand.
 struct DrawArguments {
     uint vertex_count;
     uint instance_count;
     uint first_vertex;
     uint first_instance;
+};
+
+// How the slots of a stream are drawn: a point each where a geometry shader follows, an instance of four
+// vertices each, a strip, where the vertex shader does it all, or the side of a shadow volume each: one
+// triangle where all rays of light end in one point, else two.
+struct SlotArguments {
+    DrawArguments points;
+    DrawArguments strips;
+    DrawArguments pointed_sides;
+    DrawArguments sides;
 };
 
 #ifndef __cplusplus
@@ -71,10 +97,16 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Cor
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer EdgeRecords {
     EdgeRecord at[];
 };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FacePairRecords {
+    FacePairRecord at[];
+};
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Planes { vec4 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Slots { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceWords {
     uint at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LineList {
+    LineEnds at[];
 };
 #endif
 
@@ -91,12 +123,28 @@ struct FrameData {
     uint style;                  // A RIMLINE_STYLE_ value.
     vec3 background;
     vec3 shade;  // What shadow leaves of a surface's color.
+    vec3 ink;
+    float hatch_spacing;  // Between strokes, in pixels of the pass.
+    float dash_period;    // Of hidden lines, in pixels of the pass; 0: they are not dashed.
+    float dash_length;    // What of that is drawn.
+    uint
+        frozen_lines;  // 1: the silhouette is another point's, and runs over surfaces as creases do.
+    uint padding;
 };
 
 // As the enumerators of Style (engine/scene.h).
 #define RIMLINE_STYLE_INK 0
 #define RIMLINE_STYLE_TOON 1
 #define RIMLINE_STYLE_MASK 2
+#define RIMLINE_STYLE_BLUEPRINT 3
+#define RIMLINE_STYLE_HATCH 4
+
+// What a draw of lines makes lines of (DrawConstants.choice).
+#define RIMLINE_LINES_SILHOUETTE 0u  // The camera's streamed slots.
+#define RIMLINE_LINES_BORDER 1u
+#define RIMLINE_LINES_CREASE 2u
+#define RIMLINE_LINES_TESTED 3u     // Every regular edge, those whose faces' planes say so.
+#define RIMLINE_LINES_IRREGULAR 4u  // Every pair of faces at an irregular edge, likewise.
 
 // One for each instance. Passes work in the mesh's own coordinates: positions are taken relative to
 // the camera there before anything else, so that models far from the origin keep their precision.
@@ -107,13 +155,17 @@ struct InstanceData {
     RIMLINE_ADDRESS(EdgeRecords) edges;
     RIMLINE_ADDRESS(EdgeRecords) loose_edges;
     RIMLINE_ADDRESS(EdgeRecords) borders;
-    RIMLINE_ADDRESS(Slots) slots;  // The camera's silhouette.
+    RIMLINE_ADDRESS(EdgeRecords) creases;
+    RIMLINE_ADDRESS(Slots) slots;                      // The camera's silhouette.
+    RIMLINE_ADDRESS(Planes) planes;                    // For line paths without slots ...
+    RIMLINE_ADDRESS(FacePairRecords) irregular_pairs;  // ... else both are 0.
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
+    vec4 viewpoint;        // The camera's silhouette point, homogeneous.
+    vec3 middle;           // Of the mesh.
     vec3 color;
     float fade_radius;  // Over 0: the surface fades into the background towards this distance ...
     vec3 fade_center;   // ... from here.
-    uint padding;
 };
 
 // One for each pair of instance and light.
@@ -148,10 +200,25 @@ struct DrawConstants {
     uint padding;
 };
 
+// Push constants of the passes of a visible ratio: one viewpoint of one mesh.
+struct RatioConstants {
+    RIMLINE_ADDRESS(Positions) positions;
+    RIMLINE_ADDRESS(LineList) lines;
+    mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
+    vec3 camera;           // The viewpoint.
+    vec2 clip_scale;       // clip.xy = clip_scale * eye.xy
+    float near_distance;   // Of the near plane; clip.z everywhere.
+    float side_px;         // Of the square picture.
+};
+
 #ifdef __cplusplus
-static_assert(sizeof(EdgeRecord) == 16 && sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
-static_assert(sizeof(FrameData) == 4 * 20);
-static_assert(sizeof(InstanceData) == 7 * 8 + 4 * (9 + 3 + 3 + 1 + 3 + 1));
+static_assert(sizeof(RatioConstants) == 2 * 8 + 4 * (9 + 3 + 2 + 2));
+static_assert(sizeof(LineEnds) == 8);
+static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
+              sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
+static_assert(sizeof(SlotArguments) == 64);
+static_assert(sizeof(FrameData) == 4 * 28);
+static_assert(sizeof(InstanceData) == 10 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 1 + 3));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 32);
 }  // namespace rimline::gpu

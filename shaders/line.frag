@@ -11,11 +11,11 @@
 // is seen on its outer side: the surface there, continued to the spine as the plane it is near there.
 // (The farthest depth around the spine, uncontinued, shows lines that lie less behind a slanted surface
 // than it falls off within a pixel: the foot of a thing that stands in the ground, dotted.)
+// A crease has its own faces on both sides; it is seen where either says so.
 
-layout(location = 0) flat in vec2 from_pixel;
-layout(location = 1) flat in vec2 to_pixel;
-layout(location = 2) flat in vec2 depths;
-layout(location = 3) flat in vec2 outwards;
+layout(location = 0) flat in vec4 ends;        // From and to, in pixels.
+layout(location = 1) flat in vec4 depths_out;  // Depths at both ends; the unit vector outwards.
+layout(location = 2) flat in vec3 pattern;     // Dashes at both ends; whether to look on both sides.
 layout(location = 0) out vec2 coverage;
 
 layout(set = 0, binding = 0) uniform sampler2D surface_depth;
@@ -31,7 +31,7 @@ float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
 // slope is taken from pixels farther outwards only, for inwards the line's own surface begins. Of two
 // differences the smaller is a slope, the other may be a step to another surface; as much as they differ
 // the surface is not plane, and then a line in front of what is seen there may be free.
-bool is_free(vec2 spine, vec2 offset, float nearest) {
+bool is_free(vec2 spine, vec2 offset, vec2 outwards, float nearest) {
     const vec2 place = draw.frame.data.depth_place;
     const ivec2 pixel = ivec2(floor(spine + offset - place + 0.5));
     const ivec2 x = ivec2(outwards.x < 0.0 ? -1 : 1, 0);
@@ -48,24 +48,44 @@ bool is_free(vec2 spine, vec2 offset, float nearest) {
     return depth <= nearest && continued - abs(x_2 - x_1) - abs(y_2 - y_1) <= nearest;
 }
 
+// Straight out and to both sides of that: near the end of a line another one's surface may begin.
+bool is_free_outwards(vec2 spine, vec2 outwards, float nearest) {
+    const vec2 turned = vec2(-outwards.y, outwards.x);
+    return is_free(spine, 1.25 * outwards, outwards, nearest) ||
+           is_free(spine, 0.8 * outwards, outwards, nearest) ||
+           is_free(spine, 0.9 * (outwards + turned), outwards, nearest) ||
+           is_free(spine, 0.9 * (outwards - turned), outwards, nearest);
+}
+
+// What of a pixel `away` pixels from a line's middle the line covers, across: a box a pixel wide.
+float covered_across(float away) {
+    const float radius = draw.frame.data.line_radius;
+    return min(clamp(radius + 0.5 - away, 0.0, 1.0), 2.0 * radius);
+}
+
+// How much of the dash pattern is drawn at `place` along it.
+float dash_at(float place) {
+    const float period = draw.frame.data.dash_period;
+    if (period == 0.0) return 1.0;
+    const float from_middle = abs(fract(place / period) - 0.5) * period;
+    return clamp(0.5 * draw.frame.data.dash_length + 0.5 - from_middle, 0.0, 1.0);
+}
+
 void main() {
-    const vec2 along = to_pixel - from_pixel;
+    const vec2 along = ends.zw - ends.xy;
     const float length_squared = dot(along, along);
     const float t = length_squared > 1e-12
-        ? clamp(dot(gl_FragCoord.xy - from_pixel, along) / length_squared, 0.0, 1.0) : 0.0;
-    const vec2 spine = from_pixel + t * along;
-    const float covered =
-        clamp(draw.frame.data.line_radius + 0.5 - distance(gl_FragCoord.xy, spine), 0.0, 1.0);
+        ? clamp(dot(gl_FragCoord.xy - ends.xy, along) / length_squared, 0.0, 1.0) : 0.0;
+    const vec2 spine = ends.xy + t * along;
+    const float covered = covered_across(distance(gl_FragCoord.xy, spine));
     if (covered == 0.0) discard;
 
-    const float depth = mix(depths.x, depths.y, t);
+    const float depth = mix(depths_out.x, depths_out.y, t);
     const float nearest_seen =
         depth + depth * draw.frame.data.depth_slack + draw.frame.data.depth_slack_absolute;
-    // Straight out and to both sides of that: near the end of a line another one's surface may begin.
-    const vec2 turned = vec2(-outwards.y, outwards.x);
-    const bool seen = is_free(spine, 1.25 * outwards, nearest_seen) ||
-                      is_free(spine, 0.8 * outwards, nearest_seen) ||
-                      is_free(spine, 0.9 * (outwards + turned), nearest_seen) ||
-                      is_free(spine, 0.9 * (outwards - turned), nearest_seen);
-    coverage = seen ? vec2(covered, 0.0) : vec2(0.0, covered);
+    const vec2 outwards = depths_out.zw;
+    const bool seen = is_free_outwards(spine, outwards, nearest_seen) ||
+                      (pattern.z != 0.0 && is_free_outwards(spine, -outwards, nearest_seen));
+    coverage = seen ? vec2(covered, 0.0)
+                    : vec2(0.0, covered * dash_at(mix(pattern.x, pattern.y, t)));
 }

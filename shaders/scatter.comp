@@ -9,7 +9,9 @@ layout(local_size_x = 64) in;
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Writes { PlacedWrite at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Target { uint at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Arguments { DrawArguments draw; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Arguments {
+    SlotArguments slots;
+};
 
 layout(push_constant, scalar) uniform Constants {
     Writes slot_writes;
@@ -25,7 +27,12 @@ layout(push_constant, scalar) uniform Constants {
 void main() {
     const uint first = gl_GlobalInvocationID.x;
     const uint stride = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    if (first == 0u) arguments.draw = DrawArguments(silhouette_size, 1u, 0u, 0u);
+    if (first == 0u) {
+        arguments.slots.points = DrawArguments(silhouette_size, 1u, 0u, 0u);
+        arguments.slots.strips = DrawArguments(4u, silhouette_size, 0u, 0u);
+        arguments.slots.pointed_sides = DrawArguments(3u * silhouette_size, 1u, 0u, 0u);
+        arguments.slots.sides = DrawArguments(6u * silhouette_size, 1u, 0u, 0u);
+    }
     for (uint i = first; i < slot_write_count; i += stride) {
         const PlacedWrite write = slot_writes.at[i];
         slots.at[write.place] = write.value;

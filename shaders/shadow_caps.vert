@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "draw.glsl"
 #include "project.glsl"
+#include "shadow_emission.h"
 
 // The light cap (instance 0) and the dark cap (instance 1) of each face whose bit is draw.choice; other
 // faces collapse to a point. Faces that the light sees from behind are caps turned round; they are
@@ -15,17 +16,14 @@ precise gl_Position;
 
 void main() {
     const uint face = gl_VertexIndex / 3u;
-    uint corner = gl_VertexIndex % 3u;
     if ((draw.light.data.face_words.at[face / 32u] >> (face % 32u) & 1u) != draw.choice) {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    const bool dark = gl_InstanceIndex == 1;
-    if (dark) corner = (3u - corner) % 3u;  // Turned round.
-    const TriangleRecord triangle = draw.instance.data.triangles.at[face];
-    const uint vertex = corner == 0u ? triangle.v0 : corner == 1u ? triangle.v1 : triangle.v2;
-    const vec3 position = draw.instance.data.positions.at[vertex];
-    if (dark)
+    const VolumeCorner corner = cap_corner(draw.instance.data.triangles.at[face],
+                                           gl_InstanceIndex == 1, gl_VertexIndex % 3u);
+    const vec3 position = draw.instance.data.positions.at[corner.vertex];
+    if (corner.is_far)
         gl_Position = clip_from_extruded(draw.frame, draw.instance, draw.light, position);
     else
         gl_Position = clip_from_object(draw.frame, draw.instance, position);

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "draw.glsl"
+#include "hatch.glsl"
 
 // Surfaces in the chosen style. draw.choice is 0 for what shadow leaves of them, 1 and 2 for what the
 // light adds where the stencil lets it through; all lights together add up to the fully lit surface.
@@ -18,28 +19,40 @@ float tone(uint style, float cosine) {
     if (style == RIMLINE_STYLE_MASK) return 1.0;
     if (style == RIMLINE_STYLE_INK)
         return 0.86 * smoothstep(0.14, 0.17, cosine) + 0.14 * smoothstep(0.34, 0.40, cosine);
+    if (style == RIMLINE_STYLE_BLUEPRINT || style == RIMLINE_STYLE_HATCH)
+        return clamp((cosine - 0.14) / 0.6, 0.0, 1.0);
     return 0.55 * smoothstep(0.14, 0.17, cosine) + 0.45 * smoothstep(0.52, 0.56, cosine);
 }
 
+// The surface where a share `amount` of the light arrives.
+vec3 shown(float amount, vec3 facing_normal) {
+    const vec3 lit = draw.instance.data.color;
+    const vec3 shade = draw.frame.data.shade;
+    if (draw.frame.data.style != RIMLINE_STYLE_HATCH) return lit * mix(shade, vec3(1.0), amount);
+    const float density = (1.0 - dot(shade, vec3(1.0 / 3.0))) * (1.0 - amount);
+    return mix(lit, draw.frame.data.ink, hatch_ink(position, facing_normal, density));
+}
+
 void main() {
-    vec3 lit = draw.instance.data.color;
-    vec3 shaded = lit * draw.frame.data.shade;
-    if (draw.instance.data.fade_radius > 0.0) {
-        const float away = distance(position, draw.instance.data.fade_center);
-        const float fade = smoothstep(0.45, 1.0, away / draw.instance.data.fade_radius);
-        shaded = mix(shaded, draw.frame.data.background, fade);
-        lit = mix(lit, draw.frame.data.background, fade);
-    }
-    if (draw.choice == 0u) {
-        color = vec4(shaded, 1.0);
-        return;
-    }
     vec3 n = normalize(normal);
     // Sheets are lit on the side that is seen.
     if (!gl_FrontFacing) n = -n;
-    const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
-    const vec4 light = draw.light.data.light;
-    const vec3 to_light = normalize(light.xyz - light.w * position);
-    const float amount = reached ? tone(draw.frame.data.style, dot(n, to_light)) : 0.0;
-    color = vec4((lit - shaded) * amount * draw.light.data.color, 0.0);
+    const vec3 shaded = shown(0.0, n);
+    float amount = 0.0;
+    if (draw.choice != 0u) {
+        const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
+        const vec4 light = draw.light.data.light;
+        const vec3 to_light = normalize(light.xyz - light.w * position);
+        amount = reached ? tone(draw.frame.data.style, dot(n, to_light)) : 0.0;
+        // What only catches shadows is paper: strokes all over it would say nothing.
+        if (draw.frame.data.style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
+            amount = smoothstep(0.14, 0.17, dot(n, to_light));
+    }
+    color = draw.choice == 0u ? vec4(shaded, 1.0)
+                              : vec4((shown(amount, n) - shaded) * draw.light.data.color, 0.0);
+    if (draw.instance.data.fade_radius > 0.0) {
+        const float away = distance(position, draw.instance.data.fade_center);
+        const float fade = smoothstep(0.45, 1.0, away / draw.instance.data.fade_radius);
+        color.rgb = mix(color.rgb, draw.choice == 0u ? draw.frame.data.background : vec3(0.0), fade);
+    }
 }

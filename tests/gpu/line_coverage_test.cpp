@@ -1,11 +1,13 @@
-// Lines against rays: the silhouette by brute force and the borders, sampled every quarter of a pixel
-// along their length, each sample seen or hidden as rays find it. Samples that are seen must be inked,
+// Lines against rays: the silhouette by brute force, the borders and creases, sampled every quarter of a
+// pixel along their length, each sample seen or hidden as rays find it. Samples that are seen must be inked,
 // and nothing may be inked that is far from a sample that may be seen.
 //
 // What is seen is asked at the sample itself, where only the edge's own faces are left out: on a mesh
 // finer than pixels a silhouette is a zigzag, and half of it lies behind its own neighbours. A sample is
 // clearly seen when what lies a pixel outwards is free too, and clearly hidden when a pixel all around
-// is covered by faces that do not touch the edge. What lies between may be inked or not; how much ink
+// is covered by faces that do not touch the edge. A crease has surface on both sides: it is clearly seen
+// when a pixel to either side is free too, so far in front of it that the surface beside it, unless it is
+// steep, is not in the way. What lies between may be inked or not; how much ink
 // that is, the doubtful pixels, is bounded as well.
 
 #include <doctest/doctest.h>
@@ -14,12 +16,16 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
 #include "silhouette/hough/baselines/brute_force.h"
+#include "silhouette/mesh/creases.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/gpu/gpu_fixture.h"
@@ -68,6 +74,9 @@ public:
         for (const EdgeId edge : brute_force_silhouette(mesh_, point)) add_edge(edge);
         const Mesh::EdgeRange borders = mesh_.edges_of_class(EdgeClass::border);
         for (std::uint32_t e = borders.first; e < borders.last; ++e) add_edge(EdgeId{e});
+        if (scene.crease_angle_deg <= 0.0f) return;
+        for (const Crease& crease : find_creases(mesh_, glm::radians(scene.crease_angle_deg)))
+            add_edge(crease.edge);
     }
 
     const std::vector<Sample>& samples() const noexcept { return samples_; }
@@ -110,15 +119,22 @@ private:
             return instance == 0 && std::find(own.begin(), own.end(), face) != own.end();
         };
         if (glm::length(along) > 1e-9 && !hidden_at({0, 0}, own_faces)) {
-            // Outwards is away from where the faces lie in the picture.
+            // Outwards is away from where the faces lie in the picture; of a crease that is nowhere.
             const glm::dvec2 across = glm::normalize(glm::dvec2(-along.y, along.x));
             double inwards = 0.0;
+            double on_other_side = 0.0;
             const glm::dvec2 place = *rays_.place_of(world, k_picture);
             for (const FaceId face : own) {
                 const auto corner = rays_.place_of(placed(opposite(edge, face)), k_picture);
                 if (!corner) continue;
-                const double side = glm::dot(*corner - place, across);
-                if (std::abs(side) > std::abs(inwards)) inwards = side;
+                double side = glm::dot(*corner - place, across);
+                if (std::abs(side) > std::abs(inwards)) std::swap(side, inwards);
+                on_other_side = side;
+            }
+            if (inwards * on_other_side < 0.0) {
+                const bool free = !rays_.is_hidden(before(world, across), own_faces) &&
+                                  !rays_.is_hidden(before(world, -across), own_faces);
+                return free ? Sight::clear : Sight::seen;
             }
             const glm::dvec2 out = inwards > 0.0 ? -across : across;
             const glm::dvec2 ahead = 0.5 * glm::normalize(along);
@@ -138,6 +154,16 @@ private:
             for (int x = -1; x <= 1; ++x)
                 if (!hidden_at({x, y}, touching)) return Sight::between;
         return Sight::hidden;
+    }
+
+    // So many pixels to the right and down, and four of them nearer to the viewer.
+    glm::dvec3 before(const glm::dvec3& world, const glm::dvec2& offset) const {
+        const Camera& camera = scene_.camera;
+        const glm::dvec3 beside = rays_.displaced(world, offset, k_picture);
+        const double pixel = glm::distance(rays_.displaced(world, {1, 0}, k_picture), world);
+        const glm::dvec3 back =
+            camera.is_orthographic() ? camera.eye - camera.target : camera.eye - beside;
+        return beside + 4.0 * pixel * glm::normalize(back);
     }
 
     glm::dvec3 placed(const glm::vec3& position) const {
@@ -251,11 +277,11 @@ Coverage coverage_of(const Gpu& gpu, const std::string& name, const Scene& scene
     return coverage;
 }
 
-void check_lines(const Gpu& gpu, const std::string& name, const Scene& scene) {
-    const RayReference rays(scene);
-    const LineReference lines(scene, rays);
-    for (const RendererOptions& options : {k_usual, k_plain}) {
-        const Coverage coverage = coverage_of(gpu, name, scene, lines.samples(), options);
+void check_lines(const Gpu& gpu, const std::string& name, const Scene& scene,
+                 const std::vector<Sample>& samples,
+                 std::initializer_list<RendererOptions> all_options = {k_usual, k_plain}) {
+    for (const RendererOptions& options : all_options) {
+        const Coverage coverage = coverage_of(gpu, name, scene, samples, options);
         const auto inked = static_cast<double>(coverage.inked);
         INFO(name, " at scale ", options.scale);
         CHECK(coverage.clear > 500);
@@ -269,6 +295,12 @@ void check_lines(const Gpu& gpu, const std::string& name, const Scene& scene) {
     }
 }
 
+void check_lines(const Gpu& gpu, const std::string& name, const Scene& scene) {
+    const RayReference rays(scene);
+    const LineReference lines(scene, rays);
+    check_lines(gpu, name, scene, lines.samples());
+}
+
 }  // namespace
 
 TEST_CASE("lines of built-in shapes are inked where rays see them and nowhere else") {
@@ -276,6 +308,51 @@ TEST_CASE("lines of built-in shapes are inked where rays see them and nowhere el
     for (const char* name : {"torus", "knot", "spring", "box", "terrain", "scene"}) {
         const Model model(make_built_in_shape(name));
         check_lines(*gpu, name, line_scene(model));
+    }
+}
+
+TEST_CASE("creases are inked where rays see them, ridges and valleys alike") {
+    RIMLINE_OPEN_GPU(gpu);
+    for (const char* name : {"box", "scene"}) {
+        const Model model(make_built_in_shape(name));
+        Scene scene = line_scene(model);
+        scene.crease_angle_deg = 30.0f;
+        check_lines(*gpu, std::string(name) + ", creased", scene);
+        scene.camera.ortho_height = 2.2 * model.mesh.radius();
+        check_lines(*gpu, std::string(name) + ", creased, flat", scene);
+    }
+    const auto path = find_model("fandisk.obj");
+    if (!path) RIMLINE_SKIP("RIMLINE_MODELS lacks fandisk.obj");
+    const Model model(read_mesh_file(*path));
+    Scene scene = line_scene(model);
+    scene.crease_angle_deg = 30.0f;
+    check_lines(*gpu, "fandisk, creased", scene);
+}
+
+TEST_CASE("lines are inked where rays see them in every style and by every line path") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model model(make_built_in_shape("scene"));
+    Scene scene = line_scene(model);
+    scene.crease_angle_deg = 30.0f;
+    const RayReference rays(scene);
+    const LineReference lines(scene, rays);
+    // Surfaces are white in all of them: of shade all light is left, so that there is none to hatch.
+    for (const auto& [style, name] : {std::pair{Style::toon, "toon"},
+                                      {Style::blueprint, "blueprint"},
+                                      {Style::hatch, "hatch"}}) {
+        scene.style = style;
+        scene.line_width_px = style_defaults(style).line_width_px;
+        check_lines(*gpu, name, scene, lines.samples(), {k_usual});
+    }
+    scene.style = Style::ink;
+    scene.line_width_px = k_line_width_px;
+    for (const auto& [path, name] : {std::pair{LinePath::pulling, "pulling"},
+                                     {LinePath::all_edges, "all edges"},
+                                     {LinePath::quads, "quads"},
+                                     {LinePath::adjacency, "adjacency"}}) {
+        RendererOptions options = k_usual;
+        options.line_path = path;
+        check_lines(*gpu, name, scene, lines.samples(), {options});
     }
 }
 

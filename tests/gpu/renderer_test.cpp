@@ -39,7 +39,7 @@ TEST_CASE("the same scene gives the same picture, and what it holds follows the 
     const Scene scene = scene_of(mesh, octree, Style::ink);
     const Picture first = renderer.render(scene, 128, 128);
     CHECK(renderer.report().silhouette ==
-          brute_force_silhouette(mesh, renderer.tracker(0, std::nullopt)->point()).size());
+          brute_force_silhouette(mesh, renderer.silhouette(0, std::nullopt)->point()).size());
     CHECK(renderer.report().bytes_streamed == renderer.report().bytes_full);
     const Picture second = renderer.render(scene, 128, 128);
     CHECK(renderer.report().bytes_streamed == 0);
@@ -107,23 +107,72 @@ TEST_CASE("instances and lights that stay keep their trackers when others come a
     Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
     Scene scene = scene_of(mesh, octree, Style::ink);
     renderer.render(scene, 64, 64);
-    const SilhouetteTracker* kept = renderer.tracker(0, 0);
+    const TrackedSilhouette* kept = renderer.silhouette(0, 0);
     const std::uint64_t full = renderer.report().bytes_full;
 
     scene.instances.push_back({.octree = &other_octree});
     renderer.render(scene, 64, 64);
-    CHECK(renderer.tracker(0, 0) == kept);
+    CHECK(renderer.silhouette(0, 0) == kept);
     CHECK(renderer.report().bytes_streamed == renderer.report().bytes_full - full);
 
     scene.lights.push_back({.vector = {0, 1, 0}, .directional = true});
     renderer.render(scene, 64, 64);
-    CHECK(renderer.tracker(0, 0) == kept);
+    CHECK(renderer.silhouette(0, 0) == kept);
 
     scene.lights.pop_back();
     scene.instances.pop_back();
     renderer.render(scene, 64, 64);
-    CHECK(renderer.tracker(0, 0) == kept);
+    CHECK(renderer.silhouette(0, 0) == kept);
     CHECK(renderer.report().bytes_streamed == 0);
+}
+
+TEST_CASE(
+    "a frame is that of its own scene, whatever was announced, on a service of one's own or not") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("knot", 4000));
+    const HoughOctree octree(mesh);
+    const auto scene_at = [&](int frame) {
+        Scene scene = scene_of(mesh, octree, Style::toon);
+        scene.camera.eye.x += 0.02 * frame;
+        scene.lights[0].vector.y += 0.05 * frame;
+        return scene;
+    };
+    SilhouetteService service({.workers = 2});
+    const RendererOptions shared{.samples = 1, .scale = 1, .service = &service};
+    Renderer announced(gpu->context(), shared);
+    Renderer misled(gpu->context(), shared);
+    Renderer told_nothing(gpu->context(), {.samples = 1, .scale = 1});
+    for (int frame = 0; frame < 10; ++frame) {
+        CAPTURE(frame);
+        const Picture expected = told_nothing.render(scene_at(frame), 96, 64);
+        announced.submit(scene_at(frame), 96, 64);
+        announced.announce(scene_at(frame + 1));
+        CHECK(announced.finish().rgba == expected.rgba);
+        CHECK(announced.report().bytes_streamed == told_nothing.report().bytes_streamed);
+        misled.submit(scene_at(frame), 96, 64);
+        misled.announce(scene_at(frame % 3 == 0 ? 40 : frame + 1));
+        CHECK(misled.finish().rgba == expected.rgba);
+        CHECK(misled.report().bytes_streamed <= misled.report().bytes_full);
+    }
+    service.stop();
+    CHECK_THROWS_AS(announced.render(scene_at(12), 96, 64), const Error&);
+}
+
+TEST_CASE("a teleport sends the whole silhouette once, and the next step its changes") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("sphere", 20'000));
+    const HoughOctree octree(mesh);
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    Scene scene = scene_of(mesh, octree, Style::ink);
+    scene.shadows = false;
+    renderer.render(scene, 64, 64);
+    scene.camera.eye.x = -scene.camera.eye.x - 1.0;
+    renderer.render(scene, 64, 64);
+    CHECK(renderer.report().bytes_streamed == renderer.report().bytes_full);
+    scene.camera.eye.x += 0.001;
+    renderer.render(scene, 64, 64);
+    CHECK(renderer.report().bytes_streamed > 0);
+    CHECK(4 * renderer.report().bytes_streamed < renderer.report().bytes_full);
 }
 
 TEST_CASE("moving the object and moving everything else the other way give the same picture") {

@@ -1,0 +1,68 @@
+#pragma once
+
+// A stated amount of memory, and who has how much of it. What does not fit is refused before the device
+// is asked, with an error that says for what, how much, and which budget.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "silhouette/error.h"
+
+namespace rimline {
+
+class MemoryBudget {
+public:
+    /// `name` is how messages call it and say where it is set.
+    MemoryBudget(std::uint64_t size_bytes, std::string name)
+        : size_bytes_(size_bytes), name_(std::move(name)) {}
+    MemoryBudget(const MemoryBudget&) = delete;
+    MemoryBudget& operator=(const MemoryBudget&) = delete;
+
+    std::uint64_t size_bytes() const noexcept { return size_bytes_; }
+    std::uint64_t used_bytes() const noexcept { return used_bytes_; }
+
+    /// What one owner has taken; given back with it. The budget must outlive it.
+    class Share {
+    public:
+        /// Nothing yet. Null: of a budget without an end.
+        explicit Share(MemoryBudget* budget = nullptr) noexcept : budget_(budget) {}
+        Share(Share&& other) noexcept
+            : budget_(other.budget_), bytes_(std::exchange(other.bytes_, 0)) {}
+        Share& operator=(Share&& other) noexcept {
+            std::swap(budget_, other.budget_);
+            std::swap(bytes_, other.bytes_);
+            return *this;
+        }
+        ~Share() {
+            if (budget_) budget_->used_bytes_ -= bytes_;
+        }
+
+        /// Makes the share `bytes`. Throws Error{too_large} naming `what` and the budget, which is then
+        /// as before.
+        void resize(std::uint64_t bytes, const std::string& what) {
+            if (budget_) {
+                if (bytes > bytes_) budget_->check(bytes - bytes_, what);
+                budget_->used_bytes_ += bytes - bytes_;
+            }
+            bytes_ = bytes;
+        }
+        std::uint64_t bytes() const noexcept { return bytes_; }
+
+    private:
+        MemoryBudget* budget_;
+        std::uint64_t bytes_ = 0;
+    };
+
+private:
+    void check(std::uint64_t more_bytes, const std::string& what) const;
+
+    std::uint64_t size_bytes_;
+    std::uint64_t used_bytes_ = 0;
+    std::string name_;
+};
+
+/// "12 MiB", "1.5 KiB": for messages.
+std::string size_text(std::uint64_t bytes);
+
+}  // namespace rimline

@@ -1,0 +1,194 @@
+#include "engine/shadow_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace rimline {
+
+namespace {
+
+// Positions, relative to the camera or the light, are moved by the shaders by some 2^-21 of their
+// length (eight roundings of 2^-24, and a rotation matrix of floats). This is sixteen times that.
+constexpr double k_rounding = 0x1p-17;
+
+struct Box {
+    glm::dvec3 low, high;
+};
+
+Box grown(const Box& box, double by) { return {box.low - by, box.high + by}; }
+
+bool contains(const Box& box, const glm::dvec3& point) {
+    return glm::all(glm::lessThanEqual(box.low, point)) &&
+           glm::all(glm::lessThanEqual(point, box.high));
+}
+
+// The farthest point of a box from a point.
+double reach_from(const Box& box, const glm::dvec3& point) {
+    return glm::length(glm::max(glm::abs(box.low - point), glm::abs(box.high - point)));
+}
+
+// Whether the way from `start`, so many times `step` long, meets a box; by slabs.
+bool meets(const Box& box, const glm::dvec3& start, const glm::dvec3& step, double length) {
+    double enter = 0.0;
+    double leave = length;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = box.low[axis] - start[axis];
+        const double high = box.high[axis] - start[axis];
+        if (step[axis] == 0.0) {
+            if (low > 0.0 || high < 0.0) return false;
+            continue;
+        }
+        const double a = low / step[axis];
+        const double b = high / step[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+}
+
+glm::dvec3 light_vector(const ShadowCaster& caster) { return glm::dvec3(caster.light.xyz()); }
+
+// Where the ray from the light through a point of an orthographic view's caster ends.
+glm::dvec3 extruded(const ShadowCaster& caster, const glm::dvec3& point) {
+    const glm::dvec3 light = light_vector(caster);
+    if (caster.light.is_direction()) return point - caster.extrusion * glm::normalize(light);
+    return point + caster.extrusion * (point - light);
+}
+
+// What the caster's bounds must be grown by to hold what the shaders make of it.
+double margin_of(const Box& box, const ShadowView& view, const ShadowCaster& caster) {
+    double reach =
+        view.orthographic ? reach_from(box, 0.5 * (box.low + box.high)) : reach_from(box, view.eye);
+    if (!caster.light.is_direction())
+        reach += reach_from(box, light_vector(caster)) +
+                 (view.orthographic ? 0.0 : glm::distance(view.eye, light_vector(caster)));
+    return k_rounding * reach;
+}
+
+// A reason why the single form would not be right, or null.
+const char* why_not_single(const Box& box, const ShadowView& view, const ShadowCaster& caster) {
+    if (!caster.is_closed_chain) return "the mesh is not closed, or not consistently oriented";
+    if (!caster.light.is_direction() && contains(box, light_vector(caster)))
+        return "the light is within the mesh's bounds";
+    if (!caster.reaches_far_enough) return "the light is too near for a finite volume";
+    if (!view.orthographic && contains(grown(box, view.near_reach), view.eye))
+        return "the camera is within the mesh's bounds";
+    return nullptr;
+}
+
+// A reason why depth pass would not be right, or null.
+const char* why_not_pass(const Box& box, const ShadowView& view, const ShadowCaster& caster) {
+    if (view.orthographic) {
+        // The end moves evenly with its beginning, so the corners' ends hold all ends between them.
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 start((corner & 1u) != 0 ? box.high.x : box.low.x,
+                                   (corner & 2u) != 0 ? box.high.y : box.low.y,
+                                   (corner & 4u) != 0 ? box.high.z : box.low.z);
+            if (!(glm::dot(view.back, extruded(caster, start)) < view.far))
+                return "the volume may end before the far plane";
+        }
+        return nullptr;
+    }
+    const glm::dvec3 light = light_vector(caster);
+    const bool meets_near =
+        caster.light.is_direction()
+            ? meets(grown(box, view.near_reach), view.eye, light,
+                    std::numeric_limits<double>::infinity())
+            : meets(grown(box, view.near_reach), view.eye, light - view.eye, 1.0);
+    return meets_near ? "the volume may meet the near plane" : nullptr;
+}
+
+}  // namespace
+
+bool is_closed_chain(const Mesh& mesh) {
+    if (mesh.edges_of_class(EdgeClass::border).size() > 0) return false;
+    for (std::uint32_t e = mesh.edges_of_class(EdgeClass::regular).last; e < mesh.edge_count();
+         ++e) {
+        const Edge& edge = mesh.edge(EdgeId{e});
+        int sum = 0;
+        for (const FaceId face : mesh.faces_of(EdgeId{e})) {
+            const Triangle& triangle = mesh.triangles()[index(face)];
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                if (mesh.edges_of(face)[corner] == EdgeId{e})
+                    sum += triangle[corner] == edge.vertices[0] ? 1 : -1;
+        }
+        if (sum != 0) return false;
+    }
+    return true;
+}
+
+HomogeneousPoint light_off_vertices(const Mesh& mesh, const HomogeneousPoint& light) {
+    const glm::vec3 low = mesh.bounds().low;
+    const glm::vec3 high = mesh.bounds().high;
+    const glm::vec3 place = light.xyz();
+    if (light.is_direction() || glm::any(glm::lessThan(place, low)) ||
+        glm::any(glm::greaterThan(place, high)))
+        return light;
+    const auto is_vertex = [&](const glm::vec3& p) {
+        return std::ranges::find(mesh.positions(), p) != mesh.positions().end();
+    };
+    if (!is_vertex(place)) return light;
+    const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
+    const float greatest = std::max({reach.x, reach.y, reach.z});
+    const float step = std::max(0x1p-16f * greatest, k_min_point_component);
+    const glm::vec3 middle(mesh.center());
+    for (float steps = 1.0f;; steps += 1.0f) {
+        glm::vec3 beside;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float away = place[axis] < middle[axis] ? -steps * step : steps * step;
+            beside[axis] = place[axis] + away;
+            // Past the end of coordinates there is only the other way.
+            if (std::abs(beside[axis]) > k_max_coordinate) beside[axis] = place[axis] - away;
+        }
+        if (!is_vertex(beside)) return HomogeneousPoint::viewpoint(beside);
+    }
+}
+
+ShadowChoice choose_shadow(ShadowMethod wanted_method, ShadowForm wanted_form,
+                           const ShadowView& view, const ShadowCaster& caster) {
+    const Box exact{caster.low, caster.high};
+    const Box box = grown(exact, margin_of(exact, view, caster));
+    ShadowChoice choice;
+    if (wanted_form == ShadowForm::general) {
+        choice.form_reason = "asked for";
+    } else if (const char* reason = why_not_single(box, view, caster)) {
+        choice.form_reason = reason;
+    } else {
+        choice.form = ShadowForm::single;
+        choice.form_reason = "closed, with the light and the camera out of its bounds";
+    }
+    if (wanted_method == ShadowMethod::fail) {
+        choice.method_reason = "asked for";
+    } else if (const char* reason = why_not_pass(box, view, caster)) {
+        choice.method_reason = reason;
+    } else {
+        choice.method = ShadowMethod::pass;
+        choice.method_reason = view.orthographic ? "the volume ends behind the far plane"
+                                                 : "the volume keeps clear of the near plane";
+    }
+    return choice;
+}
+
+const char* name_of(ShadowMethod method) {
+    switch (method) {
+        case ShadowMethod::automatic: return "auto";
+        case ShadowMethod::fail: return "fail";
+        case ShadowMethod::pass: return "pass";
+    }
+    std::abort();
+}
+
+const char* name_of(ShadowForm form) {
+    switch (form) {
+        case ShadowForm::automatic: return "auto";
+        case ShadowForm::general: return "general";
+        case ShadowForm::single: return "single";
+    }
+    std::abort();
+}
+
+}  // namespace rimline

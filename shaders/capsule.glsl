@@ -1,0 +1,151 @@
+#ifndef RIMLINE_SHADERS_CAPSULE_GLSL
+#define RIMLINE_SHADERS_CAPSULE_GLSL
+
+// An edge becomes a capsule on the screen: the segment it projects to, widened by the line's radius.
+// Every line path makes its capsules here, and line.frag inks them from these values alone, so all
+// paths give the same pixels: the quads of different stages may be rasterised with other roundings,
+// but ink ends half a pixel inside them. `precise`, for the same reason, all the way.
+
+#include "draw.glsl"
+#include "line_edge.glsl"
+#include "project.glsl"
+
+struct Capsule {
+    vec4 ends;    // From and to, in pixels.
+    vec2 depths;  // At both ends; linear between them on the screen.
+    // Across the line, where its faces are not; of length 1. Where they lie on both sides, one of them,
+    // and two_sided is 1.
+    vec2 outwards;
+    float two_sided;
+    vec2 dashes;  // Where both ends lie in the dash pattern, in pixels.
+};
+
+// What line.frag receives: ends; depths and outwards; dashes and two_sided.
+#define RIMLINE_CAPSULE_VARYINGS(direction)              \
+    layout(location = 0) flat direction vec4 ends;       \
+    layout(location = 1) flat direction vec4 depths_out; \
+    layout(location = 2) flat direction vec3 pattern;
+
+// Narrows [begin, end] of a segment to where a value that runs from `a` to `b` along it is not negative.
+void clip(float a, float b, inout float begin, inout float end) {
+    if (a < 0.0 && b < 0.0) end = -1.0;
+    else if (a < 0.0) begin = max(begin, a / (a - b));
+    else if (b < 0.0) end = min(end, a / (a - b));
+}
+
+vec3 from_camera(uint vertex) {
+    precise vec3 position = draw.instance.data.positions.at[vertex] - draw.instance.data.camera;
+    return eye_from_object(draw.instance, position);
+}
+
+vec2 pixel_of(vec2 ndc) {
+    precise vec2 pixel = (ndc * 0.5 + 0.5) * draw.frame.data.viewport;
+    return pixel;
+}
+
+// How far to the left of the line from `from` along `across` a corner lies on the screen.
+float side_of(vec3 eye_corner, vec2 from, vec2 across) {
+    const vec4 clip = clip_from_eye(draw.frame, eye_corner, 1.0);
+    if (clip.w <= 0.0) return 0.0;
+    precise vec2 away = pixel_of(clip.xy / clip.w) - from;
+    precise float side = away.x * across.x + away.y * across.y;
+    return side;
+}
+
+// The direction in which dashes are counted. Lines are not chained, so each edge must find its place in
+// the pattern alone: it is the distance of its ends from a fixed point, counted along the one of four
+// fixed directions that the line runs nearest to. It is a function of place within a sector of 45
+// degrees: along a line dashes join, however finely it is divided, and are at most 8% longer than they
+// should be; where a line turns into the next sector one dash is odd. A silhouette of a fine mesh is a
+// zigzag around the contour it stands for; that contour runs across the surface's normal.
+vec2 dash_direction(vec3 a, vec3 b, vec3 corner_0, vec3 corner_1, bool has_normals, vec2 along) {
+    vec2 direction = along;
+    if (has_normals) {
+        const vec3 normal_0 = cross(b - a, corner_0 - a);
+        const vec3 normal_1 = cross(corner_1 - a, b - a);
+        const vec3 sum = normal_0 + normal_1;
+        const vec2 normal = sum.xy * sign(draw.frame.data.clip_scale);
+        const float bend = dot(normal_0, normal_1);
+        // Not where the faces meet at a sharp edge, or the normal points at the viewer.
+        if (bend > 0.76 * length(normal_0) * length(normal_1) && length(normal) > 0.5 * length(sum))
+            direction = vec2(-normal.y, normal.x);
+    }
+    const float k_quarter = 0.785398163397448;
+    const float angle = round(atan(direction.y, direction.x) / k_quarter) * k_quarter;
+    // A line has no sense of direction: of opposite ones, the one to the right, or else down.
+    const vec2 counted = vec2(cos(angle), sin(angle));
+    return counted.x < -1e-3 || (abs(counted.x) < 1e-3 && counted.y < 0.0) ? -counted : counted;
+}
+
+// False where nothing of the edge is in the picture.
+bool make_capsule(LineEdge edge, out Capsule capsule) {
+    // Edges are run from the lower vertex number, whichever face a path finds them by.
+    if (edge.v0 > edge.v1) edge = LineEdge(edge.v1, edge.v0, edge.corner_1, edge.corner_0);
+    const vec3 eye_a = from_camera(edge.v0);
+    const vec3 eye_b = from_camera(edge.v1);
+    const vec4 a = clip_from_eye(draw.frame, eye_a, 1.0);
+    const vec4 b = clip_from_eye(draw.frame, eye_b, 1.0);
+
+    // In front of the near plane, and not farther outside the picture than a line is wide.
+    const float radius = draw.frame.data.line_radius + 1.0;
+    precise vec2 guard = 1.0 + 2.0 * radius / draw.frame.data.viewport;
+    precise float begin = 0.0;
+    precise float end = 1.0;
+    clip(a.w - a.z, b.w - b.z, begin, end);
+    clip(guard.x * a.w - a.x, guard.x * b.w - b.x, begin, end);
+    clip(guard.x * a.w + a.x, guard.x * b.w + b.x, begin, end);
+    clip(guard.y * a.w - a.y, guard.y * b.w - b.y, begin, end);
+    clip(guard.y * a.w + a.y, guard.y * b.w + b.y, begin, end);
+    if (begin > end) return false;
+    precise vec4 clipped_a = begin == 0.0 ? a : a + (b - a) * begin;
+    precise vec4 clipped_b = end == 1.0 ? b : a + (b - a) * end;
+    if (clipped_a.w <= 0.0 || clipped_b.w <= 0.0) return false;
+
+    precise vec3 ndc_a = clipped_a.xyz / clipped_a.w;
+    precise vec3 ndc_b = clipped_b.xyz / clipped_b.w;
+    const vec2 p = pixel_of(ndc_a.xy);
+    const vec2 q = pixel_of(ndc_b.xy);
+    precise vec2 span = q - p;
+    precise float len = sqrt(span.x * span.x + span.y * span.y);
+    precise vec2 along = len > 1e-6 ? span / len : vec2(1.0, 0.0);
+    const vec2 across = vec2(-along.y, along.x);
+    // Both faces of a silhouette lie to one side; the wider one tells it more surely.
+    const bool has_0 = edge.corner_0 != k_no_corner;
+    const bool has_1 = edge.corner_1 != k_no_corner;
+    const vec3 eye_0 = has_0 ? from_camera(edge.corner_0) : eye_a;
+    const vec3 eye_1 = has_1 ? from_camera(edge.corner_1) : eye_a;
+    const float side_0 = has_0 ? side_of(eye_0, p, across) : 0.0;
+    const float side_1 = has_1 ? side_of(eye_1, p, across) : 0.0;
+    const float side = abs(side_1) > abs(side_0) ? side_1 : side_0;
+
+    capsule.ends = vec4(p, q);
+    capsule.depths = vec2(ndc_a.z, ndc_b.z);
+    capsule.outwards = side > 0.0 ? -across : across;
+    const bool may_be_two_sided =
+        draw.choice == RIMLINE_LINES_CREASE || draw.frame.data.frozen_lines != 0u;
+    capsule.two_sided = may_be_two_sided && side_0 * side_1 < 0.0 ? 1.0 : 0.0;
+    capsule.dashes = vec2(0.0);
+    if (draw.frame.data.dash_period > 0.0) {
+        const bool is_contour = has_0 && has_1 && draw.choice != RIMLINE_LINES_CREASE;
+        const vec2 counted = dash_direction(eye_a, eye_b, eye_0, eye_1, is_contour, along);
+        // Counted from the middle of the mesh, so that dashes go along with it.
+        const vec4 middle = clip_from_object(draw.frame, draw.instance, draw.instance.data.middle);
+        const vec2 anchor = middle.w > 0.0 ? pixel_of(middle.xy / middle.w) : vec2(0.0);
+        capsule.dashes = vec2(dot(p - anchor, counted), dot(q - anchor, counted));
+    }
+    return true;
+}
+
+// Corner 0 to 3, in the order of a triangle strip, of a quad that holds the capsule and half a pixel.
+vec4 capsule_corner(Capsule capsule, uint corner) {
+    const vec2 p = capsule.ends.xy;
+    const vec2 q = capsule.ends.zw;
+    const float radius = draw.frame.data.line_radius + 1.0;
+    const float len = distance(p, q);
+    const vec2 along = (len > 1e-6 ? (q - p) / len : vec2(1.0, 0.0)) * radius;
+    const vec2 across = vec2(-along.y, along.x) * ((corner & 1u) == 0u ? 1.0 : -1.0);
+    const vec2 place = corner < 2u ? p - along + across : q + along + across;
+    return vec4(place / draw.frame.data.viewport * 2.0 - 1.0, 0.5, 1.0);
+}
+
+#endif

@@ -1,0 +1,52 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "deform_job.h"
+
+// Normals to shade with, from where the corners are now: one for each group of corners that share one
+// (silhouette/mesh/corner_normals.h), the mean of its faces' normals by their angles there.
+
+layout(local_size_x = RIMLINE_DEFORM_GROUP) in;
+
+vec3 unit(vec3 v) {
+    const float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    return greatest > 0.0 ? normalize(v / greatest) : vec3(0.0);
+}
+
+vec3 corner_of(TriangleRecord t, uint corner) {
+    return job.data.positions.at[corner == 0u ? t.v0 : corner == 1u ? t.v1 : t.v2];
+}
+
+// The normal of the corner's face, 0 where that has no area, and the face's angle there.
+vec4 face_at(uint corner) {
+    const TriangleRecord t = job.data.triangles.at[corner / 3u];
+    const uint c = corner % 3u;
+    const vec3 here = corner_of(t, c);
+    const vec3 a = unit(corner_of(t, (c + 1u) % 3u) - here);
+    const vec3 b = unit(corner_of(t, (c + 2u) % 3u) - here);
+    const vec3 across = cross(a, b);
+    return vec4(unit(across), atan(length(across), dot(a, b)));
+}
+
+void main() {
+    const uint group = invocation_index();
+    if (group >= job.data.group_count) return;
+    const uint begin = job.data.group_begin.at[group];
+    const uint end = job.data.group_begin.at[group + 1u];
+    vec3 sum = vec3(0.0);
+    for (uint i = begin; i < end; ++i) {
+        const vec4 face = face_at(job.data.group_corners.at[i]);
+        sum += face.w * face.xyz;
+    }
+    // Where the normals cancel, each face has its own.
+    const bool cancels = dot(sum, sum) < 1e-12;
+    const vec3 shared_normal = cancels ? vec3(0.0, 1.0, 0.0) : normalize(sum);
+    for (uint i = begin; i < end; ++i) {
+        const uint corner = job.data.group_corners.at[i];
+        vec3 normal = shared_normal;
+        if (cancels) {
+            const vec3 own = face_at(corner).xyz;
+            if (own != vec3(0.0)) normal = own;
+        }
+        job.data.corner_normals.at[corner] = normal;
+    }
+}

@@ -1,0 +1,18 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "deform_job.h"
+
+// A wave runs through a mesh: where every vertex is now, from where it is at rest.
+
+layout(local_size_x = RIMLINE_DEFORM_GROUP) in;
+
+const float k_turn_rad = 6.283185307179586;
+
+void main() {
+    const uint vertex = invocation_index();
+    if (vertex >= job.data.vertex_count) return;
+    const vec3 rest = job.data.rest.at[vertex];
+    const vec3 from_center = rest - wave.center;
+    const float turns = fract(dot(wave.per_length, from_center) - wave.turns);
+    job.data.positions.at[vertex] = rest + wave.reach * sin(k_turn_rad * turns);
+}

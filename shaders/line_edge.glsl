@@ -1,0 +1,57 @@
+#ifndef RIMLINE_SHADERS_LINE_EDGE_GLSL
+#define RIMLINE_SHADERS_LINE_EDGE_GLSL
+
+// Which edges a draw makes lines of, by draw.choice (RIMLINE_LINES_, layout.h). The streamed slots hold
+// silhouette edges and nothing else; the comparators are given every edge and test each in every frame.
+
+#include "draw.glsl"
+#include "face_bit.glsl"
+
+const uint k_no_corner = 0xffffffffu;
+
+// An edge and the corners of its faces across from it.
+struct LineEdge {
+    uint v0;
+    uint v1;
+    uint corner_0;
+    uint corner_1;  // k_no_corner: no second face.
+};
+
+uint corner_across(uint face, uint v0, uint v1) {
+    if (face == k_no_face) return k_no_corner;
+    const TriangleRecord triangle = draw.instance.data.triangles.at[face];
+    uint corner = triangle.v0;
+    if (corner == v0 || corner == v1) corner = triangle.v1;
+    if (corner == v0 || corner == v1) corner = triangle.v2;
+    return corner;
+}
+
+// Subnormals may be flushed here, so a comparator can part from the tracker at planes of that size.
+bool is_front_here(uint face) {
+    return is_front(draw.instance.data.planes.at[face], draw.instance.data.viewpoint);
+}
+
+// False where the edge of this number is not drawn.
+bool read_line_edge(uint number, out LineEdge line) {
+    EdgeRecord edge;
+    if (draw.choice == RIMLINE_LINES_SILHOUETTE) {
+        edge = draw.instance.data.edges.at[draw.instance.data.slots.at[number]];
+    } else if (draw.choice == RIMLINE_LINES_BORDER) {
+        edge = draw.instance.data.borders.at[number];
+    } else if (draw.choice == RIMLINE_LINES_CREASE) {
+        edge = draw.instance.data.creases.at[number];
+    } else if (draw.choice == RIMLINE_LINES_TESTED) {
+        edge = draw.instance.data.edges.at[number];
+        if (is_front_here(edge.f0) == is_front_here(edge.f1)) return false;
+    } else {
+        const FacePairRecord pair = draw.instance.data.irregular_pairs.at[number];
+        edge = pair.edge;
+        if ((is_front_here(pair.face_a) == is_front_here(pair.face_b)) != (pair.drawn_if_equal == 1u))
+            return false;
+    }
+    line = LineEdge(edge.v0, edge.v1, corner_across(edge.f0, edge.v0, edge.v1),
+                    corner_across(edge.f1, edge.v0, edge.v1));
+    return true;
+}
+
+#endif

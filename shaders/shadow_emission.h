@@ -1,0 +1,71 @@
+#ifndef RIMLINE_SHADERS_SHADOW_EMISSION_H
+#define RIMLINE_SHADERS_SHADOW_EMISSION_H
+
+// Which corners the triangles of a shadow volume have, for the shaders that draw them and for C++ that
+// proves them closed (tests/gpu/shadow_boundary_test.cpp): one text, compiled as both.
+//
+// A volume is a chain of oriented triangles over the vertices of a mesh, each near (where it is) or far
+// (where its light ray ends). A face casts its light cap, its dark cap and three sides; where two faces
+// of a volume meet their sides there cancel and are not drawn.
+//
+//     light cap   n0 n1 n2             side of the edge a -> b, of the face on its left:
+//     dark cap    f0 f2 f1                 nb na fb,  na fa fb
+//
+// A face that the light sees from behind is a volume turned round.
+
+#include "layout.h"
+
+#ifdef __cplusplus
+#define RIMLINE_SHARED inline
+namespace rimline::gpu {
+#else
+#define RIMLINE_SHARED
+#endif
+
+struct VolumeCorner {
+    uint vertex;
+    bool is_far;
+};
+
+// Corner 0 to 2 of a face's light cap or dark cap, of a face that the light sees in front.
+RIMLINE_SHARED VolumeCorner cap_corner(TriangleRecord triangle, bool is_dark, uint corner) {
+    const uint turned = is_dark ? (3u - corner) % 3u : corner;
+    VolumeCorner result;
+    result.vertex = turned == 0u ? triangle.v0 : turned == 1u ? triangle.v1 : triangle.v2;
+    result.is_far = is_dark;
+    return result;
+}
+
+// Corner 0 to 5 of the two triangles of an edge's side. Where all rays end in one point the second
+// triangle has no area, and corners 0 to 2 are all there is.
+RIMLINE_SHARED VolumeCorner side_corner(EdgeRecord edge, bool is_front, uint corner) {
+    VolumeCorner result;
+    // b at 0, 2 and 5: the edge's end, where f0 is in front.
+    const bool is_end = corner == 0u || corner == 2u || corner == 5u;
+    result.vertex = is_end == is_front ? edge.v1 : edge.v0;
+    result.is_far = corner == 2u || corner > 3u;
+    return result;
+}
+
+// An edge of a face as a record of its own, running from corner `corner` to the next.
+RIMLINE_SHARED EdgeRecord edge_of_face(TriangleRecord triangle, uint face, uint corner) {
+    EdgeRecord edge;
+    edge.v0 = corner == 0u ? triangle.v0 : corner == 1u ? triangle.v1 : triangle.v2;
+    edge.v1 = corner == 0u ? triangle.v1 : corner == 1u ? triangle.v2 : triangle.v0;
+    edge.f0 = face;
+    edge.f1 = 0xffffffffu;
+    return edge;
+}
+
+// The lists that sides are drawn from (DrawConstants.choice).
+#define RIMLINE_SIDES_SLOTS 0u  // Silhouette slots: regular edges whose faces' bits differ.
+#define RIMLINE_SIDES_LOOSE 1u  // The loose list: every face's own record of every other edge.
+#define RIMLINE_SIDES_FACES 2u  // All three edges of each face: face by face.
+// Added to one of them: only faces that the light sees in front cast.
+#define RIMLINE_SIDES_SINGLE 4u
+
+#ifdef __cplusplus
+}  // namespace rimline::gpu
+#endif
+
+#endif

@@ -1,0 +1,47 @@
+#ifndef RIMLINE_SHADERS_SHADOW_SIDE_GLSL
+#define RIMLINE_SHADERS_SHADOW_SIDE_GLSL
+
+// The sides of shadow volumes, for either stage that draws them: an edge extruded away from the light,
+// in the direction that its face's bit says. Drawn as often as its faces' bits say, a side has the
+// signed multiplicity of Kim, Kim and Turk 2008. draw.choice is one of RIMLINE_SIDES_.
+
+#include "draw.glsl"
+#include "project.glsl"
+#include "shadow_emission.h"
+
+struct Side {
+    EdgeRecord edge;
+    bool is_front;  // The bit of edge.f0.
+    bool is_cast;
+};
+
+bool shadow_face_bit(uint face) {
+    return (draw.light.data.face_words.at[face / 32u] >> (face % 32u) & 1u) == 1u;
+}
+
+Side side_of_record(uint record) {
+    const uint list = draw.choice & 3u;
+    Side side;
+    if (list == RIMLINE_SIDES_SLOTS)
+        side.edge = draw.instance.data.edges.at[draw.light.data.slots.at[record]];
+    else if (list == RIMLINE_SIDES_LOOSE)
+        side.edge = draw.instance.data.loose_edges.at[record];
+    else
+        side.edge =
+            edge_of_face(draw.instance.data.triangles.at[record / 3u], record / 3u, record % 3u);
+    side.is_front = shadow_face_bit(side.edge.f0);
+    // Of slots every regular one casts; others do through the loose list.
+    side.is_cast = list == RIMLINE_SIDES_SLOTS
+                       ? side.edge.f1 != k_no_face
+                       : side.is_front || (draw.choice & RIMLINE_SIDES_SINGLE) == 0u;
+    return side;
+}
+
+vec4 clip_of_corner(VolumeCorner corner) {
+    const vec3 position = draw.instance.data.positions.at[corner.vertex];
+    if (corner.is_far)
+        return clip_from_extruded(draw.frame, draw.instance, draw.light, position);
+    return clip_from_object(draw.frame, draw.instance, position);
+}
+
+#endif

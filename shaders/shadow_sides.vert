@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shadow_side.glsl"
+
+// Sides pulled, six vertices a record, or three where all rays end in one point. The corners that they
+// share with caps come out of the same stage by the same arithmetic, so that no driver can round them
+// apart: volumes are watertight to the last bit.
+
+precise gl_Position;
+
+void main() {
+    const uint corners = ends_in_one_point(draw.light) ? 3u : 6u;
+    const Side side = side_of_record(gl_VertexIndex / corners);
+    if (!side.is_cast) {
+        gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
+        return;
+    }
+    gl_Position = clip_of_corner(side_corner(side.edge, side.is_front, gl_VertexIndex % corners));
+}
