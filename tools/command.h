@@ -62,6 +62,8 @@ std::unique_ptr<Command> make_silhouette_command();
 std::unique_ptr<Command> make_track_command();
 std::unique_ptr<Command> make_bench_command();
 std::unique_ptr<Command> make_render_command();
+std::unique_ptr<Command> make_animate_command();
 std::unique_ptr<Command> make_devices_command();
+std::unique_ptr<Command> make_view_command();
 
 }  // namespace rimline::tools

@@ -12,9 +12,10 @@ source "$(dirname "$0")/steps.sh"
 # Debian 12 names.
 cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libtinygltf-dev libstb-dev
     nlohmann-json3-dev libcli11-dev libhwy-dev libtbb-dev)
-engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libpng-dev)
+engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libpng-dev libglfw3-dev libimgui-dev
+    fonts-dejavu-core)
 cpu_tests=(ccache doctest-dev python3)
-engine_tests=(libembree-dev vulkan-validationlayers spirv-tools)
+engine_tests=(libembree-dev vulkan-validationlayers spirv-tools xvfb)
 
 case "${1:-}" in
     cpu) wanted=("${cpu[@]}") ;;

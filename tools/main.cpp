@@ -48,10 +48,12 @@ constexpr const char* k_footer =
 std::vector<std::unique_ptr<Command>> make_commands() {
     std::vector<std::unique_ptr<Command>> commands;
     commands.push_back(rimline::tools::make_render_command());
+    commands.push_back(rimline::tools::make_animate_command());
     commands.push_back(rimline::tools::make_info_command());
     commands.push_back(rimline::tools::make_silhouette_command());
     commands.push_back(rimline::tools::make_track_command());
     commands.push_back(rimline::tools::make_bench_command());
+    commands.push_back(rimline::tools::make_view_command());
     commands.push_back(rimline::tools::make_devices_command());
     return commands;
 }

@@ -67,19 +67,26 @@ void check_model_name(const std::string& text) {
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
-                      FaceRequirement requirement, const Context& context) {
+                      FaceRequirement requirement, const BeginCall& begin) {
     MeshSource source;
-    if (const std::optional<ShapeName> shape = parse_shape(model)) {
+    if (const std::optional<ShapeName> shape = parse_shape(model))
         source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });
-    } else {
-        Progress progress(context, "reading " + model);
-        source = read_mesh_file(model, requirement, progress.call());
-    }
+    else
+        source = read_mesh_file(model, requirement, begin("reading " + model));
     if (subdivide > 0 && !source.triangles.empty()) {
-        Progress progress(context, "subdividing " + model);
-        source =
-            about_model(model, [&] { return subdivide_loop(source, subdivide, progress.call()); });
+        const LongCall call = begin("subdividing " + model);
+        source = about_model(model, [&] { return subdivide_loop(source, subdivide, call); });
     }
+    return source;
+}
+
+MeshSource load_model(const std::string& model, std::uint32_t subdivide,
+                      FaceRequirement requirement, const Context& context) {
+    std::optional<Progress> progress;
+    MeshSource source = load_model(model, subdivide, requirement, [&](const std::string& doing) {
+        progress.emplace(context, doing);
+        return progress->call();
+    });
     context.checkpoint();
     return source;
 }

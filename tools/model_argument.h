@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ void check_model_name(const std::string& text);
 /// Reads or makes a model, with progress. Throws Error.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context);
+
+/// The same for a caller who shows progress in another way: before each part of the work, `begin` is
+/// told what it is ("reading bunny.obj") and returns how to follow and stop it.
+using BeginCall = std::function<LongCall(const std::string& doing)>;
+MeshSource load_model(const std::string& model, std::uint32_t subdivide,
+                      FaceRequirement requirement, const BeginCall& begin);
 
 /// The same, of faces, as a mesh.
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context);

@@ -205,13 +205,10 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& va
         ->default_str(std::to_string(value));
 }
 
-CLI::Option* add_color(CLI::App& app, const std::string& name, Color& value,
+CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,
                        const std::string& description) {
-    std::array<char, 8> shown{};
-    std::snprintf(shown.data(), shown.size(), "#%02x%02x%02x", value.red, value.green, value.blue);
     return add_text(app, name, "COLOR", description + " (#rrggbb, " + color_names() + ")",
-                    [name, &value](const std::string& text) { value = parse_color(name, text); })
-        ->default_str(shown.data());
+                    [name, &value](const std::string& text) { value = parse_color(name, text); });
 }
 
 CLI::Option* add_image_size(CLI::App& app, const std::string& name, ImageSize& value,

@@ -47,7 +47,7 @@ struct Color {
     std::uint8_t red, green, blue;
 };
 /// `#rrggbb` or one of the names that the help lists.
-CLI::Option* add_color(CLI::App& app, const std::string& name, Color& value,
+CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,
                        const std::string& description);
 
 struct ImageSize {

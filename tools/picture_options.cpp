@@ -31,8 +31,13 @@ void PictureOptions::add_lights_to(CLI::App& app) {
 void PictureOptions::add_image_to(CLI::App& app) {
     constexpr const char* k_group = "Image";
     add_image_size(app, "--size", size, "Width and height in pixels")->group(k_group);
-    add_color(app, "--background", background, "Color behind everything")->group(k_group);
-    add_count(app, "--seed", seed, 0, 0xffffffffu, "Seed of all that is random")->group(k_group);
+    add_color(app, "--background", background,
+              "Color behind everything; the style's own if not given")
+        ->group(k_group);
+    // A command with a path has a seed already.
+    if (!app.get_option_no_throw("--seed"))
+        add_count(app, "--seed", seed, 0, 0xffffffffu, "Seed of all that is random")
+            ->group(k_group);
 }
 
 void PictureOptions::add_machine_to(CLI::App& app) {

@@ -27,7 +27,7 @@ struct PictureOptions {
 
     // Image.
     ImageSize size{1280, 960};
-    Color background{248, 244, 236};
+    std::optional<Color> background;  ///< Chosen by the style where not given.
     std::uint32_t seed = 1;
 
     // Machine.

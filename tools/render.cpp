@@ -1,41 +1,27 @@
 // rimline render: one picture of a model, or of the built-in scene.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/device.h"
 #include "engine/renderer.h"
-#include "engine/view_defaults.h"
 #include "engine/vulkan_instance.h"
 #include "silhouette/hough/hough_octree.h"
 #include "tools/command.h"
 #include "tools/model_argument.h"
 #include "tools/output_file.h"
 #include "tools/picture_options.h"
+#include "tools/picture_scene.h"
 #include "tools/progress.h"
+#include "tools/scene_options.h"
 
 namespace rimline::tools {
 
 namespace {
 
-constexpr const char* k_default_model = "shape:scene";
 constexpr const char* k_default_output = "rimline.png";
-// From where the built-in scene looks best.
-constexpr glm::dvec3 k_scene_view(0.22, 0.45, 1.0);
-// Of a ground, in the model's radii: where it has faded out, and where it ends.
-constexpr double k_ground_fade = 7.0;
-constexpr double k_ground_end = 8.0;
-
-glm::vec3 linear_from_srgb(const Color& color) {
-    const auto linear = [](std::uint8_t channel) {
-        const float c = static_cast<float>(channel) / 255.0f;
-        return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-    };
-    return {linear(color.red), linear(color.green), linear(color.blue)};
-}
 
 class RenderCommand final : public Command {
 public:
@@ -48,22 +34,7 @@ public:
             ->type_name("FILE.png")
             ->capture_default_str()
             ->group("Output");
-        constexpr const char* k_group = "Style";
-        app.add_option("--style", style_, "ink, toon, or mask (where light arrives)")
-            ->check(CLI::IsMember({"ink", "toon", "mask"}))
-            ->capture_default_str()
-            ->group(k_group);
-        app.add_option("--lines", lines_, "Silhouettes and borders: on or off")
-            ->check(CLI::IsMember({"on", "off"}))
-            ->capture_default_str()
-            ->group(k_group);
-        add_number(app, "--line-width", line_width_, 0.1, 100.0, "In pixels")->group(k_group);
-        app.add_flag("--hidden", hidden_, "Draw hidden lines too, faintly")->group(k_group);
-        app.add_option("--shadows", shadows_, "auto, fail (volumes by depth fail) or off")
-            ->check(CLI::IsMember({"auto", "fail", "off"}))
-            ->capture_default_str()
-            ->group(k_group);
-        app.add_flag("--ground", ground_, "A ground that catches the shadow")->group(k_group);
+        options_.add_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
@@ -93,14 +64,14 @@ public:
         });
         context.checkpoint();
 
-        Scene scene = make_scene(mesh, octree);
+        Scene scene = options_.make_scene(make_camera(mesh, model_.model, picture_), picture_);
         check_size(scene, mesh);
-        std::optional<Mesh> ground;
-        std::optional<HoughOctree> ground_octree;
-        if (ground_) {
-            ground.emplace(make_ground(mesh, up_of(mesh), k_ground_end * mesh.radius()));
-            ground_octree.emplace(*ground);
-            scene.instances.push_back(ground_instance(scene, mesh, *ground_octree));
+        scene.instances.push_back(
+            {.octree = &octree, .name = model_.model, .color = options_.surface_color(picture_)});
+        std::optional<Ground> ground;
+        if (options_.ground) {
+            ground.emplace(mesh, up_of(mesh, picture_), 0.0);
+            scene.instances.push_back(ground->instance(scene));
         }
         Renderer renderer(device.context());
         const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
@@ -119,77 +90,29 @@ public:
 private:
     // What is drawn beside the model must lie within the coordinates that silhouettes are found in.
     void check_size(const Scene& scene, const Mesh& mesh) const {
-        const double ground = ground_ ? 1.5 * k_ground_end * mesh.radius() : 0.0;
+        const double ground = options_.ground ? scene_reach(mesh, true) : 0.0;
         const glm::dvec3 reach =
             glm::max(glm::abs(scene.camera.eye), glm::abs(mesh.center()) + ground);
         if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
-            throw Error(ErrorCode::too_large, model_.model + ": too large to stand before" +
-                                                  (ground_ ? " or to lay a ground under" : "") +
-                                                  ": scale it down, coordinates end at 2^60");
+            throw Error(ErrorCode::too_large,
+                        model_.model + ": too large to stand before" +
+                            (options_.ground ? " or to lay a ground under" : "") +
+                            ": scale it down, coordinates end at 2^60");
     }
 
-    Style style() const {
-        return style_ == "toon" ? Style::toon : style_ == "mask" ? Style::mask : Style::ink;
-    }
-
-    glm::dvec3 up_of(const Mesh& mesh) const {
-        if (picture_.up) return glm::dvec3(*picture_.up);
-        return mesh.up() == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-    }
-
-    Camera make_camera(const Mesh& mesh) const {
-        const glm::dvec3 up = up_of(mesh);
-        const double aspect = double(picture_.size.width) / picture_.size.height;
-        Camera camera{.eye = {},
-                      .target = {},
-                      .up = up,
-                      .fov_y_deg = picture_.fov_degrees,
-                      .ortho_height = picture_.ortho_height.value_or(0.0)};
-        if (picture_.eye) {
-            camera.eye = glm::dvec3(*picture_.eye);
-            camera.target = picture_.target ? glm::dvec3(*picture_.target) : mesh.center();
-            if (camera.eye == camera.target)
-                throw UsageError(picture_.target ? "--eye and --target are the same point"
-                                                 : "--eye is the model's center, where it looks");
-            return camera;
-        }
-        const bool own_scene = model_.model == k_default_model;
-        camera =
-            fit_camera(camera, mesh, own_scene ? k_scene_view : default_view_direction(up), aspect);
-        if (picture_.target) {
-            camera.eye += glm::dvec3(*picture_.target) - camera.target;
-            camera.target = glm::dvec3(*picture_.target);
-        }
-        return camera;
-    }
-
-    Scene make_scene(const Mesh& mesh, const HoughOctree& octree) const {
-        const glm::vec3 background = linear_from_srgb(picture_.background);
-        Scene scene{.camera = make_camera(mesh),
-                    .style = style(),
-                    .palette = default_palette(style(), background),
-                    .shadows = shadows_ != "off",
-                    .lines = lines_ == "on",
-                    .line_width_px = static_cast<float>(line_width_),
-                    .hidden_line_strength = hidden_ ? 0.25f : 0.0f};
-        scene.instances.push_back(
-            {.octree = &octree, .color = default_surface_color(style(), background)});
-        for (const glm::vec3& light : picture_.lights)
-            scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
-        for (const glm::vec3& sun : picture_.suns)
-            scene.lights.push_back({.vector = glm::dvec3(sun), .directional = true});
-        if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));
-        return scene;
-    }
-
-    static SceneInstance ground_instance(const Scene& scene, const Mesh& mesh,
-                                         const HoughOctree& octree) {
-        return {.octree = &octree,
-                .color = scene.style == Style::mask ? glm::vec3(1.0f) : scene.palette.background,
-                .has_lines = false,
-                .casts_shadows = false,
-                .fade_radius = k_ground_fade * mesh.radius(),
-                .fade_center = mesh.center()};
+    static nlohmann::ordered_json shadows_of(const FrameReport& report) {
+        nlohmann::ordered_json shadows = nlohmann::ordered_json::array();
+        for (const ShadowReport& shadow : report.shadows)
+            shadows.push_back({{"instance", shadow.instance},
+                               {"light", shadow.light},
+                               {"method", name_of(shadow.choice.method)},
+                               {"method_reason", shadow.choice.method_reason},
+                               {"form", name_of(shadow.choice.form)},
+                               {"form_reason", shadow.choice.form_reason},
+                               {"bound", shadow.bound},
+                               {"runs", shadow.runs},
+                               {"light_moved", shadow.light_moved}});
+        return shadows;
     }
 
     void print_result(const Device& device, const VulkanInstance& instance,
@@ -201,7 +124,9 @@ private:
                     {"driver", device.facts().driver},
                     {"validation_messages", std::move(messages)},
                     {"silhouette", report.silhouette},
+                    {"creases", report.creases},
                     {"shadow_edges", report.shadow_edges},
+                    {"shadows", shadows_of(report)},
                     {"bytes_streamed", report.bytes_streamed},
                     {"bytes_full", report.bytes_full},
                     {"frame_ms", report.frame_ms},
@@ -211,7 +136,8 @@ private:
     void print_summary(const Device& device, const VulkanInstance& instance,
                        const FrameReport& report) const {
         std::printf("%s\n", output_.c_str());
-        std::printf("  lines       %u silhouette and border edges\n", report.silhouette);
+        std::printf("  lines       %u silhouette and border edges, %u creases\n", report.silhouette,
+                    report.creases);
         std::printf("  shadows     %u edges extruded\n", report.shadow_edges);
         std::printf("  streamed    %llu bytes\n",
                     static_cast<unsigned long long>(report.bytes_streamed));
@@ -224,12 +150,7 @@ private:
     ModelArgument model_;
     PictureOptions picture_;
     std::string output_ = k_default_output;
-    std::string style_ = "ink";
-    std::string lines_ = "on";
-    double line_width_ = 2.5;
-    bool hidden_ = false;
-    std::string shadows_ = "auto";
-    bool ground_ = false;
+    SceneOptions options_;
 };
 
 }  // namespace

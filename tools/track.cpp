@@ -16,15 +16,17 @@
 #include "tools/frame_check.h"
 #include "tools/model_argument.h"
 #include "tools/option_types.h"
+#include "tools/path_options.h"
 #include "tools/progress.h"
 #include "tools/stream_bytes.h"
-#include "tools/track_path.h"
 
 namespace rimline::tools {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double k_orbit_radius = 2.0;  // Of the model's; as the help says.
 
 double microseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
@@ -126,24 +128,11 @@ public:
 
     void add_options(CLI::App& app) override {
         model_.add_to(app);
-        constexpr const char* k_group = "Path";
-        app.add_option("--path", path_,
-                       "orbit, random, or a file of points, x y z or x y z w a line")
-            ->type_name("PATH")
-            ->capture_default_str()
-            ->group(k_group);
-        frames_option_ = add_count(app, "--frames", frames_, 1, 10'000'000,
-                                   "Number of frames; of a file the first so many, by default all")
-                             ->group(k_group);
-        orbit_options_ = {
-            add_number(app, "--radius", radius_, 0.0, 1e9, "Of the orbit, in the model's radii"),
-            add_number(app, "--step", step_degrees_, -360.0, 360.0,
-                       "Degrees a frame on the orbit (default: a whole turn in all frames)"),
+        path_.add_to(app, "2");
+        up_option_ =
             add_direction(app, "--up", up_,
-                          "The orbit's axis (default: y, or z where the file format says so)")};
-        for (CLI::Option* option : orbit_options_) option->group(k_group);
-        seed_option_ =
-            add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of the random path")->group(k_group);
+                          "The orbit's axis (default: y, or z where the file format says so)")
+                ->group("Path");
         add_points(app, "--origin", origins_,
                    "Origin of Hough space, one or several (default: the model's center)")
             ->group("Method");
@@ -162,18 +151,12 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        refuse_options_of_other_paths();
-        std::vector<HomogeneousPoint> points;
-        if (is_file()) points = points_of_file(context);  // A bad one is known before a long load.
+        path_.refuse(up_option_, "orbit");
+        path_.read(context);  // A bad file is known before a long load.
         const Mesh mesh = model_.load_mesh(context);
-        if (path_ == "random") {
-            points = random_path(mesh, seed_, frames_);
-        } else if (path_ == "orbit") {
-            const glm::vec3 own_up =
-                mesh.up() == UpAxis::z ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-            points = orbit_path(mesh, up_.value_or(own_up), radius_,
-                                step_degrees_.value_or(360.0 / frames_), frames_);
-        }
+        const glm::vec3 own_up = mesh.up() == UpAxis::z ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+        const std::vector<HomogeneousPoint> points =
+            path_.points(mesh, up_.value_or(own_up), k_orbit_radius);
 
         const Track track = about_model(
             model_.model, [&] { return follow(mesh, origins_, points, verify_, context); });
@@ -188,32 +171,6 @@ public:
     }
 
 private:
-    bool is_file() const { return path_ != "orbit" && path_ != "random"; }
-
-    // An option that the path would not heed is a mistake that nothing in the result shows.
-    void refuse_options_of_other_paths() const {
-        if (path_.empty())
-            throw UsageError("--path: expected orbit, random or a file of points, not ''");
-        const auto refuse = [&](const CLI::Option* option, const std::string& owner) {
-            if (option->count() > 0 && path_ != owner)
-                throw UsageError(option->get_name() + ": belongs to --path " + owner +
-                                 ", not to --path " + path_);
-        };
-        for (const CLI::Option* option : orbit_options_) refuse(option, "orbit");
-        refuse(seed_option_, "random");
-    }
-
-    std::vector<HomogeneousPoint> points_of_file(const Context& context) const {
-        Progress progress(context, "reading " + path_);
-        std::vector<HomogeneousPoint> points = read_path(path_, progress.call());
-        if (frames_option_->count() == 0) return points;
-        if (frames_ > points.size())
-            throw UsageError("--frames: " + path_ + " holds " + std::to_string(points.size()) +
-                             " points, fewer than the " + std::to_string(frames_) + " asked for");
-        points.resize(frames_);
-        return points;
-    }
-
     bool verified(const Track& track) const { return verify_ && track.difference.empty(); }
 
     void print_result(const Track& track) const {
@@ -222,7 +179,7 @@ private:
         nlohmann::ordered_json totals = to_json(track.totals);
         totals["max_us"] = track.max_us;
         print_json({{"model", model_.model},
-                    {"path", path_},
+                    {"path", path_.path},
                     {"build_ms", track.build_ms},
                     {"extraction_us", track.extraction_us},
                     {"frames", std::move(frames)},
@@ -249,15 +206,9 @@ private:
     }
 
     ModelArgument model_;
-    std::string path_ = "orbit";
-    std::uint32_t frames_ = 360;
-    CLI::Option* frames_option_ = nullptr;
-    std::vector<CLI::Option*> orbit_options_;
-    CLI::Option* seed_option_ = nullptr;
-    double radius_ = 2.0;
-    std::optional<double> step_degrees_;
+    PathOptions path_;
+    CLI::Option* up_option_ = nullptr;
     std::optional<glm::vec3> up_;
-    std::uint32_t seed_ = 1;
     bool verify_ = false;
     std::vector<glm::vec3> origins_;
 };

@@ -1,6 +1,7 @@
 // Stands in for the subcommands that need Vulkan in a build without it: they say so, whatever they are
 // asked.
 
+#include "tools/bench_engine_request.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
@@ -33,8 +34,18 @@ std::unique_ptr<Command> make_render_command() {
     return std::make_unique<WithoutEngineCommand>("render", "Draw one picture");
 }
 
+std::unique_ptr<Command> make_animate_command() {
+    return std::make_unique<WithoutEngineCommand>("animate", "Draw a sequence of pictures");
+}
+
 std::unique_ptr<Command> make_devices_command() {
     return std::make_unique<WithoutEngineCommand>("devices", "List the Vulkan devices");
+}
+
+ExitStatus run_bench_engine(const EngineBenchRequest&, const Context&) {
+    throw Error(ErrorCode::no_device,
+                "bench engine: this rimline was built without the engine; configure it with "
+                "-DRIMLINE_ENGINE=ON and build again");
 }
 
 }  // namespace rimline::tools

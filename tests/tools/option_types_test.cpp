@@ -127,14 +127,15 @@ TEST_CASE("an image size is WxH within bounds") {
 
 TEST_CASE("a color is six digits after # or a name") {
     CLI::App app;
-    Color color{};
+    std::optional<Color> color;
     add_color(app, "--background", color, "");
+    CHECK_FALSE(color);
     REQUIRE(parses(app, {"--background", "#0aF3ff"}));
-    CHECK(color.red == 0x0a);
-    CHECK(color.green == 0xf3);
-    CHECK(color.blue == 0xff);
+    CHECK(color->red == 0x0a);
+    CHECK(color->green == 0xf3);
+    CHECK(color->blue == 0xff);
     REQUIRE(parses(app, {"--background", "black"}));
-    CHECK(color.green == 0);
+    CHECK(color->green == 0);
     for (const char* text :
          {"", "#", "#fff", "#-12345", "#12345g", "#1234567", "123456", "Black"}) {
         CAPTURE(text);

@@ -18,7 +18,7 @@ import tempfile
 import time
 
 PROGRAM = os.path.abspath(sys.argv[1])
-COMMANDS = ("render", "info", "silhouette", "track", "bench", "devices")
+COMMANDS = ("render", "animate", "info", "silhouette", "track", "bench", "view", "devices")
 
 
 def run(*arguments, **options):
@@ -151,7 +151,7 @@ def test_wrong_usage_is_told_in_plain_words():
     assert "--origin: belongs to --method octree, literal or dual" in fail(2, *view, "--method", "brute", "--origin", "0,0,0")
     assert "several belong to --method octree" in fail(2, *view, "--method", "literal", "--origin", "0,0,0", "--origin", "1,0,0")
     assert "--seed: belongs to --method randomised" in fail(2, *view, "--seed", "3")
-    assert "SUITE: expected one of {hough,service}, not 'foo'" in fail(2, "bench", "foo")
+    assert "SUITE: expected one of {hough,service,engine}, not 'foo'" in fail(2, "bench", "foo")
     assert "MODEL: expected a file or shape:NAME" in fail(2, "info", "")
     apart = succeed("silhouette", "shape:box", "--from", " 1, 2 ,+3")
     assert apart["edges"] == succeed(*view)["edges"]
@@ -587,6 +587,27 @@ def test_devices_tells_why_each_was_or_was_not_chosen():
     assert "'no such device'" in line and devices[0]["name"] in line
 
 
+def test_bench_engine_compares_and_then_measures():
+    have_device()
+    few = ("--frames", "2", "--rounds", "1", "--viewpoints", "4")
+    result = succeed("bench", "engine", "shape:knot:2000", *few)
+    assert result["device"]["name"] and result["viewpoints"] == 4
+    [model] = result["models"]
+    assert model["verified"] is True and model["closed"] is True
+    assert all(0 < b["streamed"] <= b["full"] for b in model["bytes"]), model["bytes"]
+    for table in ("lines", "visible_ratios"):
+        assert len(model[table]) >= 2 and model[table][0]["ratio"] == 1
+        assert all(way["median_ms"] > 0 for way in model[table])
+    growth = succeed("bench", "engine", "--growth", *few[:2], "--least-faces", "1000", "--most-faces", "3000")
+    assert [step["verified"] for step in growth["growth"]] == [True, True]
+    assert all(0 < step["move_ms"] <= step["stream_ms"] for step in growth["growth"])
+    assert "--device: belongs to the suite engine" in fail(2, "bench", "hough", "--device", "cpu")
+    assert "--methods: belongs to the suite hough" in fail(2, "bench", "engine", "--methods")
+    assert "no size from 5 to 6 faces" in fail(
+        1, "bench", "engine", "--growth", "--least-faces", "5", "--most-faces", "6")
+    assert run("bench", "engine", "no such file.ply").stdout == ""
+
+
 def test_render_without_a_model_draws_the_built_in_scene():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
@@ -601,6 +622,7 @@ def test_render_draws_every_style_camera_and_light():
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "a.png")
         for options in ([], ["--style", "toon", "--ground"], ["--style", "mask", "--lines", "off"],
+                        ["--style", "blueprint", "--crease", "25"], ["--style", "hatch", "--ground"],
                         ["--ortho", "3", "--hidden"], ["--eye", "3,2,4", "--target", "0,0.2,0", "--fov", "60"],
                         ["--light", "2,3,2", "--light=-2,3,1", "--sun", "0,1,0"], ["--shadows", "off"],
                         ["--up", "0,0,1"], ["--background", "#102030", "--line-width", "5"],
@@ -610,6 +632,28 @@ def test_render_draws_every_style_camera_and_light():
             check_render(result, output, (96, 64))
             assert result["validation_messages"] is None
             assert (result["shadow_edges"] == 0) == ("--shadows" in options)
+
+
+def test_render_casts_the_same_shadows_by_every_method():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        pictures = []
+        for method in ("fail", "pass", "auto"):
+            output = os.path.join(folder, method + ".png")
+            result = succeed("render", "shape:knot:2000", "-o", output, "--size", "96x64", "--ground",
+                             "--eye", "3,2.5,4", "--sun", "1,2,1", "--shadows", method)
+            [shadow] = result["shadows"]
+            assert shadow["instance"] == 0 and shadow["light"] == 0
+            assert shadow["method"] == ("fail" if method == "fail" else "pass")
+            assert shadow["form"] == "single"
+            assert shadow["method_reason"] and shadow["form_reason"]
+            with open(output, "rb") as file:
+                pictures.append(file.read())
+        assert pictures[0] == pictures[1] == pictures[2]
+        # Where depth pass is not shown to be right it is not taken, whatever is asked for.
+        result = succeed("render", "shape:terrain:500", "-o", output, "--size", "64x64", "--shadows", "pass",
+                         "--light", "0,0.2,0", "--eye", "0.1,0.05,0.1")
+        assert [(s["method"], s["form"]) for s in result["shadows"]] == [("fail", "general")]
 
 
 def test_render_is_silent_under_validation():
@@ -625,6 +669,78 @@ def test_render_is_silent_under_validation():
         assert json.loads(result.stdout)["validation_messages"] == 0
 
 
+def have_window():
+    have_device()
+    if "not in this build" in run("--help").stdout:
+        print("SKIPPED: built without the window")
+        sys.exit(77)
+
+
+class Display:
+    """Xvfb while the block runs; `environment` shows on it."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        try:
+            self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-nolisten", "tcp"], pass_fds=[write],
+                                           stderr=subprocess.DEVNULL)
+        except FileNotFoundError:
+            print("SKIPPED: no Xvfb")
+            sys.exit(77)
+        os.close(write)
+        with os.fdopen(read) as numbers:
+            number = numbers.readline().strip()
+        assert number, "Xvfb did not start"
+        self.environment = {k: v for k, v in os.environ.items() if k != "WAYLAND_DISPLAY"} | {"DISPLAY": ":" + number}
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+def test_view_shows_the_picture_that_render_draws():
+    have_window()
+    with tempfile.TemporaryDirectory() as folder, Display() as display:
+        drawn, shown = os.path.join(folder, "drawn.png"), os.path.join(folder, "shown.png")
+        for options in (["shape:knot:3000", "--ground", "--light", "2,5,1"],
+                        ["shape:box", "--style", "toon", "--eye", "3,2,4", "--sun", "1,2,1", "--hidden"],
+                        ["shape:torus:2000", "--ortho", "3", "--line-width", "4", "--background", "#102030"]):
+            options += ["--size", "200x150"]
+            assert run("render", *options, "-o", drawn).returncode == 0
+            result = run("view", *options, "--no-panel", "--frames", "2", "--screenshot", shown, env=display.environment)
+            assert result.returncode == 0 and result.stdout == result.stderr == "", result.stderr
+            with open(drawn, "rb") as a, open(shown, "rb") as b:
+                assert a.read() == b.read(), options
+        result = run("view", "shape:box", "--frames", "3", "--inspect", "--silhouette-from", "2,1,0", "--size", "640x480",
+                     "--screenshot", shown, env=display.environment)
+        assert result.returncode == 0 and png_size(shown) == (640, 480), result.stderr
+
+
+def test_view_without_a_display_says_what_to_do():
+    have_window()
+    with tempfile.TemporaryDirectory() as folder:
+        bare = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        picture = os.path.join(folder, "a.png")
+        result = run("view", "shape:box", "--frames", "1", "--screenshot", picture, env=bare)
+        assert result.returncode == 1 and result.stdout == ""
+        assert result.stderr.startswith("rimline: error: no display: set DISPLAY") and "rimline render" in result.stderr
+        assert os.listdir(folder) == []
+        assert "--frames" in fail(2, "view", "shape:box", "--screenshot", picture)
+        fail(2, "view", "shape:box", "--json")
+
+
+def test_a_machine_without_devices_ends_with_one_line():
+    with tempfile.TemporaryDirectory() as folder:
+        for variable in ("VK_ICD_FILENAMES", "VK_DRIVER_FILES"):
+            result = run("render", "shape:box", "-o", os.path.join(folder, "a.png"),
+                         env={**os.environ, variable: "/nonexistent"})
+            assert result.returncode == 1, result
+            assert result.stderr.startswith("rimline: error: there is no Vulkan device: "), result.stderr
+            assert result.stderr.count("\n") == 1, result.stderr
+            assert os.listdir(folder) == []
+
+
 def test_render_leaves_nothing_behind_when_it_fails():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
@@ -634,10 +750,127 @@ def test_render_leaves_nothing_behind_when_it_fails():
             fail(1, "render", "-o", output, *options)
             assert os.listdir(folder) == []
         fail(1, "render", "shape:box", "-o", os.path.join(folder, "gone", "a.png"))
-        for options in (["--eye", "0,0,0", "--target", "0,0,0"], ["--style", "oil"], ["--ortho", "0"],
-                        ["--size", "0x5"], ["--sun", "0,0,0"], ["--shadows", "pass"]):
+        for options in (["--eye", "0,0,0", "--target", "0,0,0"], ["--style", "oil"], ["--ortho", "0"], ["--crease", "9"],
+                        ["--size", "0x5"], ["--sun", "0,0,0"], ["--shadows", "on"]):
             fail(2, "render", "shape:box", "-o", output, *options)
             assert os.listdir(folder) == []
+
+
+def check_animate(result, output, frame_count, size):
+    keys = ("flips", "added", "removed", "silhouette", "box_checks", "face_checks", "edge_checks", "shadow_edges",
+            "bytes_streamed", "bytes_full")
+    frames, totals = result["frames"], result["totals"]
+    assert len(frames) == frame_count and result["output"] == output
+    for frame in frames:
+        assert all(is_count(frame[k]) for k in keys) and frame["us"] >= 0 and frame["frame_ms"] > 0
+    for key in keys:
+        assert totals[key] == sum(frame[key] for frame in frames), key
+    assert totals["max_frame_ms"] == max(frame["frame_ms"] for frame in frames)
+    for before, after in zip(frames, frames[1:]):
+        assert after["silhouette"] - before["silhouette"] == after["added"] - after["removed"]
+    assert frames[0]["flips"] == frames[0]["added"] == frames[0]["removed"] == 0
+    assert sorted(os.listdir(output)) == [f"frame_{i:04}.png" for i in range(frame_count)]
+    assert all(png_size(os.path.join(output, name)) == size for name in os.listdir(output))
+
+
+SMALL = ("--size", "64x48")
+
+
+def test_animate_draws_every_motion():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        points = os.path.join(folder, "points.txt")
+        with open(points, "w") as file:
+            # Beside, a direction, the center itself, and far away.
+            file.write("3 2 1\n0 1 0.2 0\n0 0 0\n0 0 1e6\n")
+        for i, (options, count) in enumerate((
+                (["--frames", "4", "--step", "5"], 4), (["--path", "random", "--seed", "5", "--frames", "6"], 6),
+                (["--path", points, "--style", "toon"], 4), (["--path", points, "--ortho", "3", "--frames", "2"], 2),
+                (["--frames", "3", "--light-step", "30", "--ground", "--light", "2,3,1"], 3),
+                (["--frames", "3", "--light-follow", "--up", "0,0,1", "--radius", "3"], 3),
+                (["--frames", "4", "--deform", "wave", "--ground", "--sun", "1,2,1"], 4),
+                (["--frames", "3", "--deform", "wave", "--wave-step", "-90", "--eye", "3,2,4"], 3))):
+            output = os.path.join(folder, str(i))
+            result = succeed("animate", "shape:knot:1000", "-o", output, *SMALL, *options)
+            check_animate(result, output, count, (64, 48))
+            deforms = "--deform" in options
+            assert (result["totals"]["box_checks"] == 0) == deforms
+            assert (result["totals"]["bytes_streamed"] == 0) == deforms
+            # Something moves in every one of them.
+            assert result["totals"]["flips"] > 0 or "--light-step" in options or "--ortho" in options
+
+
+def test_animate_streams_what_track_finds_and_draws_what_render_draws():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "frames")
+        shape = "shape:torus:3000"
+        path = ["--frames", "5", "--step", "0.5", "--radius", "3"]
+        animated = succeed("animate", shape, "-o", output, *SMALL, *path)["frames"]
+        tracked = succeed("track", shape, *path)["frames"]
+        for key in ("flips", "added", "removed", "silhouette"):
+            assert [f[key] for f in animated] == [f[key] for f in tracked], key
+        found = succeed("info", shape)
+        eye = [found["center"][0] + 3 * found["radius"], *found["center"][1:]]
+        rendered = os.path.join(folder, "a.png")
+        sun = ["--sun", "1,2,3"]
+        succeed("animate", shape, "-o", output, *SMALL, *path, *sun)
+        succeed("render", shape, "-o", rendered, *SMALL, *sun, "--eye", ",".join(f"{x:.17g}" for x in eye))
+        with open(rendered, "rb") as one, open(os.path.join(output, "frame_0000.png"), "rb") as other:
+            assert one.read() == other.read()
+
+
+def test_animate_is_silent_under_validation():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "frames")
+        for options in ([], ["--deform", "wave"]):
+            result = run("animate", "shape:terrain:500", "-o", output, "--frames", "3", "--ground", "--json",
+                         "--validate", *SMALL, *options)
+            if result.returncode == 1 and "vulkan-validationlayers" in result.stderr:
+                print("SKIPPED: " + result.stderr.strip())
+                sys.exit(77)
+            assert result.returncode == 0, result.stderr
+            assert json.loads(result.stdout)["validation_messages"] == 0
+
+
+def test_animate_leaves_nothing_behind_when_it_fails():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "frames")
+        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"], ["shape:box", "--path", "gone.txt"],
+                        ["shape:box", "--size", "16384x16384"]):
+            fail(1, "animate", "-o", output, *options)
+            assert os.listdir(folder) == []
+        assert "gone" in fail(1, "animate", "shape:box", "-o", os.path.join(folder, "gone", "frames"))
+        for options in (["--step", "1", "--path", "random"], ["--eye", "3,2,1", "--step", "2"], ["--wave-step", "3"],
+                        ["--light-step", "1", "--light-follow"], ["--deform", "melt"], ["--frames", "0"]):
+            fail(2, "animate", "shape:box", "-o", output, *options)
+            assert os.listdir(folder) == []
+        with open(output, "w"):
+            pass
+        assert "not a folder" in fail(1, "animate", "shape:box", "-o", output)
+
+
+def test_an_interrupted_animation_leaves_whole_frames():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "frames")
+        process = subprocess.Popen([PROGRAM, "animate", "shape:box", "--frames", "100000", "-o", output, *SMALL],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        # Some frames must be there, whatever the machine's pace.
+        deadline = time.monotonic() + 200
+        while (not os.path.isdir(output) or len(os.listdir(output)) < 3) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=300)
+        assert process.returncode == -signal.SIGINT, (process.returncode, err)
+        assert out == "" and err == "rimline: error: cancelled\n", (out, err)
+        names = sorted(os.listdir(output))
+        assert len(names) >= 2 and names == [f"frame_{i:05}.png" for i in range(len(names))]
+        for name in names:
+            with open(os.path.join(output, name), "rb") as file:
+                assert file.read().endswith(b"IEND\xaeB`\x82"), name
 
 
 def test_the_bunny_is_counted_and_verified():

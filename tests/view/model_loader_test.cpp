@@ -1,0 +1,74 @@
+#include "tools/view/model_loader.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "tests/tools/scratch_folder.h"
+
+using namespace rimline;
+using namespace rimline::tools;
+
+namespace {
+
+ModelLoader::Result wait_for(ModelLoader& loader) {
+    for (;;) {
+        if (auto result = loader.take()) return std::move(*result);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("threads");
+
+TEST_CASE("a model is opened beside its window, which is woken when it is there") {
+    std::atomic<int> wakes{0};
+    ModelLoader loader([&] { ++wakes; });
+    CHECK_FALSE(loader.stage());
+    loader.open("shape:torus:2000");
+    const ModelLoader::Result result = wait_for(loader);
+    REQUIRE(result.model);
+    CHECK(result.error.empty());
+    CHECK(result.model->name() == "shape:torus:2000");
+    CHECK(result.model->mesh().face_count() > 500);
+    CHECK(result.model->face_tree().block_count() == result.model->octree().block_count());
+    CHECK(wakes > 0);
+    CHECK_FALSE(loader.stage());
+    CHECK_FALSE(loader.take());
+}
+
+TEST_CASE("what cannot be opened is told in words that name it, and the next model opens") {
+    tests::ScratchFolder folder;
+    const std::string broken = (folder / "broken.obj").string();
+    std::ofstream(broken) << "v 0 0 0\nv 1 0 0\nf 1 2 9\n";
+    ModelLoader loader;
+    for (const std::string& name :
+         {broken, (folder / "missing.ply").string(), std::string("shape:nonesuch")}) {
+        loader.open(name);
+        const ModelLoader::Result result = wait_for(loader);
+        CHECK_FALSE(result.model);
+        const std::string tail = name.substr(name.find_last_of("/:") + 1);
+        CHECK_MESSAGE(result.error.find(tail) != std::string::npos, result.error);
+    }
+    loader.open("shape:box");
+    CHECK(wait_for(loader).model);
+}
+
+TEST_CASE("opening another model drops the one before, and cancelling drops all") {
+    ModelLoader loader;
+    for (int i = 0; i < 20; ++i) loader.open("shape:knot:200000");
+    loader.open("shape:sphere:500");
+    const ModelLoader::Result result = wait_for(loader);
+    REQUIRE(result.model);
+    CHECK(result.model->name() == "shape:sphere:500");
+    loader.open("shape:knot:200000");
+    loader.cancel();
+    CHECK_FALSE(loader.take());
+    CHECK_FALSE(loader.stage());
+}
+
+TEST_SUITE_END();

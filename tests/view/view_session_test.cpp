@@ -1,0 +1,152 @@
+#include "tools/view/view_session.h"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include "tools/view/camera_motion.h"
+#include "tools/view/screen_view.h"
+
+using namespace rimline;
+using namespace rimline::tools;
+
+namespace {
+
+std::unique_ptr<OpenedModel> open(const std::string& name) {
+    return std::make_unique<OpenedModel>(name, 0, [](const std::string&) { return LongCall{}; });
+}
+
+// Whether every vertex of the shown model is in a picture of this aspect.
+bool all_in_view(const ViewSession& session, double aspect) {
+    const ScreenView view(session.camera, {aspect, 1.0});
+    for (const glm::vec3& position : session.model().mesh().positions()) {
+        const auto pixel = view.pixel_of(glm::dvec3(position));
+        if (!pixel || pixel->x < 0.0 || pixel->x > aspect || pixel->y < 0.0 || pixel->y > 1.0)
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look says") {
+    ViewSession session;
+    CHECK_FALSE(session.has_model());
+    for (const double aspect : {0.5, 1.0, 2.5}) {
+        session.show(open("shape:spring"), aspect);
+        CHECK(all_in_view(session, aspect));
+    }
+    CHECK(session.lights.size() == 1);
+    session.look.style = Style::toon;
+    session.look.line_width_px = 4.0f;
+    session.look.lines = false;
+    session.look.shadows = false;
+    const Scene scene = session.scene();
+    REQUIRE(scene.instances.size() == 1);
+    CHECK(scene.instances[0].octree == &session.model().octree());
+    CHECK(scene.style == Style::toon);
+    CHECK(scene.line_width_px == 4.0f);
+    CHECK_FALSE(scene.lines);
+    CHECK_FALSE(scene.shadows);
+    CHECK_FALSE(scene.silhouette_camera);
+    session.look.ground = true;
+    CHECK(session.scene().instances.size() == 2);
+}
+
+TEST_CASE("a frozen silhouette stays that of where the camera was") {
+    ViewSession session;
+    session.show(open("shape:knot:4000"), 1.5);
+    const HomogeneousPoint before = session.silhouette_point();
+    CHECK(before == HomogeneousPoint::viewpoint(glm::vec3(session.camera.eye)));
+    session.freeze();
+    orbit(session.camera, {1.0, 0.3});
+    CHECK(session.silhouette_point() == before);
+    const Scene scene = session.scene();
+    REQUIRE(scene.silhouette_camera);
+    CHECK(glm::vec3(scene.silhouette_camera->eye) == before.xyz());
+    CHECK(scene.camera.eye != scene.silhouette_camera->eye);
+    session.thaw();
+    CHECK(session.silhouette_point() == HomogeneousPoint::viewpoint(glm::vec3(session.camera.eye)));
+    session.freeze();
+    session.show(open("shape:box"), 1.5);
+    CHECK_FALSE(session.frozen());
+}
+
+TEST_CASE("another lens keeps the size of what lies at the target") {
+    ViewSession session;
+    session.show(open("shape:torus"), 1.0);
+    const double height = view_height(session.camera);
+    session.look.fov_y_deg = 70.0;
+    session.apply_lens();
+    CHECK(view_height(session.camera) == doctest::Approx(height));
+    session.look.orthographic = true;
+    session.apply_lens();
+    CHECK(session.camera.is_orthographic());
+    CHECK(view_height(session.camera) == doctest::Approx(height));
+    CHECK(session.silhouette_point().is_direction());
+    session.look.orthographic = false;
+    session.apply_lens();
+    CHECK_FALSE(session.camera.is_orthographic());
+    CHECK(view_height(session.camera) == doctest::Approx(height));
+}
+
+TEST_CASE("fitting brings the model back into view from where the camera is, by any lens") {
+    ViewSession session;
+    session.show(open("shape:spring"), 1.2);
+    for (const bool orthographic : {false, true}) {
+        session.look.orthographic = orthographic;
+        session.apply_lens();
+        orbit(session.camera, {2.0, -0.4});
+        pan(session.camera, {3.0, 1.0});
+        const glm::dvec3 ahead = glm::normalize(session.camera.target - session.camera.eye);
+        session.fit(1.2);
+        CHECK(all_in_view(session, 1.2));
+        CHECK(glm::distance(glm::normalize(session.camera.target - session.camera.eye), ahead) <
+              1e-9);
+    }
+}
+
+TEST_CASE("what cannot be drawn gives way to the model before it") {
+    ViewSession session;
+    CHECK_FALSE(session.show_previous(1.0));
+    session.show(open("shape:box"), 1.0);
+    session.forget_previous();
+    CHECK_FALSE(session.show_previous(1.0));
+    session.show(open("shape:sphere:500"), 1.0);
+    CHECK(session.model().name() == "shape:sphere:500");
+    CHECK(session.show_previous(1.0));
+    CHECK(session.model().name() == "shape:box");
+    CHECK_FALSE(session.show_previous(1.0));
+}
+
+TEST_CASE("up is what is chosen: the ground follows it") {
+    ViewSession session;
+    session.show(open("shape:box"), 1.0);
+    session.look.ground = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 up(0.0);
+        up[axis] = 1.0;
+        set_up(session.camera, up);
+        const Mesh& ground = session.scene().instances[1].octree->mesh();
+        for (const glm::vec3& corner : ground.positions())
+            CHECK(corner[axis] == doctest::Approx(-1.0).epsilon(0.01));
+        // The same one in every frame: a renderer knows it by its address.
+        CHECK(&ground == &session.scene().instances[1].octree->mesh());
+    }
+}
+
+TEST_CASE("lights that are added differ, and any can go") {
+    ViewSession session;
+    session.show(open("shape:box"), 1.0);
+    for (int i = 0; i < 5; ++i) session.add_light();
+    REQUIRE(session.lights.size() == 6);
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            CHECK(glm::distance(session.lights[i].vector, session.lights[j].vector) > 0.2);
+    const Light second = session.lights[1];
+    session.remove_light(0);
+    CHECK(session.lights[0].vector == second.vector);
+    while (!session.lights.empty()) session.remove_light(session.lights.size() - 1);
+    session.add_light();
+    CHECK(session.lights.size() == 1);
+}

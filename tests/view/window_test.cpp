@@ -1,0 +1,245 @@
+// The window under Xvfb: what it shows is what `rimline render` draws, whatever happens to it.
+
+#include "tools/view/window.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <thread>
+
+#include "engine/device.h"
+#include "engine/view_defaults.h"
+#include "tests/skip.h"
+#include "tests/tools/scratch_folder.h"
+#include "tests/view/virtual_display.h"
+#include "tools/view/camera_motion.h"
+#include "tools/view/view_loop.h"
+
+using namespace rimline;
+using namespace rimline::tools;
+
+namespace {
+
+constexpr int k_width = 320;
+constexpr int k_height = 240;
+
+// A window with a small model in it, and everything it needs; validation on where it is installed.
+class Shown {
+public:
+    explicit Shown(ViewLoopOptions options)
+        : window("test", k_width, k_height), instance(make_instance(window)) {
+        session.look.ground = true;
+        session.show(std::make_unique<OpenedModel>("shape:knot:3000", 0,
+                                                   [](const std::string&) { return LongCall{}; }),
+                     double(k_width) / k_height);
+        loop.emplace(window, *instance, session, options);
+    }
+    ~Shown() {
+        loop.reset();
+        const std::string first = instance->first_validation_message();
+        CHECK_MESSAGE(instance->validation_message_count().value_or(0) == 0, first);
+    }
+
+    // What the window shows in the next frame.
+    Picture capture() {
+        loop->capture_next();
+        for (int attempt = 0; attempt < 100 && !loop->turn(true); ++attempt)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return loop->captured();
+    }
+
+    // The same scene by a device and a renderer of its own, as `rimline render` draws it.
+    Picture rendered(std::uint32_t width, std::uint32_t height) const {
+        const VulkanInstance own;
+        const Device device(own);
+        Renderer renderer(device.context());
+        return renderer.render(session.scene(), width, height);
+    }
+
+    void resize(int width, int height) {
+        window.set_size(width, height);
+        const auto arrived = [&] {
+            const VkExtent2D size = window.size_px();
+            return size.width == static_cast<std::uint32_t>(width) &&
+                   size.height == static_cast<std::uint32_t>(height);
+        };
+        for (int attempt = 0; attempt < 400 && !arrived(); ++attempt) window.poll(0.01);
+        REQUIRE(arrived());
+    }
+
+    Window window;
+    std::unique_ptr<VulkanInstance> instance;
+    ViewSession session;
+    std::optional<ViewLoop> loop;
+
+private:
+    static std::unique_ptr<VulkanInstance> make_instance(const Window& window) {
+        try {
+            return std::make_unique<VulkanInstance>(
+                InstanceOptions{.validate = true, .window_extensions = window.vulkan_extensions()});
+        } catch (const Error& error) {
+            MESSAGE("without validation: ", std::string(error.what()));
+            return std::make_unique<VulkanInstance>(
+                InstanceOptions{.window_extensions = window.vulkan_extensions()});
+        }
+    }
+};
+
+// The greatest difference of a channel; 256 where the sizes differ.
+int difference(const Picture& a, const Picture& b) {
+    if (a.width != b.width || a.height != b.height || a.rgba.size() != b.rgba.size()) return 256;
+    int greatest = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        if (i % 4 != 3) greatest = std::max(greatest, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
+    return greatest;
+}
+
+// Whether there is something to compare at all.
+int contrast(const Picture& picture) {
+    int least = 255;
+    int greatest = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        least = std::min<int>(least, picture.rgba[i]);
+        greatest = std::max<int>(greatest, picture.rgba[i]);
+    }
+    return greatest - least;
+}
+
+}  // namespace
+
+/// Defines `display`, or ends the case as skipped where there is none or no Vulkan device.
+#define RIMLINE_OPEN_DISPLAY(display)                                   \
+    std::string display##_reason;                                       \
+    const auto display = tests::VirtualDisplay::open(display##_reason); \
+    if (!display) RIMLINE_SKIP(display##_reason);                       \
+    try {                                                               \
+        const VulkanInstance probe;                                     \
+        const Device device(probe);                                     \
+    } catch (const Error& error) {                                      \
+        RIMLINE_SKIP(error.what());                                     \
+    }
+
+TEST_CASE(
+    "a window without its panel shows the picture that render draws, before and after resizes") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const Picture first = shown.capture();
+    CHECK(contrast(first) > 100);
+    CHECK(difference(first, shown.rendered(k_width, k_height)) <= 1);
+    for (const auto& [width, height] : {std::pair{401, 203}, {160, 300}, {k_width, k_height}}) {
+        shown.resize(width, height);
+        const Picture resized = shown.capture();
+        CHECK(resized.width == static_cast<std::uint32_t>(width));
+        CHECK(difference(resized, shown.rendered(resized.width, resized.height)) <= 1);
+    }
+    CHECK(difference(first, shown.capture()) == 0);
+}
+
+TEST_CASE(
+    "many frames of a moving camera, resized all along, are drawn without a word of validation") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    for (int i = 0; i < 24; ++i) {
+        if (i % 6 == 5) shown.window.set_size(200 + 13 * i, 240 - 5 * i);
+        orbit(shown.session.camera, {0.1, 0.02});
+        shown.loop->turn(true);
+    }
+    const Picture last = shown.capture();
+    CHECK(difference(last, shown.rendered(last.width, last.height)) <= 1);
+}
+
+TEST_CASE("after a lost device the window shows the same picture again") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const Picture before = shown.capture();
+    for (std::uint32_t i = 1; i <= 2; ++i) {
+        shown.loop->renderer().remake();
+        CHECK(shown.loop->renderer().remade() == i);
+        CHECK(difference(before, shown.capture()) == 0);
+    }
+}
+
+TEST_CASE("a window of no size has no image, and has one again when it has a size") {
+    RIMLINE_OPEN_DISPLAY(display);
+    const Window window("test", k_width, k_height);
+    const VulkanInstance instance({.window_extensions = window.vulkan_extensions()});
+    const Device device(instance);
+    const WindowSurface surface = window.make_surface(instance.handle());
+    Swapchain swapchain(device.context(), surface.get(), 1);
+    CHECK_FALSE(swapchain.acquire(0, {0, 0}));
+    CHECK_FALSE(swapchain.acquire(0, {k_width, 0}));
+    CHECK(swapchain.generation() == 0);
+    REQUIRE(swapchain.acquire(0, {k_width, k_height}));
+    CHECK(swapchain.extent().width == k_width);
+    CHECK(swapchain.extent().height == k_height);
+    // Its image is waited for, as a frame would.
+    const VkSemaphoreSubmitInfo wait{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                     .semaphore = swapchain.acquired(),
+                                     .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .waitSemaphoreInfoCount = 1,
+                               .pWaitSemaphoreInfos = &wait};
+    CHECK(vkQueueSubmit2(device.context().queue, 1, &submit, VK_NULL_HANDLE) == VK_SUCCESS);
+    vkDeviceWaitIdle(device.context().device);
+}
+
+TEST_CASE("the panel lies over the picture and leaves the rest of it as it is") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true, .fits = false});
+    shown.resize(900, 500);
+    shown.session.lights = {{.vector = {0, 0, -1}, .directional = true}};
+    shown.capture();  // The toolkit lays out its windows in the first frame.
+    const Picture with_panel = shown.capture();
+    const Picture picture = shown.rendered(900, 500);
+    REQUIRE(with_panel.rgba.size() == picture.rgba.size());
+    std::size_t changed_left = 0;
+    std::size_t changed_right = 0;
+    for (std::uint32_t y = 0; y < 500; ++y)
+        for (std::uint32_t x = 0; x < 900; ++x) {
+            const std::size_t at = 4 * (std::size_t{y} * 900 + x);
+            const bool changed = std::abs(int(with_panel.rgba[at]) - int(picture.rgba[at])) > 1;
+            (x < 320 ? changed_left : changed_right) += changed;
+        }
+    CHECK(changed_left > 10'000);
+    // The sun's handle.
+    CHECK(changed_right < 3'000);
+}
+
+TEST_CASE("a model opened in the window takes the other's place, and a broken one does not") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    const auto load = [&](const std::string& name) {
+        shown.loop->open(name);
+        for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->turn(true);
+        shown.loop->turn(true);
+        shown.loop->turn(true);
+    };
+    load("shape:torus:2000");
+    CHECK(shown.session.model().name() == "shape:torus:2000");
+    CHECK(shown.loop->message().empty());
+    tests::ScratchFolder folder;
+    tests::write_bytes(folder / "broken.obj", "v 0 0 0\nf 1 2 3\n");
+    load((folder / "broken.obj").string());
+    CHECK(shown.session.model().name() == "shape:torus:2000");
+    CHECK(shown.loop->message().find("broken.obj") != std::string::npos);
+    load("shape:box");
+    CHECK(shown.session.model().name() == "shape:box");
+    CHECK(shown.loop->message().empty());
+}
+
+TEST_CASE("without a display the error says what to set and what else to use") {
+    unsetenv("WAYLAND_DISPLAY");
+    setenv("DISPLAY", ":67890", 1);
+    try {
+        const Window window("test", k_width, k_height);
+        FAIL("there is no such display");
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        CHECK(error.code() == ErrorCode::no_device);
+        CHECK(message.find("DISPLAY") != std::string::npos);
+        CHECK(message.find("rimline render") != std::string::npos);
+    }
+}

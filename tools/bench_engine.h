@@ -1,0 +1,57 @@
+#pragma once
+
+// `rimline bench engine`: what is streamed, frames with lines against the paths that look at the whole
+// mesh, shadow volumes, and visible ratios against one target with a barrier for each viewpoint.
+//
+// Ways of doing one thing take turns, frame by frame; a way's time is the median. Pictures and counts
+// are compared first. Times are the clock's, from moving the trackers to the finished picture.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/device.h"
+#include "silhouette/mesh/mesh.h"
+#include "tools/bench_engine_request.h"
+#include "tools/bench_targets.h"
+#include "tools/command.h"
+
+namespace rimline::tools {
+
+/// Bytes that frames of one step size cost.
+struct StreamedBytes {
+    double step_deg = 0.0;
+    double streamed = 0.0;  ///< A frame, on average.
+    double full = 0.0;      ///< The smallest full rewrite.
+};
+
+/// One way of doing it.
+struct EngineTime {
+    std::string name;
+    double median_ms = 0.0;  ///< A frame, or all viewpoints.
+};
+
+struct EngineResult {
+    std::string model;
+    std::uint32_t faces = 0;
+    bool is_closed = false;
+    std::string difference{};  ///< Between two ways that should agree; the rest is empty then.
+    std::vector<StreamedBytes> bytes;
+    std::vector<EngineTime>
+        lines;  ///< Frames with lines; the slots by geometry shader or pulling first.
+    std::vector<EngineTime> shadows;  ///< Frames with shadows and without lines.
+    std::vector<EngineTime> ratios;   ///< Ours first, then the baseline.
+
+    const EngineTime* find_line_path(const std::string& name) const;
+};
+
+/// Throws what devices and renderers throw.
+EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Device& device,
+                          const EngineBenchOptions& options, const Context& context);
+
+/// What performance.md asks of it, as far as the mesh is one that it asks it of: bytes of igea, times of
+/// closed meshes of 60,000 to 110,000 faces on a CPU's Vulkan.
+std::vector<Target> targets_of(const EngineResult& result);
+
+}  // namespace rimline::tools

@@ -1,0 +1,95 @@
+// Rimline inside a renderer that exists, whose instance, device, queue, image and command buffer plain
+// Vulkan has made (foreign_renderer.h). Rimline records a frame among the renderer's own commands, and a
+// compute shader of the renderer's reads the silhouette that Rimline keeps on the GPU. Exit 0 if that was
+// the right one.
+
+#include <bit>
+#include <cstdio>
+#include <cstring>
+
+#include "engine/renderer.h"
+#include "sample_count_comp.h"
+#include "silhouette/hough/baselines/brute_force.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tools/samples/foreign_renderer.h"
+
+namespace {
+
+using namespace rimline;
+
+// What the renderer's own shader reads (sample_count.comp).
+struct Constants {
+    VkDeviceAddress slots, face_words, arguments, result;
+    std::uint32_t word_count, padding;
+};
+struct Counted {
+    std::uint32_t edges, edge_number_sum, front_faces;
+    bool operator==(const Counted&) const = default;
+};
+
+// What it should have read.
+Counted expected_from(const Mesh& mesh, const HomogeneousPoint& point) {
+    Counted counted{};
+    for (const EdgeId edge : brute_force_silhouette(mesh, point)) {
+        ++counted.edges;
+        counted.edge_number_sum += index(edge);
+    }
+    for (const std::uint32_t word : brute_force_face_bits(mesh, point))
+        counted.front_faces += static_cast<std::uint32_t>(std::popcount(word));
+    return counted;
+}
+
+void run() {
+    samples::ForeignRenderer foreign;
+    const DeviceContext context = make_device_context(foreign.physical_device, foreign.device,
+                                                      foreign.queue, 0, {.geometry_shader = true});
+    const Buffer result(context, sizeof(Counted), BufferPlace::readback, "the result");
+    const OwnedPipelineLayout layout =
+        make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_COMPUTE_BIT);
+    const OwnedPipeline count = make_compute_pipeline(context, sample_count_comp, layout);
+
+    const Mesh mesh(make_built_in_shape("knot", 20'000));
+    const HoughOctree octree(mesh);
+    Scene scene{.camera = {.eye = {0, 1, 5}}};
+    scene.instances.push_back({.octree = &octree, .name = "knot"});
+    scene.lights.push_back({.vector = {1, 2, 1}});
+    Renderer renderer(context);
+    for (int frame = 0; frame < 5; ++frame) {
+        scene.camera.eye.x = 0.05 * frame;
+        std::memset(result.mapped(), 0, sizeof(Counted));
+        const VkCommandBuffer commands = foreign.begin_frame();
+        renderer.record(commands, scene,
+                        {.image = foreign.image,
+                         .view = foreign.view,
+                         .format = foreign.k_format,
+                         .extent = foreign.k_extent});
+        const ChangeStream& stream = renderer.silhouette(0, std::nullopt)->stream();
+        const Constants constants{stream.slots().address(),      stream.face_words().address(),
+                                  stream.arguments().address(),  result.address(),
+                                  (mesh.face_count() + 31) / 32, 0};
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, count);
+        vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
+                           &constants);
+        vkCmdDispatch(commands, 4, 1, 1);
+        foreign.end_frame();  // Submits, and waits until the host can read.
+        Counted counted{};
+        std::memcpy(&counted, result.mapped(), sizeof counted);
+        const HomogeneousPoint& point = renderer.silhouette(0, std::nullopt)->point();
+        if (!(counted == expected_from(mesh, point)))
+            throw Error(ErrorCode::io, "not the silhouette");
+        std::printf("frame %d: %u silhouette edges, %u front faces\n", frame, counted.edges,
+                    counted.front_faces);
+    }
+}
+
+}  // namespace
+
+int main() {
+    try {
+        run();
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "embedding: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,91 @@
+#include "tools/scene_options.h"
+
+#include <glm/geometric.hpp>
+
+#include "engine/view_defaults.h"
+#include "tools/option_types.h"
+#include "tools/picture_scene.h"
+
+namespace rimline::tools {
+
+void SceneOptions::add_to(CLI::App& app) {
+    constexpr const char* k_group = "Style";
+    app.add_option("--style", style,
+                   "ink, toon, blueprint, hatch (pen strokes), or mask (where light arrives)")
+        ->check(CLI::IsMember({"ink", "toon", "blueprint", "hatch", "mask"}))
+        ->capture_default_str()
+        ->group(k_group);
+    app.add_option("--lines", lines, "Silhouettes and borders: on or off")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str()
+        ->group(k_group);
+    add_number(app, "--line-width", line_width, 0.1, 100.0, "In pixels (default: the style's own)")
+        ->group(k_group);
+    add_number(app, "--crease", crease_degrees, 10.0, 180.0,
+               "Edges that bend by so many degrees are lines too (default: 40 in blueprint)")
+        ->group(k_group);
+    app.add_flag("--hidden", hidden, "Draw hidden lines too, dashed and fainter")->group(k_group);
+    app.add_option("--shadows", shadows,
+                   "Volumes by depth fail, by depth pass where that is shown to be right, by the "
+                   "cheaper\n(auto), or off; the picture is the same")
+        ->check(CLI::IsMember({"auto", "fail", "pass", "off"}))
+        ->capture_default_str()
+        ->group(k_group);
+    app.add_flag("--ground", ground, "A ground that catches the shadow")->group(k_group);
+}
+
+Style SceneOptions::style_value() const {
+    if (style == "toon") return Style::toon;
+    if (style == "blueprint") return Style::blueprint;
+    if (style == "hatch") return Style::hatch;
+    return style == "mask" ? Style::mask : Style::ink;
+}
+
+glm::vec3 SceneOptions::background(const PictureOptions& picture) const {
+    return picture.background ? linear_from_srgb(*picture.background)
+                              : style_defaults(style_value()).background;
+}
+
+glm::vec3 SceneOptions::surface_color(const PictureOptions& picture) const {
+    return default_surface_color(style_value(), background(picture));
+}
+
+Scene SceneOptions::make_scene(const Camera& camera, const PictureOptions& picture) const {
+    const StyleDefaults defaults = style_defaults(style_value());
+    Scene scene{.camera = camera,
+                .style = style_value(),
+                .palette = default_palette(style_value(), background(picture)),
+                .shadows = shadows != "off",
+                .shadow_method = shadows == "fail"   ? ShadowMethod::fail
+                                 : shadows == "pass" ? ShadowMethod::pass
+                                                     : ShadowMethod::automatic,
+                .lines = lines == "on",
+                .line_width_px = float(line_width.value_or(defaults.line_width_px)),
+                .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,
+                .crease_angle_deg = float(crease_degrees.value_or(defaults.crease_angle_deg))};
+    for (const glm::vec3& light : picture.lights)
+        scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
+    for (const glm::vec3& sun : picture.suns)
+        scene.lights.push_back({.vector = glm::dvec3(sun), .directional = true});
+    if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));
+    return scene;
+}
+
+Ground::Ground(const Mesh& mesh, const glm::dvec3& up, double drop)
+    : model_(mesh),
+      translation_(-drop * glm::normalize(up)),
+      mesh_(make_ground(mesh, up, k_ground_end * mesh.radius())),
+      octree_(mesh_) {}
+
+SceneInstance Ground::instance(const Scene& scene) const {
+    SceneInstance instance = ground_instance(scene, model_, octree_);
+    instance.translation = translation_;
+    return instance;
+}
+
+double scene_reach(const Mesh& mesh, bool ground) {
+    // A ground is square.
+    return (ground ? 1.5 * k_ground_end : 1.0) * mesh.radius();
+}
+
+}  // namespace rimline::tools

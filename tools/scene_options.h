@@ -1,0 +1,57 @@
+#pragma once
+
+// The options that say what is drawn and how, beside camera, lights and image, and the scene that follows
+// from all of them.
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "engine/scene.h"
+#include "silhouette/hough/hough_octree.h"
+#include "tools/picture_options.h"
+
+namespace rimline::tools {
+
+struct SceneOptions {
+    std::string style = "ink";
+    std::string lines = "on";
+    std::optional<double>
+        line_width;  ///< In pixels. This and creases: the style's own if not given.
+    std::optional<double> crease_degrees;
+    bool hidden = false;
+    std::string shadows = "auto";
+    bool ground = false;
+
+    void add_to(CLI::App& app);
+
+    /// A scene in this style, seen from `camera`, with the lights of `picture`: no instances yet.
+    Scene make_scene(const Camera& camera, const PictureOptions& picture) const;
+    /// The color of surfaces.
+    glm::vec3 surface_color(const PictureOptions& picture) const;
+
+private:
+    Style style_value() const;
+    glm::vec3 background(const PictureOptions& picture) const;
+};
+
+/// A ground under a mesh, so low that it holds `drop` more below; keeps what its instance refers to.
+class Ground {
+public:
+    Ground(const Mesh& mesh, const glm::dvec3& up, double drop);
+    Ground(const Ground&) = delete;
+    Ground& operator=(const Ground&) = delete;
+
+    SceneInstance instance(const Scene& scene) const;
+
+private:
+    const Mesh& model_;
+    glm::dvec3 translation_;
+    Mesh mesh_;
+    HoughOctree octree_;
+};
+
+/// How far from its middle a scene of this model reaches: its radius, or its ground's.
+double scene_reach(const Mesh& mesh, bool ground);
+
+}  // namespace rimline::tools

@@ -1,0 +1,100 @@
+#include "tools/view/camera_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace rimline::tools {
+
+namespace {
+
+// v turned around the unit vector `axis`, counter-clockwise seen from its tip (Rodrigues).
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle_rad) {
+    const double c = std::cos(angle_rad);
+    return c * v + std::sin(angle_rad) * glm::cross(axis, v) + (1.0 - c) * glm::dot(axis, v) * axis;
+}
+
+// The angle of a unit vector over the horizon.
+double elevation_of(const glm::dvec3& v, const glm::dvec3& up) {
+    return std::asin(std::clamp(glm::dot(v, up), -1.0, 1.0));
+}
+
+// A unit vector turned to the right and upwards, its elevation within the limits.
+glm::dvec3 turned_level(const glm::dvec3& v, const glm::dvec3& up, const glm::dvec3& right,
+                        const glm::dvec2& turn_rad) {
+    const double most = glm::radians(k_greatest_elevation_deg);
+    const double before = elevation_of(v, up);
+    const double after = std::clamp(before + turn_rad.y, -most, most);
+    // Towards up is counter-clockwise around v x up, which is v's right.
+    const glm::dvec3 raised = turned(v, right, after - before);
+    return glm::normalize(turned(raised, up, turn_rad.x));
+}
+
+// Perpendicular to `v` and `up`; any such where they are parallel, as camera_from_world() chooses it.
+glm::dvec3 right_of(const Camera& camera, const glm::dvec3& v) {
+    const glm::dvec3 up = glm::normalize(camera.up);
+    const glm::dvec3 side = glm::cross(v, up);
+    if (glm::length(side) > 1e-9) return glm::normalize(side);
+    const glm::dmat3 axes = glm::transpose(camera_from_world(camera));
+    return axes[0];
+}
+
+}  // namespace
+
+double view_height(const Camera& camera) {
+    if (camera.is_orthographic()) return camera.ortho_height;
+    return 2.0 * std::tan(0.5 * glm::radians(camera.fov_y_deg)) *
+           glm::distance(camera.eye, camera.target);
+}
+
+void orbit(Camera& camera, const glm::dvec2& turn_rad) {
+    const glm::dvec3 back = camera.eye - camera.target;
+    const double distance = glm::length(back);
+    const glm::dvec3 direction = back / distance;
+    camera.eye = camera.target + distance * turned_level(direction, glm::normalize(camera.up),
+                                                         right_of(camera, direction), turn_rad);
+}
+
+void pan(Camera& camera, const glm::dvec2& shift) {
+    const glm::dmat3 axes = glm::transpose(camera_from_world(camera));  // Columns: the axes.
+    const glm::dvec3 move = -view_height(camera) * (shift.x * axes[0] + shift.y * axes[1]);
+    camera.eye += move;
+    camera.target += move;
+}
+
+void zoom(Camera& camera, double factor, double least, double most) {
+    if (camera.is_orthographic()) {
+        camera.ortho_height = std::clamp(camera.ortho_height * factor, least, most);
+        return;
+    }
+    const glm::dvec3 back = camera.eye - camera.target;
+    const double distance = glm::length(back);
+    camera.eye = camera.target + back * (std::clamp(distance * factor, least, most) / distance);
+}
+
+void look_around(Camera& camera, const glm::dvec2& turn_rad) {
+    const glm::dvec3 ahead = camera.target - camera.eye;
+    const double distance = glm::length(ahead);
+    const glm::dvec3 direction = ahead / distance;
+    // To the right is clockwise seen from above.
+    camera.target = camera.eye + distance * turned_level(direction, glm::normalize(camera.up),
+                                                         right_of(camera, direction),
+                                                         {-turn_rad.x, turn_rad.y});
+}
+
+void fly(Camera& camera, const glm::dvec3& step) {
+    const glm::dmat3 axes = glm::transpose(camera_from_world(camera));
+    const glm::dvec3 move =
+        step.x * axes[0] + step.y * glm::normalize(camera.up) - step.z * axes[2];
+    camera.eye += move;
+    camera.target += move;
+}
+
+void set_up(Camera& camera, const glm::dvec3& up) {
+    camera.up = up;
+    orbit(camera, glm::dvec2(0.0));
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,82 @@
+#include "tools/view/light_handles.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace rimline::tools {
+
+namespace {
+
+// From the eye to `place`, of length 1.
+glm::dvec3 sight(const ScreenView& view, const glm::dvec3& place) {
+    if (view.camera().is_orthographic()) return view.view_direction();
+    return glm::normalize(place - view.camera().eye);
+}
+
+glm::dvec3 away_from(const glm::dvec3& place, const SceneBounds& model) {
+    const glm::dvec3 away = place - model.center;
+    return glm::length(away) > 0.0 ? glm::normalize(away) : glm::dvec3(0, 1, 0);
+}
+
+}  // namespace
+
+glm::dvec3 light_handle(const Light& light, const SceneBounds& model) {
+    if (!light.directional) return light.vector;
+    return model.center + k_sun_radii * model.radius * glm::normalize(light.vector);
+}
+
+void drag_light(Light& light, const SceneBounds& model, const ScreenView& view,
+                const glm::dvec2& pixel) {
+    const Ray ray = view.ray_through(pixel);
+    const glm::dvec3 handle = light_handle(light, model);
+    if (!light.directional) {
+        // The plane's points p satisfy (p - handle) . view direction = 0.
+        const glm::dvec3 facing = view.view_direction();
+        const double slope = glm::dot(ray.direction, facing);
+        const double distance = glm::dot(handle - ray.origin, facing) / slope;
+        if (slope > 1e-6 && distance > 0.0) light.vector = ray.origin + distance * ray.direction;
+        return;
+    }
+    const double radius = k_sun_radii * model.radius;
+    const double nearest_at = glm::dot(model.center - ray.origin, ray.direction);
+    const glm::dvec3 nearest = ray.origin + nearest_at * ray.direction;
+    const double miss = glm::distance(nearest, model.center);
+    if (miss >= radius) {
+        light.vector = glm::normalize(nearest - model.center);
+        return;
+    }
+    const double half_chord = std::sqrt(radius * radius - miss * miss);
+    const bool behind = glm::dot(handle - model.center, sight(view, handle)) > 0.0;
+    light.vector = glm::normalize(nearest + (behind ? half_chord : -half_chord) * ray.direction -
+                                  model.center);
+}
+
+void push_light(Light& light, const SceneBounds& model, const ScreenView& view, double factor) {
+    const glm::dvec3 handle = light_handle(light, model);
+    const glm::dvec3 along = sight(view, handle);
+    if (!light.directional) {
+        if (view.camera().is_orthographic())
+            light.vector += (factor - 1.0) * model.radius * along;
+        else
+            light.vector = view.camera().eye + factor * (light.vector - view.camera().eye);
+        return;
+    }
+    const glm::dvec3 from_center = handle - model.center;
+    const double depth = glm::dot(from_center, along);
+    if ((depth < 0.0) == (factor > 1.0))
+        light.vector = glm::normalize(from_center - 2.0 * depth * along);
+}
+
+Light as_lamp(const Light& light, const SceneBounds& model) {
+    if (!light.directional) return light;
+    // Farther out than the sun's handle, so that lamp and sun shine from much the same side.
+    return {.vector = model.center + 2.0 * (light_handle(light, model) - model.center),
+            .directional = false};
+}
+
+Light as_sun(const Light& light, const SceneBounds& model) {
+    if (light.directional) return light;
+    return {.vector = away_from(light.vector, model), .directional = true};
+}
+
+}  // namespace rimline::tools

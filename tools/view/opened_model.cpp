@@ -1,0 +1,49 @@
+#include "tools/view/opened_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/view_defaults.h"
+#include "silhouette/hough/box_walk.h"
+#include "tools/picture_scene.h"
+
+namespace rimline::tools {
+
+namespace {
+
+Mesh load(const std::string& name, std::uint32_t subdivide, const BeginCall& begin) {
+    const MeshSource source = load_model(name, subdivide, FaceRequirement::faces, begin);
+    return about_model(name, [&] { return Mesh(source); });
+}
+
+// A camera, a light and a ground beside the model need room within the coordinates there are.
+const Mesh& checked(const std::string& name, const Mesh& mesh) {
+    const glm::dvec3 reach = glm::abs(mesh.center()) + 1.5 * k_ground_end * mesh.radius();
+    if (std::max({reach.x, reach.y, reach.z}) > 0.01 * double{k_max_coordinate})
+        throw Error(ErrorCode::too_large,
+                    name + ": too large to walk around: scale it down, coordinates end at 2^60");
+    return mesh;
+}
+
+}  // namespace
+
+OpenedModel::Ground::Ground(const Mesh& model, const glm::dvec3& upwards)
+    : up(upwards), mesh(make_ground(model, upwards, k_ground_end * model.radius())), octree(mesh) {}
+
+OpenedModel::OpenedModel(std::string name, std::uint32_t subdivide, const BeginCall& begin)
+    : name_(std::move(name)),
+      mesh_(load(name_, subdivide, begin)),
+      octree_(about_model(
+          name_,
+          [&] { return HoughOctree(checked(name_, mesh_), {}, begin("building the octree")); })),
+      face_tree_(make_face_tree(octree_, 0)) {}
+
+const HoughOctree& OpenedModel::ground(const glm::dvec3& up) {
+    const auto found = std::ranges::find_if(
+        grounds_, [&](const std::unique_ptr<Ground>& ground) { return ground->up == up; });
+    if (found != grounds_.end()) return (*found)->octree;
+    grounds_.push_back(std::make_unique<Ground>(mesh_, up));
+    return grounds_.back()->octree;
+}
+
+}  // namespace rimline::tools

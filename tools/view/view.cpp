@@ -1,0 +1,136 @@
+// rimline view: a window to look at a model in, and into its silhouette.
+
+#include <utility>
+
+#include "engine/vulkan_instance.h"
+#include "tools/command.h"
+#include "tools/model_argument.h"
+#include "tools/output_file.h"
+#include "tools/picture_options.h"
+#include "tools/picture_scene.h"
+#include "tools/progress.h"
+#include "tools/scene_options.h"
+#include "tools/view/view_loop.h"
+
+namespace rimline::tools {
+
+namespace {
+
+class ViewCommand final : public Command {
+public:
+    std::string name() const override { return "view"; }
+    std::string summary() const override { return "Open a window to walk around a model in"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app, ModelArgument::Presence::optional);
+        scene_.add_to(app);
+        picture_.add_camera_to(app);
+        add_point(app, "--silhouette-from", silhouette_from_,
+                  "Freeze the silhouette as it is seen from here (default: the camera's own)")
+            ->group("Camera");
+        picture_.add_lights_to(app);
+        picture_.add_image_to(app);
+        picture_.add_machine_to(app);
+        constexpr const char* k_window = "Window";
+        app.add_flag("--no-panel", no_panel_, "Nothing but the picture")->group(k_window);
+        app.add_flag("--inspect", inspect_, "Begin with Hough space open")->group(k_window);
+        add_count(app, "--frames", frames_, 1, 1'000'000,
+                  "Close after so many frames (default: when you do)")
+            ->default_str("")
+            ->group(k_window);
+        app.add_option("--screenshot", screenshot_,
+                       "Save what the window shows in the last of --frames, as a PNG")
+            ->type_name("FILE.png")
+            ->group(k_window);
+        app.footer(
+            "Without a model a built-in scene is shown; drop a file on the window to open it. Drag "
+            "to turn,\n"
+            "with the right button to move, the wheel zooms; take the lights by their handles. The "
+            "panel has\n"
+            "the rest: flying, styles, the silhouette frozen to be looked at from elsewhere, Hough "
+            "space.\n\n"
+            "Examples:\n"
+            "  rimline view horse.ply\n"
+            "  rimline view shape:knot --style toon --ground --inspect\n"
+            "  rimline view --frames 1 --screenshot window.png");
+    }
+
+    ExitStatus run(const Context& context) override {
+        if (context.json) throw UsageError("view has nothing to say in --json");
+        if (!screenshot_.empty() && frames_ == 0)
+            throw UsageError("--screenshot needs --frames, to know which frame is the last");
+        std::optional<OutputFile> screenshot;
+        if (!screenshot_.empty()) screenshot.emplace(screenshot_);
+        if (model_.model.empty()) model_.model = k_default_model;
+
+        // Before the model is loaded: a machine without a display says so at once.
+        Window window("Rimline - " + model_.model, static_cast<int>(picture_.size.width),
+                      static_cast<int>(picture_.size.height));
+        const VulkanInstance instance(
+            {.validate = picture_.validate, .window_extensions = window.vulkan_extensions()});
+        ViewSession session;
+        open(session, context);
+        ViewLoop loop(window, instance, session,
+                      {.device = picture_.device,
+                       .panel = !no_panel_,
+                       .inspector = inspect_,
+                       .frames = frames_,
+                       .fits = !picture_.eye && !picture_.target});
+        loop.run(context);
+        if (screenshot) {
+            const std::vector<std::byte> png = encode_png(loop.captured());
+            screenshot->write({reinterpret_cast<const char*>(png.data()), png.size()});
+            screenshot->commit();
+        }
+        if (const auto count = instance.validation_message_count(); count.value_or(0) > 0)
+            throw Error(ErrorCode::no_device,
+                        "validation: " + std::to_string(*count) +
+                            " messages, the first: " + instance.first_validation_message());
+        return ExitStatus::success;
+    }
+
+private:
+    void open(ViewSession& session, const Context& context) const {
+        std::optional<Progress> progress;
+        auto model = std::make_unique<OpenedModel>(model_.model, model_.subdivide,
+                                                   [&](const std::string& doing) {
+                                                       progress.emplace(context, doing);
+                                                       return progress->call();
+                                                   });
+        progress.reset();
+        context.checkpoint();
+        const Camera camera = make_camera(model->mesh(), model_.model, picture_);
+        Scene scene = scene_.make_scene(camera, picture_);
+        session.look = ViewLook(scene.style);
+        session.look.background = scene.palette.background;
+        session.look.lines = scene.lines;
+        session.look.line_width_px = scene.line_width_px;
+        session.look.hidden = scene_.hidden;
+        session.look.crease_angle_deg = scene.crease_angle_deg;
+        session.look.shadows = scene.shadows;
+        session.look.shadow_method = scene.shadow_method;
+        session.look.ground = scene_.ground;
+        const glm::dvec3 center = model->mesh().center();
+        session.show(std::move(model), camera, std::move(scene.lights));
+        if (!silhouette_from_) return;
+        const glm::dvec3 from(*silhouette_from_);
+        if (from == center) throw UsageError("--silhouette-from is the model's center");
+        session.freeze_at(
+            {.eye = from, .target = center, .up = camera.up, .fov_y_deg = picture_.fov_degrees});
+    }
+
+    ModelArgument model_;
+    PictureOptions picture_;
+    SceneOptions scene_;
+    std::optional<glm::vec3> silhouette_from_;
+    bool no_panel_ = false;
+    bool inspect_ = false;
+    std::uint32_t frames_ = 0;
+    std::string screenshot_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_view_command() { return std::make_unique<ViewCommand>(); }
+
+}  // namespace rimline::tools

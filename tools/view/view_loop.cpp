@@ -1,0 +1,213 @@
+#include "tools/view/view_loop.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "tools/output_file.h"
+#include "tools/view/camera_motion.h"
+#include "tools/view/view_marks.h"
+
+namespace rimline::tools {
+
+namespace {
+
+// After an event: the toolkit settles what it lays out within two more.
+constexpr int k_frames_after_event = 3;
+// Without a change: until the picture is drawn finely.
+constexpr double k_rest_s = 0.15;
+// Longest wait for events.
+constexpr double k_idle_s = 0.5;
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+}  // namespace
+
+ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& session,
+                   ViewLoopOptions options)
+    : window_(window),
+      session_(session),
+      options_(std::move(options)),
+      context_(window),
+      renderer_(instance, window, options_.device, context_.letters()),
+      loader_([] { Window::wake(); }) {
+    panel_.visible = options_.panel;
+    hough_.open = options_.inspector;
+    if (options_.panel && options_.fits) fit();
+}
+
+ViewLoop::~ViewLoop() = default;
+
+double ViewLoop::free_aspect() const {
+    const glm::dvec2 size = window_.size();
+    const double covered =
+        panel_.visible ? double{ViewPanel::k_width} * window_.content_scale() : 0.0;
+    return std::max(size.x - covered, 0.3 * size.x) / std::max(size.y, 1.0);
+}
+
+// The panel covers the left: what is left free is filled.
+void ViewLoop::fit() {
+    session_.fit(free_aspect());
+    if (!panel_.visible) return;
+    const glm::dvec2 size = window_.size();
+    pan(session_.camera, {0.5 * (size.x / std::max(size.y, 1.0) - free_aspect()), 0.0});
+}
+
+void ViewLoop::take_loaded() {
+    std::vector<std::string> dropped = window_.take_dropped();
+    if (!dropped.empty()) {
+        if (dropped.size() > 1) panel_.tell("one model at a time: opening the first", false);
+        loader_.open(dropped.front());
+    }
+    std::optional<ModelLoader::Result> result = loader_.take();
+    if (!result) return;
+    if (!result->model) {
+        panel_.tell(result->error, true);
+        return;
+    }
+    panel_.message.clear();
+    session_.show(std::move(result->model), free_aspect());
+    frames_of_model_ = 0;
+    fit();
+    window_.set_title("Rimline - " + session_.model().name());
+}
+
+void ViewLoop::take_keys() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput) return;
+    const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
+    if (pressed(GLFW_KEY_TAB)) panel_.visible = !panel_.visible;
+    if (pressed(GLFW_KEY_F)) fit();
+    if (pressed(GLFW_KEY_G)) session_.look.ground = !session_.look.ground;
+    if (pressed(GLFW_KEY_I)) hough_.open = !hough_.open;
+    if (pressed(GLFW_KEY_Z)) {
+        if (session_.frozen())
+            session_.thaw();
+        else
+            session_.freeze();
+    }
+}
+
+void ViewLoop::save(const PanelRequests::Save& save) {
+    try {
+        OutputFile file(save.path);
+        const std::vector<std::byte> png =
+            encode_png(renderer_.picture(session_.scene(), save.size.width, save.size.height));
+        file.write({reinterpret_cast<const char*>(png.data()), png.size()});
+        file.commit();
+        panel_.tell("saved " + save.path, false);
+    } catch (const Error& error) {
+        panel_.tell(error.what(), true);
+    }
+}
+
+void ViewLoop::serve(const PanelRequests& requests) {
+    if (requests.cancel) loader_.cancel();
+    if (requests.open) loader_.open(*requests.open);
+    if (requests.fit) fit();
+    if (requests.save) save(*requests.save);
+}
+
+void ViewLoop::build_panel() {
+    const glm::dvec2 size = window_.size();
+    context_.begin_frame();
+    requests_ = {};
+    if (options_.panel) {
+        moving_ = hand_.apply(session_, size);
+        take_keys();
+    }
+    if (options_.panel && panel_.visible) {
+        draw_marks(session_, size, hand_.light());
+        requests_ = panel_.draw(session_, hand_, hough_,
+                                {.counters = counters_,
+                                 .loading = loader_.stage(),
+                                 .device = renderer_.device().facts().name,
+                                 .scale = window_.content_scale()});
+    }
+    if (options_.panel && hough_.open) {
+        if (inspected_ != &session_.model()) {
+            inspected_ = &session_.model();
+            inspection_.emplace(session_.model());
+        }
+        inspection_->update(session_.model(), session_.silhouette_point());
+        const float unit = window_.content_scale();
+        const float width = 460.0f * unit;
+        hough_.draw(*inspection_, float(size.x) - width - 10.0f * unit, 10.0f * unit, width,
+                    480.0f * unit);
+    }
+    context_.end_frame();
+}
+
+// Software draws four times as fast at half the resolution.
+std::uint32_t ViewLoop::scale() const {
+    const bool slow = renderer_.device().facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    const bool rests = !moving_ && now_s() - last_change_s_ >= k_rest_s;
+    return !slow || rests || !options_.panel || options_.frames > 0 ? RendererOptions{}.scale : 1;
+}
+
+bool ViewLoop::draw() {
+    const double begun_s = now_s();
+    const std::uint32_t frame_scale = scale();
+    std::optional<WindowRenderer::Drawn> drawn;
+    try {
+        drawn = renderer_.draw(session_.scene(), context_.drawing(), frame_scale, captures_);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large || !session_.show_previous(free_aspect())) throw;
+        panel_.tell(error.what(), true);
+        fit();
+        frames_due_ = k_frames_after_event;
+        return false;
+    }
+    if (!drawn) return false;
+    is_coarse_ = frame_scale < RendererOptions{}.scale;
+    // Not before the frames in flight are done that may know it.
+    if (++frames_of_model_ > Renderer::k_frames_in_flight + 1) session_.forget_previous();
+    if (captures_) captured_ = std::move(drawn->shown);
+    captures_ = false;
+    counters_.add(drawn->report, 1e3 * (now_s() - begun_s));
+    return true;
+}
+
+double ViewLoop::waiting_time() const {
+    if (frames_due_ > 0 || moving_) return 0.0;
+    if (is_coarse_) return std::max(k_rest_s - (now_s() - last_change_s_), 1e-3);
+    return k_idle_s;
+}
+
+bool ViewLoop::turn(bool always) {
+    window_.poll(always ? 0.0 : waiting_time());
+    if (window_.take_activity()) {
+        frames_due_ = k_frames_after_event;
+        last_change_s_ = now_s();
+    }
+    const OpenedModel* const before = &session_.model();
+    take_loaded();
+    if (before != &session_.model() || loader_.stage()) frames_due_ = k_frames_after_event;
+    const bool refines = is_coarse_ && now_s() - last_change_s_ >= k_rest_s;
+    if (!always && frames_due_ == 0 && !moving_ && !refines) return false;
+    frames_due_ = std::max(frames_due_ - 1, 0);
+    build_panel();
+    const bool drawn = draw();
+    // After the frame: what is asked for may take its time.
+    serve(requests_);
+    return drawn;
+}
+
+void ViewLoop::run(const Context& context) {
+    std::uint32_t drawn = 0;
+    while (!window_.should_close()) {
+        context.checkpoint();
+        if (options_.frames > 0 && drawn + 1 == options_.frames) captures_ = true;
+        if (turn(options_.frames > 0)) ++drawn;
+        if (options_.frames > 0 && drawn == options_.frames) break;
+    }
+}
+
+}  // namespace rimline::tools

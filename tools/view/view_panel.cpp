@@ -1,0 +1,250 @@
+#include "tools/view/view_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <glm/common.hpp>
+
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tools/picture_scene.h"
+#include "tools/view/camera_motion.h"
+#include "tools/view/light_handles.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr std::array k_styles{"ink", "toon", "mask", "blueprint", "hatch"};
+// The first is none, the others are ShadowMethod's.
+constexpr std::array k_shadows{"off", "automatic", "depth fail", "depth pass"};
+constexpr std::array k_axes{"x", "y", "z", "as given"};
+
+bool section(const char* name, bool open = true) {
+    return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+// Thousands in groups: 1,234,567.
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');
+    return text;
+}
+
+void row(const char* name, const std::string& value) {
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(0.0f, 0.0f);
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    ImGui::SetCursorPosX(right - ImGui::CalcTextSize(value.c_str()).x);
+    ImGui::TextUnformatted(value.c_str());
+}
+
+template <std::size_t count>
+bool choose(const char* name, const std::array<const char*, count>& names, int& chosen) {
+    ImGui::SetNextItemWidth(-0.42f * ImGui::GetWindowWidth());
+    return ImGui::Combo(name, &chosen, names.data(), static_cast<int>(count));
+}
+
+// Its number, or 3 where it is none of the three.
+int axis_of(const glm::dvec3& up) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (up[axis] > 0.0 && up[(axis + 1) % 3] == 0.0 && up[(axis + 2) % 3] == 0.0) return axis;
+    return 3;
+}
+
+void same_width() { ImGui::SetNextItemWidth(-0.42f * ImGui::GetWindowWidth()); }
+
+}  // namespace
+
+void ViewPanel::draw_model(const ViewSession& session, const Shown& shown,
+                           PanelRequests& requests) {
+    if (session.has_model()) {
+        const Mesh& mesh = session.model().mesh();
+        const std::string name = std::filesystem::path(session.model().name()).filename().string();
+        ImGui::TextUnformatted(name.c_str());
+        ImGui::TextDisabled("%s faces, %s edges", grouped(mesh.face_count()).c_str(),
+                            grouped(mesh.edge_count()).c_str());
+    }
+    if (shown.loading) {
+        ImGui::TextWrapped("%s", shown.loading->doing.c_str());
+        ImGui::ProgressBar(float(shown.loading->share), {-0.3f * ImGui::GetWindowWidth(), 0.0f});
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel", {-1.0f, 0.0f})) requests.cancel = true;
+        return;
+    }
+    ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
+    const bool entered =
+        ImGui::InputTextWithHint("##path", "file, or drop one here", path_.data(), path_.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    if ((ImGui::Button("Open", {-1.0f, 0.0f}) || entered) && path_[0] != '\0')
+        requests.open = path_.data();
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::BeginCombo("##shapes", "built-in shapes")) {
+        for (const std::string_view shape : k_built_in_shapes)
+            if (ImGui::Selectable(std::string(shape).c_str()))
+                requests.open = "shape:" + std::string(shape);
+        ImGui::EndCombo();
+    }
+}
+
+void ViewPanel::draw_view(ViewSession& session, ViewHand& hand, PanelRequests& requests) {
+    int mode = hand.flies ? 1 : 0;
+    ImGui::RadioButton("orbit", &mode, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("fly", &mode, 1);
+    hand.flies = mode == 1;
+    ImGui::SameLine();
+    if (ImGui::Button("Fit (F)", {-1.0f, 0.0f})) requests.fit = true;
+    if (hand.flies) ImGui::TextDisabled("W A S D, Q E down and up, Shift: faster");
+
+    int up = axis_of(session.camera.up);
+    if (choose("up", k_axes, up) && up < 3) {
+        glm::dvec3 axis(0.0);
+        axis[up] = 1.0;
+        set_up(session.camera, axis);
+    }
+    if (ImGui::Checkbox("orthographic", &session.look.orthographic)) session.apply_lens();
+    if (!session.look.orthographic) {
+        float fov = float(session.look.fov_y_deg);
+        same_width();
+        if (ImGui::SliderFloat("field of view", &fov, 5.0f, 110.0f, "%.0f deg")) {
+            session.look.fov_y_deg = std::clamp(double(fov), 1.0, 170.0);
+            session.apply_lens();
+        }
+    }
+    if (session.frozen()) {
+        if (ImGui::Button("Thaw the silhouette (Z)", {-1.0f, 0.0f})) session.thaw();
+    } else if (ImGui::Button("Freeze the silhouette (Z)", {-1.0f, 0.0f})) {
+        session.freeze();
+    }
+}
+
+void ViewPanel::draw_look(ViewSession& session) {
+    ViewLook& look = session.look;
+    int style = static_cast<int>(look.style);
+    if (choose("style", k_styles, style)) look.set_style(static_cast<Style>(style));
+    ImGui::Checkbox("lines", &look.lines);
+    ImGui::SameLine();
+    ImGui::Checkbox("hidden too", &look.hidden);
+    same_width();
+    ImGui::SliderFloat("line width", &look.line_width_px, 0.5f, 12.0f, "%.1f px");
+    look.line_width_px = std::clamp(look.line_width_px, 0.1f, 100.0f);
+    bool creases = look.crease_angle_deg > 0.0f;
+    if (ImGui::Checkbox("creases", &creases)) look.crease_angle_deg = creases ? 40.0f : 0.0f;
+    if (creases) {
+        ImGui::SameLine();
+        same_width();
+        ImGui::SliderFloat("from", &look.crease_angle_deg, 10.0f, 120.0f, "%.0f deg");
+        look.crease_angle_deg = std::clamp(look.crease_angle_deg, 10.0f, 180.0f);
+    }
+    glm::vec3 paper = srgb_from_linear(look.background);
+    same_width();
+    if (ImGui::ColorEdit3("paper", &paper.x, ImGuiColorEditFlags_NoInputs))
+        look.background = linear_from_srgb(glm::clamp(paper, 0.0f, 1.0f));
+}
+
+void ViewPanel::draw_lights(ViewSession& session) {
+    int shadows = session.look.shadows ? 1 + static_cast<int>(session.look.shadow_method) : 0;
+    if (choose("shadows", k_shadows, shadows)) {
+        session.look.shadows = shadows > 0;
+        if (shadows > 0) session.look.shadow_method = static_cast<ShadowMethod>(shadows - 1);
+    }
+    ImGui::Checkbox("ground (G)", &session.look.ground);
+    const SceneBounds bounds = session.model_bounds();
+    std::optional<std::size_t> removed;
+    for (std::size_t i = 0; i < session.lights.size(); ++i) {
+        Light& light = session.lights[i];
+        ImGui::PushID(static_cast<int>(i));
+        int kind = light.directional ? 0 : 1;
+        ImGui::AlignTextToFramePadding();
+        ImGui::Text("%zu", i + 1);
+        ImGui::SameLine();
+        if (ImGui::RadioButton("sun", &kind, 0)) light = as_sun(light, bounds);
+        ImGui::SameLine();
+        if (ImGui::RadioButton("lamp", &kind, 1)) light = as_lamp(light, bounds);
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Remove").x -
+                        2.0f * ImGui::GetStyle().FramePadding.x);
+        if (ImGui::SmallButton("Remove")) removed = i;
+        ImGui::PopID();
+    }
+    if (removed) session.remove_light(*removed);
+    constexpr std::size_t k_most_lights = 8;
+    if (session.lights.size() < k_most_lights && ImGui::Button("Add a light", {-1.0f, 0.0f}))
+        session.add_light();
+    if (!session.lights.empty()) ImGui::TextDisabled("drag the handles; the wheel pushes them");
+}
+
+void ViewPanel::draw_picture(PanelRequests& requests) {
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputText("##picture", picture_path_.data(), picture_path_.size());
+    ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
+    ImGui::InputInt2("##size", picture_size_.data());
+    for (int& side : picture_size_) side = std::clamp(side, 1, static_cast<int>(k_max_image_side));
+    ImGui::SameLine();
+    if (ImGui::Button("Save (P)", {-1.0f, 0.0f})) requests.save.emplace();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!io.WantTextInput && ImGui::IsKeyPressed('P', false)) requests.save.emplace();
+    if (requests.save)
+        requests.save = {picture_path_.data(),
+                         {static_cast<std::uint32_t>(picture_size_[0]),
+                          static_cast<std::uint32_t>(picture_size_[1])}};
+}
+
+void ViewPanel::draw_counters(const Shown& shown) {
+    const FrameReport& report = shown.counters.report;
+    row("silhouette edges", grouped(report.silhouette));
+    if (report.creases > 0) row("creases", grouped(report.creases));
+    row("shadow edges", grouped(report.shadow_edges));
+    row("faces turned", grouped(report.camera.flips));
+    row("edges joined, left", grouped(report.camera.added) + ", " + grouped(report.camera.removed));
+    row("boxes, faces checked", grouped(report.camera.counters.box_checks) + ", " +
+                                    grouped(report.camera.counters.face_checks));
+    row("bytes streamed", grouped(report.bytes_streamed));
+    row("bytes of all", grouped(report.bytes_full));
+    char time[32];
+    std::snprintf(time, sizeof time, "%.1f ms", double(shown.counters.last_ms()));
+    row("frame", time);
+    const auto& times = shown.counters.times;
+    const float longest = *std::max_element(times.begin(), times.end());
+    ImGui::PlotLines("##times", times.data(), static_cast<int>(times.size()),
+                     static_cast<int>(shown.counters.next), nullptr, 0.0f,
+                     std::max(longest * 1.1f, 1.0f),
+                     {ImGui::GetContentRegionAvail().x, 46.0f * shown.scale});
+    ImGui::TextDisabled("%s", shown.device.c_str());
+}
+
+PanelRequests ViewPanel::draw(ViewSession& session, ViewHand& hand, HoughPanel& hough,
+                              const Shown& shown) {
+    PanelRequests requests;
+    const float margin = 10.0f * shown.scale;
+    const float width = k_width * shown.scale - 2.0f * margin;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, display.y - 2.0f * margin});
+    ImGui::Begin("Rimline", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    if (!message.empty()) {
+        const ImVec4 color = message_is_error ? ImVec4(0.72f, 0.14f, 0.08f, 1.0f)
+                                              : ImVec4(0.16f, 0.42f, 0.24f, 1.0f);
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextWrapped("%s", message.c_str());
+        ImGui::PopStyleColor();
+        if (ImGui::SmallButton("Dismiss")) message.clear();
+    }
+    if (section("Model")) draw_model(session, shown, requests);
+    if (session.has_model()) {
+        if (section("View")) draw_view(session, hand, requests);
+        if (section("Style")) draw_look(session);
+        if (section("Light")) draw_lights(session);
+        ImGui::Checkbox("Hough space (I)", &hough.open);
+        if (section("Picture", false)) draw_picture(requests);
+        if (section("Frame")) draw_counters(shown);
+    }
+    ImGui::TextDisabled("Tab hides this");
+    ImGui::End();
+    return requests;
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,135 @@
+#include "tools/view/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <utility>
+
+namespace rimline::tools {
+
+namespace {
+
+std::string last_error() {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    return description != nullptr ? std::string(" (") + description + ")" : "";
+}
+
+}  // namespace
+
+struct Window::Events {
+    bool active = true;
+    std::vector<std::string> dropped;
+
+    static Events& of(GLFWwindow* window) {
+        return *static_cast<Events*>(glfwGetWindowUserPointer(window));
+    }
+};
+
+Window::Window(const std::string& title, int width, int height)
+    : events_(std::make_unique<Events>()) {
+    if (glfwInit() != GLFW_TRUE)
+        throw Error(ErrorCode::no_device,
+                    "no display: set DISPLAY or WAYLAND_DISPLAY, or use "
+                    "rimline render, which needs none" +
+                        last_error());
+    if (glfwVulkanSupported() != GLFW_TRUE) {
+        const std::string reason = last_error();
+        glfwTerminate();
+        throw Error(ErrorCode::no_device, "Vulkan cannot show pictures on this display" + reason);
+    }
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) {
+        const std::string reason = last_error();
+        glfwTerminate();
+        throw Error(ErrorCode::no_device, "the display opens no window" + reason);
+    }
+    listen();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+// The panel's own callbacks are put before these and call them.
+void Window::listen() {
+    glfwSetWindowUserPointer(window_, events_.get());
+    const auto mark = [](GLFWwindow* window) { Events::of(window).active = true; };
+    static constexpr auto k_mark = mark;
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { k_mark(w); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { k_mark(w); });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { k_mark(w); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { k_mark(w); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { k_mark(w); });
+    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+        k_mark(w);
+        Events& events = Events::of(w);
+        events.dropped.insert(events.dropped.end(), paths, paths + count);
+    });
+}
+
+std::vector<std::string> Window::vulkan_extensions() const {
+    std::uint32_t count = 0;
+    const char** names = glfwGetRequiredInstanceExtensions(&count);
+    return {names, names + count};
+}
+
+WindowSurface Window::make_surface(VkInstance instance) const {
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    vk_check(glfwCreateWindowSurface(instance, window_, nullptr, &surface),
+             "glfwCreateWindowSurface");
+    return {instance, surface};
+}
+
+VkExtent2D Window::size_px() const {
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) return {0, 0};
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+glm::dvec2 Window::size() const {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    return {width, height};
+}
+
+void Window::set_size(int width, int height) { glfwSetWindowSize(window_, width, height); }
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+float Window::content_scale() const {
+    float x = 1.0f;
+    float y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return x > 0.0f ? x : 1.0f;
+}
+
+bool Window::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+
+void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+
+void Window::poll(double wait_s) {
+    if (wait_s > 0.0)
+        glfwWaitEventsTimeout(wait_s);
+    else
+        glfwPollEvents();
+}
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+bool Window::take_activity() noexcept { return std::exchange(events_->active, false); }
+
+std::vector<std::string> Window::take_dropped() { return std::exchange(events_->dropped, {}); }
+
+}  // namespace rimline::tools

@@ -1,0 +1,262 @@
+#include "tools/view/window_renderer.h"
+
+#include <array>
+#include <utility>
+
+#include "engine/barrier.h"
+#include "engine/device_loss.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr std::uint32_t k_ring_slots = Renderer::k_frames_in_flight;
+
+constexpr StageAccess k_drawing{
+    VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+// The semaphore that presenting waits for orders the rest.
+constexpr StageAccess k_nothing_more{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
+
+OwnedFence make_signalled_fence(VkDevice device) {
+    const VkFenceCreateInfo info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
+                                 .flags = VK_FENCE_CREATE_SIGNALED_BIT};
+    VkFence fence = VK_NULL_HANDLE;
+    vk_check(vkCreateFence(device, &info, nullptr, &fence), "vkCreateFence");
+    return {device, fence};
+}
+
+OwnedCommandPool make_pool(const DeviceContext& context) {
+    const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                       .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                       .queueFamilyIndex = context.queue_family};
+    VkCommandPool pool = VK_NULL_HANDLE;
+    vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
+    return {context.device, pool};
+}
+
+Picture picture_from(const Buffer& pixels, VkExtent2D extent, VkFormat format) {
+    Picture picture{extent.width, extent.height, {}};
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels.mapped());
+    picture.rgba.assign(bytes, bytes + std::size_t{4} * extent.width * extent.height);
+    if (format == VK_FORMAT_B8G8R8A8_UNORM)
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+            std::swap(picture.rgba[i], picture.rgba[i + 2]);
+    return picture;
+}
+
+}  // namespace
+
+// In the order in which they need one another.
+struct WindowRenderer::OnDevice {
+    struct RingSlot {
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        OwnedFence done;
+    };
+
+    OnDevice(const VulkanInstance& instance, const Window& window, const std::string& request,
+             const LetterTexture& letters)
+        : surface(window.make_surface(instance.handle())),
+          device(instance, request),
+          swapchain(device.context(), surface.get(), k_ring_slots),
+          renderer(device.context()),
+          overlay(device.context(), swapchain.format(), k_ring_slots),
+          pool(make_pool(device.context())) {
+        overlay.set_texture(letters.width, letters.height, letters.opacity);
+        for (RingSlot& slot : ring) {
+            const VkCommandBufferAllocateInfo info{
+                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                .commandPool = pool,
+                .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                .commandBufferCount = 1};
+            vk_check(vkAllocateCommandBuffers(device.context().device, &info, &slot.commands),
+                     "vkAllocateCommandBuffers");
+            slot.done = make_signalled_fence(device.context().device);
+        }
+    }
+    ~OnDevice() {
+        // Answers where the device is lost, too.
+        vkDeviceWaitIdle(device.context().device);
+    }
+    OnDevice(const OnDevice&) = delete;
+    OnDevice& operator=(const OnDevice&) = delete;
+
+    void wait_for(const RingSlot& slot) const {
+        const VkFence fence = slot.done;
+        vk_check(vkWaitForFences(device.context().device, 1, &fence, VK_TRUE, UINT64_MAX),
+                 "vkWaitForFences");
+    }
+    void wait_for_all() const {
+        for (const RingSlot& slot : ring) wait_for(slot);
+    }
+
+    void record_overlay(VkCommandBuffer commands, std::uint32_t ring_slot,
+                        const OverlayDrawing& drawing);
+    void record_capture(VkCommandBuffer commands, const Buffer& pixels) const;
+    void submit(const RingSlot& slot);
+
+    WindowSurface surface;
+    Device device;
+    Swapchain swapchain;
+    Renderer renderer;
+    OverlayPass overlay;
+    OwnedCommandPool pool;
+    std::array<RingSlot, k_ring_slots> ring;
+    std::uint64_t frames = 0;
+    VkExtent2D last_extent{};  // What the renderer's targets were made for.
+    std::uint32_t last_scale = 0;
+};
+
+void WindowRenderer::OnDevice::record_overlay(VkCommandBuffer commands, std::uint32_t ring_slot,
+                                              const OverlayDrawing& drawing) {
+    // The picture is complete where the panel mixes with it.
+    record_barrier(commands, k_drawing, k_drawing);
+    const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                          .imageView = swapchain.view(),
+                                          .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                          .loadOp = VK_ATTACHMENT_LOAD_OP_LOAD,
+                                          .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+    const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                               .renderArea = {{0, 0}, swapchain.extent()},
+                               .layerCount = 1,
+                               .colorAttachmentCount = 1,
+                               .pColorAttachments = &color};
+    vkCmdBeginRendering(commands, &info);
+    overlay.record(commands, ring_slot, drawing, swapchain.extent());
+    vkCmdEndRendering(commands);
+}
+
+void WindowRenderer::OnDevice::record_capture(VkCommandBuffer commands,
+                                              const Buffer& pixels) const {
+    const VkExtent2D extent = swapchain.extent();
+    const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                   .imageExtent = {extent.width, extent.height, 1}};
+    vkCmdCopyImageToBuffer(commands, swapchain.image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           pixels.handle(), 1, &region);
+    record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                   {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+}
+
+void WindowRenderer::OnDevice::submit(const RingSlot& slot) {
+    const VkFence fence = slot.done;
+    vk_check(vkResetFences(device.context().device, 1, &fence), "vkResetFences");
+    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                             .commandBuffer = slot.commands};
+    // Shadows and surfaces are drawn before the swapchain's image is there.
+    const VkSemaphoreSubmitInfo acquired{
+        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+        .semaphore = swapchain.acquired(),
+        .stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT};
+    const VkSemaphoreSubmitInfo drawn{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                      .semaphore = swapchain.drawn(),
+                                      .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    const VkSubmitInfo2 info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                             .waitSemaphoreInfoCount = 1,
+                             .pWaitSemaphoreInfos = &acquired,
+                             .commandBufferInfoCount = 1,
+                             .pCommandBufferInfos = &commands,
+                             .signalSemaphoreInfoCount = 1,
+                             .pSignalSemaphoreInfos = &drawn};
+    vk_check(vkQueueSubmit2(device.context().queue, 1, &info, fence), "vkQueueSubmit2");
+}
+
+WindowRenderer::WindowRenderer(const VulkanInstance& instance, const Window& window,
+                               std::string device, LetterTexture letters)
+    : instance_(&instance),
+      window_(&window),
+      request_(std::move(device)),
+      letters_(std::move(letters)),
+      gpu_(std::make_unique<OnDevice>(instance, window, request_, letters_)) {}
+
+WindowRenderer::~WindowRenderer() = default;
+
+void WindowRenderer::remake() {
+    gpu_.reset();  // Before the new ones: a window takes one surface at a time.
+    gpu_ = std::make_unique<OnDevice>(*instance_, *window_, request_, letters_);
+    ++remade_;
+}
+
+std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const Scene& scene,
+                                                          const OverlayDrawing& overlay,
+                                                          std::uint32_t scale, bool capture) {
+    for (int losses = 0;; ++losses) {
+        try {
+            if (!gpu_ || losses > 0) remake();
+            return draw_once(scene, overlay, scale, capture);
+        } catch (const Error& error) {
+            // A lost surface comes as no_device. What memory cannot hold it will not hold next time
+            // either, but the acquired image and its semaphore are beyond use: all is made again.
+            const bool is_lost =
+                error.code() == ErrorCode::device_lost || error.code() == ErrorCode::no_device;
+            if (is_lost && losses < k_most_device_losses) continue;
+            if (!is_lost) remake();
+            throw;
+        }
+    }
+}
+
+std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const Scene& scene,
+                                                               const OverlayDrawing& overlay,
+                                                               std::uint32_t scale, bool capture) {
+    const auto ring_slot = static_cast<std::uint32_t>(gpu_->frames % k_ring_slots);
+    OnDevice::RingSlot& slot = gpu_->ring[ring_slot];
+    gpu_->wait_for(slot);
+    if (!gpu_->swapchain.acquire(ring_slot, window_->size_px())) return std::nullopt;
+    const VkExtent2D extent = gpu_->swapchain.extent();
+    if (extent.width != gpu_->last_extent.width || extent.height != gpu_->last_extent.height ||
+        scale != gpu_->last_scale)
+        gpu_->wait_for_all();
+    gpu_->last_extent = extent;
+    gpu_->last_scale = scale;
+    gpu_->renderer.set_scale(scale);
+
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(vkResetCommandBuffer(slot.commands, 0), "vkResetCommandBuffer");
+    vk_check(vkBeginCommandBuffer(slot.commands, &begin), "vkBeginCommandBuffer");
+    const PictureTarget target{.image = gpu_->swapchain.image(),
+                               .view = gpu_->swapchain.view(),
+                               .format = gpu_->swapchain.format(),
+                               .extent = extent};
+    Drawn drawn{.report = gpu_->renderer.record(slot.commands, scene, target), .shown = {}};
+    gpu_->record_overlay(slot.commands, ring_slot, overlay);
+    constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
+    Buffer pixels;
+    if (capture) {
+        pixels = Buffer(gpu_->device.context(), VkDeviceSize{4} * extent.width * extent.height,
+                        BufferPlace::readback, "what the window shows");
+        record_barrier(slot.commands, k_drawing, k_copying, {{target, k_drawn, k_copied}});
+        gpu_->record_capture(slot.commands, pixels);
+        record_barrier(slot.commands, k_copying, k_nothing_more, {{target, k_copied, k_shown}});
+    } else {
+        record_barrier(slot.commands, k_drawing, k_nothing_more, {{target, k_drawn, k_shown}});
+    }
+    vk_check(vkEndCommandBuffer(slot.commands), "vkEndCommandBuffer");
+    gpu_->submit(slot);
+    ++gpu_->frames;
+    gpu_->swapchain.present();
+    if (capture) {
+        gpu_->wait_for(slot);
+        drawn.shown = picture_from(pixels, extent, gpu_->swapchain.format());
+    }
+    return drawn;
+}
+
+Picture WindowRenderer::picture(const Scene& scene, std::uint32_t width, std::uint32_t height) {
+    gpu_->wait_for_all();
+    // The next frame has another size for the renderer's targets.
+    gpu_->last_extent = {};
+    gpu_->renderer.set_scale(RendererOptions{}.scale);
+    return gpu_->renderer.render(scene, width, height);
+}
+
+const Device& WindowRenderer::device() const noexcept { return gpu_->device; }
+
+std::uint32_t WindowRenderer::swapchain_generation() const noexcept {
+    return gpu_->swapchain.generation();
+}
+
+}  // namespace rimline::tools
