@@ -230,9 +230,9 @@ TEST_CASE("silhouettes made on the GPU equal the CPU's on beetle-alt.obj") {
 }
 
 TEST_SUITE("long") {
-#define RIMLINE_MODEL_CASE(file)                                                    \
+#define RIMLINE_MODEL_CASE(file)                                                         \
     TEST_CASE("from a thousand points the GPU's silhouettes equal the CPU's on " file) { \
-        check_model(file, 1000);                                                    \
+        check_model(file, 1000);                                                         \
     }
     RIMLINE_MODEL_CASE("alligator.obj")
     RIMLINE_MODEL_CASE("beetle-alt.obj")
