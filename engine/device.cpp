@@ -199,15 +199,28 @@ Device::~Device() {
     vkDestroyDevice(context_.device, nullptr);
 }
 
+OwnedSemaphore make_timeline(const DeviceContext& context) {
+    const VkSemaphoreTypeCreateInfo type{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
+                                         .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE};
+    const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO,
+                                     .pNext = &type};
+    VkSemaphore semaphore = VK_NULL_HANDLE;
+    vk_check(vkCreateSemaphore(context.device, &info, nullptr, &semaphore), "vkCreateSemaphore");
+    return {context.device, semaphore};
+}
+
+OwnedCommandPool make_command_pool(const DeviceContext& context) {
+    const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                       .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                       .queueFamilyIndex = context.queue_family};
+    VkCommandPool pool = VK_NULL_HANDLE;
+    vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
+    return {context.device, pool};
+}
+
 void run_commands(const DeviceContext& context,
                   const std::function<void(VkCommandBuffer)>& record) {
-    const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                            .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
-                                            .queueFamilyIndex = context.queue_family};
-    VkCommandPool pool_handle = VK_NULL_HANDLE;
-    vk_check(vkCreateCommandPool(context.device, &pool_info, nullptr, &pool_handle),
-             "vkCreateCommandPool");
-    const OwnedCommandPool pool(context.device, pool_handle);
+    const OwnedCommandPool pool = make_command_pool(context);
     const VkCommandBufferAllocateInfo allocate{
         .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
         .commandPool = pool,

@@ -71,6 +71,11 @@ private:
     bool face_bits_agree_ = false;
 };
 
+/// A timeline semaphore at 0.
+OwnedSemaphore make_timeline(const DeviceContext& context);
+/// Of the context's queue family; its buffers can be reset one by one.
+OwnedCommandPool make_command_pool(const DeviceContext& context);
+
 /// Records commands, submits them, and waits until they are done. For setting up, not for frames.
 /// Throws what vk_check() does; what the commands use may be freed then.
 void run_commands(const DeviceContext& context, const std::function<void(VkCommandBuffer)>& record);

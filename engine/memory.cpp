@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/barrier.h"
 #include "engine/memory_budget.h"
 
 namespace rimline {
@@ -124,15 +125,8 @@ void read_buffer(const DeviceContext& context, const Buffer& buffer, std::span<s
     run_commands(context, [&](VkCommandBuffer commands) {
         const VkBufferCopy region{.size = data.size()};
         vkCmdCopyBuffer(commands, buffer.handle(), staging.handle(), 1, &region);
-        const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                       .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-                                       .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                       .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-                                       .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
-        const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                          .memoryBarrierCount = 1,
-                                          .pMemoryBarriers = &to_host};
-        vkCmdPipelineBarrier2(commands, &dependency);
+        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
     });
     std::memcpy(data.data(), staging.mapped(), data.size());
 }

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "composite_vert.h"
+#include "engine/barrier.h"
 #include "engine/camera.h"
 #include "silhouette/mesh/edge_convexity.h"
 #include "visible_line_vert.h"
@@ -75,25 +76,6 @@ Occluders chosen(Occluders occluders, const DeviceContext& context) {
 
 std::uint32_t size32(const auto& values) noexcept {
     return static_cast<std::uint32_t>(values.size());
-}
-
-OwnedSemaphore make_timeline(const DeviceContext& context) {
-    const VkSemaphoreTypeCreateInfo type{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
-                                         .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE};
-    const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO,
-                                     .pNext = &type};
-    VkSemaphore semaphore = VK_NULL_HANDLE;
-    vk_check(vkCreateSemaphore(context.device, &info, nullptr, &semaphore), "vkCreateSemaphore");
-    return {context.device, semaphore};
-}
-
-OwnedCommandPool make_command_pool(const DeviceContext& context) {
-    const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                       .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                                       .queueFamilyIndex = context.queue_family};
-    VkCommandPool pool = VK_NULL_HANDLE;
-    vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
-    return {context.device, pool};
 }
 
 OwnedQueryPool make_query_pool(const DeviceContext& context, std::uint32_t count) {
@@ -433,15 +415,8 @@ void VisibleRatioPass::record(const Batch& batch, bool keeps_stencil) const {
                                    VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, batch.stencils.handle(), 1,
                                    &region);
         }
-        const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                       .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-                                       .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                       .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-                                       .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
-        const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                          .memoryBarrierCount = 1,
-                                          .pMemoryBarriers = &to_host};
-        vkCmdPipelineBarrier2(commands, &dependency);
+        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
     }
     vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
 }

@@ -1,0 +1,169 @@
+#include "engine/scene_data.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace rimline {
+
+namespace {
+
+static_assert(static_cast<int>(Style::ink) == RIMLINE_STYLE_INK &&
+              static_cast<int>(Style::toon) == RIMLINE_STYLE_TOON &&
+              static_cast<int>(Style::mask) == RIMLINE_STYLE_MASK &&
+              static_cast<int>(Style::blueprint) == RIMLINE_STYLE_BLUEPRINT &&
+              static_cast<int>(Style::hatch) == RIMLINE_STYLE_HATCH);
+
+constexpr double k_finite_extrusion_radii = 8.0;
+
+// How far behind its surface a line may lie, of its distance from the viewer or of the scene's depth.
+// Lines and surfaces have their depths from the same vertices and the same expressions; interpolating
+// them rounds by some 1e-7, and continuing a surface to a line's spine (line.frag) multiplies that by a
+// few: a hundred times that much keeps lines whole on their own surface. It is safe, for what it shows
+// wrongly lies behind by a hundred-thousandth of its distance: a seventieth of a pixel's width at a field
+// of view of 40 degrees and 1000 pixels.
+constexpr float k_depth_slack = 1e-5f;
+
+// Points of the world in an instance's own coordinates.
+glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& world) {
+    return glm::transpose(instance.rotation) * (world - instance.translation);
+}
+glm::dvec3 direction_in_object(const SceneInstance& instance, const glm::dvec3& world) {
+    return glm::transpose(instance.rotation) * world;
+}
+
+// Where in a pixel the first of its samples lies (Vulkan's standard sample locations).
+glm::vec2 first_sample_place(std::uint32_t samples) {
+    if (samples == 4) return {0.375f, 0.125f};
+    return samples == 2 ? glm::vec2(0.75f, 0.75f) : glm::vec2(0.5f, 0.5f);
+}
+
+}  // namespace
+
+HomogeneousPoint camera_point(const SceneInstance& instance, const Camera& camera) {
+    if (!camera.is_orthographic())
+        return HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, camera.eye)));
+    return HomogeneousPoint::direction(
+        glm::vec3(direction_in_object(instance, glm::normalize(camera.eye - camera.target))));
+}
+
+const Camera& lines_camera(const Scene& scene) {
+    return scene.silhouette_camera ? *scene.silhouette_camera : scene.camera;
+}
+
+HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) {
+    if (!light.directional)
+        return HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, light.vector)));
+    return HomogeneousPoint::direction(
+        glm::vec3(direction_in_object(instance, glm::normalize(light.vector))));
+}
+
+float finite_extrusion(const Light& light, const SceneInstance& instance,
+                       const SceneBounds& bounds) {
+    if (light.directional) return float(k_finite_extrusion_radii * bounds.radius);
+    const BoundingSphere sphere = instance.bounds();
+    const glm::dvec3 middle = instance.rotation * sphere.center + instance.translation;
+    const double begin = glm::distance(light.vector, middle) - sphere.radius;
+    const double end = glm::distance(light.vector, bounds.center) + 1.01 * bounds.radius;
+    if (begin * k_greatest_extrusion_times <= end) return float(k_greatest_extrusion_times);
+    return float(end / begin);
+}
+
+ShadowView shadow_view(const Scene& scene, const SceneInstance& instance,
+                       const Projection& projection) {
+    const glm::dvec3 back = glm::normalize(scene.camera.eye - scene.camera.target);
+    ShadowView view{.orthographic = scene.camera.is_orthographic(),
+                    // As instance_data() has it.
+                    .eye = glm::dvec3(glm::vec3(point_in_object(instance, scene.camera.eye))),
+                    .back = direction_in_object(instance, back)};
+    if (!view.orthographic) {
+        // The near plane is where clip.z is clip.w; at its corners clip.x and clip.y are too.
+        const double near = projection.z[1];
+        view.near_reach =
+            near * glm::length(glm::dvec3(1.0 / projection.scale.x, 1.0 / projection.scale.y, 1.0));
+    } else {
+        // Depth ends at -z[1] / z[0] along the view.
+        view.far = glm::dot(view.back, view.eye) - projection.z[1] / projection.z[0];
+    }
+    return view;
+}
+
+CasterBox caster_box(const SceneInstance& instance) {
+    if (!instance.deforming)
+        return {glm::dvec3(instance.mesh().bounds().low),
+                glm::dvec3(instance.mesh().bounds().high)};
+    const BoundingSphere sphere = instance.bounds();
+    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
+}
+
+bool has_lines(const Scene& scene, const SceneInstance& instance) {
+    return scene.lines && instance.has_lines;
+}
+bool casts_shadows(const Scene& scene, const SceneInstance& instance) {
+    return scene.shadows && instance.casts_shadows;
+}
+
+HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance,
+                               const Light& light) {
+    const HomogeneousPoint point = light_point(instance, light);
+    if (!casts_shadows(scene, instance) || !instance.octree) return point;
+    return light_off_vertices(instance.octree->mesh(), point);
+}
+
+std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh) {
+    if (scene.crease_angle_deg <= 0.0f) return 0;
+    return mesh.crease_count(glm::radians(scene.crease_angle_deg));
+}
+
+gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
+    const VkExtent2D extent = targets.pass_extent();
+    const SceneBounds bounds = bounds_of(scene);
+    const Projection projection = make_projection(
+        scene.camera, double(extent.width) / extent.height, bounds.center, bounds.radius);
+    const bool orthographic = scene.camera.is_orthographic();
+    return {.clip_scale = glm::vec2(projection.scale),
+            .clip_z = glm::vec2(projection.z),
+            .clip_w = glm::vec2(projection.w),
+            .viewport = {float(extent.width), float(extent.height)},
+            .depth_place = first_sample_place(targets.samples()),
+            .line_radius = 0.5f * scene.line_width_px * float(targets.scale()),
+            .depth_slack = orthographic ? 0.0f : k_depth_slack,
+            .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
+            .style = static_cast<std::uint32_t>(scene.style),
+            .background = scene.palette.background,
+            .shade = scene.palette.shade,
+            .ink = scene.palette.ink,
+            .hatch_spacing = scene.hatch_spacing_px * float(targets.scale()),
+            .dash_period = (scene.dash_px + scene.dash_gap_px) * float(targets.scale()),
+            .dash_length = scene.dash_px * float(targets.scale()),
+            .frozen_lines = scene.silhouette_camera ? 1u : 0u,
+            .padding = 0};
+}
+
+gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& mesh,
+                                const Camera& camera, VkDeviceAddress slots) {
+    // The camera's silhouette point and the position that vertices are taken relative to are one and
+    // the same float.
+    const HomogeneousPoint eye =
+        HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, camera.eye)));
+    const HomogeneousPoint viewpoint = camera_point(instance, camera);
+    return {.positions = mesh.positions(),
+            .triangles = mesh.triangles(),
+            .corner_normals = mesh.corner_normals(),
+            .edges = mesh.edges(),
+            .loose_edges = mesh.loose_edges(),
+            .borders = mesh.borders(),
+            .creases = mesh.creases(),
+            .slots = slots,
+            .planes = mesh.comparator() ? mesh.comparator()->planes() : 0,
+            .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
+            .eye_from_object = glm::mat3(camera_from_world(camera) * instance.rotation),
+            .camera = eye.xyz(),
+            .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},
+            .middle = mesh.middle(),
+            .color = instance.color,
+            .fade_radius = float(instance.fade_radius),
+            .fade_center = glm::vec3(point_in_object(instance, instance.fade_center))};
+}
+
+}  // namespace rimline
