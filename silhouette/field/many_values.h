@@ -1,0 +1,38 @@
+#pragma once
+
+// A function's values at many points, on all threads, each by one thread alone.
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "silhouette/error.h"
+
+namespace rimline {
+
+/// out[i] = value(points[i]). Reports progress after every 256 points.
+template <typename Value>
+void many_values(std::span<const glm::dvec3> points, std::span<double> out, const LongCall& call,
+                 Value&& value) {
+    RIMLINE_CHECK(points.size() == out.size());
+    constexpr std::size_t k_batch = 256;
+    const auto done = [&](std::size_t count) {
+        return points.empty() ? 1.0
+                              : static_cast<double>(count) / static_cast<double>(points.size());
+    };
+    for (std::size_t begin = 0; begin < points.size(); begin += k_batch) {
+        call.checkpoint(done(begin));
+        const std::size_t end = std::min(begin + k_batch, points.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end),
+                          [&](const tbb::blocked_range<std::size_t>& part) {
+                              for (std::size_t i = part.begin(); i < part.end(); ++i)
+                                  out[i] = value(points[i]);
+                          });
+    }
+    call.checkpoint(1.0);
+}
+
+}  // namespace rimline

@@ -1,0 +1,341 @@
+#include "silhouette/field/points_of_interest.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace rimline {
+
+namespace {
+
+constexpr std::uint32_t k_most_rounds = 200;  // Of a climb, each of 26 samples: usual are 15.
+
+double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
+    return 2.0 * domain.outer_radius / (lattice - 1);
+}
+
+// The other 26 points of a pattern around the middle, moved into the domain.
+std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3& middle,
+                                   double width) {
+    std::array<glm::dvec3, 26> points;
+    std::size_t count = 0;
+    for (int x = 1; x >= -1; --x)
+        for (int y = 1; y >= -1; --y)
+            for (int z = 1; z >= -1; --z)
+                if (x != 0 || y != 0 || z != 0)
+                    points[count++] = domain.nearest(middle + width * glm::dvec3(x, y, z));
+    return points;
+}
+
+struct Sample {
+    glm::dvec3 point;
+    double votes;
+};
+
+// Follows patterns uphill, all climbs side by side.
+class Climbs {
+public:
+    Climbs(const SearchDomain& domain, double width, double tolerance)
+        : domain_(domain), width_(width), tolerance_(tolerance) {}
+
+    void start(const Sample& from) { climbs_.push_back({from, width_}); }
+    /// No climb leaves this ball.
+    void stay_within(const glm::dvec3& center, double radius) { ball_ = {center, radius}; }
+
+    template <typename Values>
+    std::vector<Sample> to_peaks(Values&& values) {
+        for (std::uint32_t round = 0; round < k_most_rounds; ++round) {
+            std::vector<glm::dvec3> points;
+            for (const Climb& climb : climbs_)
+                if (climb.width >= tolerance_)
+                    for (const glm::dvec3& p : pattern(domain_, climb.best.point, climb.width))
+                        points.push_back(p);
+            if (points.empty()) break;
+            std::vector<double> votes(points.size());
+            values(points, votes);
+            std::size_t next = 0;
+            for (Climb& climb : climbs_) {
+                if (climb.width < tolerance_) continue;
+                const double before = climb.best.votes;
+                for (std::size_t i = 0; i < 26; ++i, ++next)
+                    if (votes[next] > climb.best.votes && is_allowed(points[next]))
+                        climb.best = {points[next], votes[next]};
+                if (climb.best.votes == before) climb.width *= 0.5;
+            }
+        }
+        std::vector<Sample> peaks;
+        for (const Climb& climb : climbs_) peaks.push_back(climb.best);
+        return peaks;
+    }
+
+private:
+    struct Climb {
+        Sample best;
+        double width;
+    };
+    bool is_allowed(const glm::dvec3& point) const {
+        return !ball_ || glm::distance(point, ball_->first) <= ball_->second;
+    }
+
+    SearchDomain domain_;
+    double width_;
+    double tolerance_;
+    std::optional<std::pair<glm::dvec3, double>> ball_;
+    std::vector<Climb> climbs_;
+};
+
+// The lattice's samples in the domain, those with greater x, then y, then z first, and which of them have
+// no greater neighbour.
+class Lattice {
+public:
+    Lattice(const SearchDomain& domain, std::uint32_t size)
+        : size_(static_cast<int>(size)), number_(std::size_t{size} * size * size, -1) {
+        const double spacing = spacing_of(domain, size);
+        const double last = 0.5 * (size - 1);
+        for (int x = size_ - 1; x >= 0; --x)
+            for (int y = size_ - 1; y >= 0; --y)
+                for (int z = size_ - 1; z >= 0; --z) {
+                    const glm::dvec3 point = spacing * (glm::dvec3(x, y, z) - last);
+                    if (!domain.contains(point)) continue;
+                    number_[place(x, y, z)] = static_cast<int>(points_.size());
+                    points_.push_back(point);
+                    places_.push_back({x, y, z});
+                }
+        // A thin shell may miss them all.
+        if (points_.empty()) {
+            for (const glm::dvec3& p : pattern(domain, glm::dvec3(0.0), domain.outer_radius))
+                points_.push_back(p);
+        }
+    }
+
+    std::span<const glm::dvec3> points() const { return points_; }
+
+    /// The best of those that have no greater neighbour, best first.
+    std::vector<Sample> tops(std::span<const double> votes, std::size_t most) const {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (is_top(i, votes)) order.push_back(i);
+        std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return votes[i]; });
+        std::vector<Sample> samples;
+        for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
+            samples.push_back({points_[order[i]], votes[order[i]]});
+        return samples;
+    }
+
+private:
+    std::size_t place(int x, int y, int z) const {
+        return (static_cast<std::size_t>(x) * size_ + y) * size_ + z;
+    }
+    bool is_top(std::size_t i, std::span<const double> votes) const {
+        if (places_.empty()) return true;
+        const auto [x, y, z] = places_[i];
+        for (int dx = -1; dx <= 1; ++dx)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dz = -1; dz <= 1; ++dz) {
+                    if (std::min({x + dx, y + dy, z + dz}) < 0 ||
+                        std::max({x + dx, y + dy, z + dz}) >= size_)
+                        continue;
+                    const int other = number_[place(x + dx, y + dy, z + dz)];
+                    if (other >= 0 && votes[static_cast<std::size_t>(other)] > votes[i])
+                        return false;
+                }
+        return true;
+    }
+
+    int size_;
+    std::vector<int> number_;  // By place; -1 outside the domain.
+    std::vector<glm::dvec3> points_;
+    std::vector<std::array<int, 3>> places_;
+};
+
+class Search {
+public:
+    Search(const TangentialField& field, const SearchDomain& domain, const InterestOptions& options)
+        : votes_(field),
+          domain_(domain),
+          options_(options),
+          lattice_(domain, options.lattice),
+          tie_(0x1p-20 * field.greatest_value()),
+          least_(std::max(field.error_bound(), tie_)) {}
+
+    PointsOfInterest run(const LongCall& call) {
+        for (std::uint32_t k = 0; k < options_.count; ++k) {
+            const double begin = static_cast<double>(k) / options_.count;
+            const LongCall part{
+                call.stop, [&](double done) { call.checkpoint(begin + done / options_.count); }};
+            const std::optional<PointOfInterest> best = find_next(part);
+            if (!best) break;
+            result_.points.push_back(*best);
+            if (k + 1 < options_.count) votes_.discount(best->point);
+        }
+        call.checkpoint(1.0);
+        return std::move(result_);
+    }
+
+private:
+    void evaluate(std::span<const glm::dvec3> points, std::span<double> out, const LongCall& call) {
+        votes_.values(points, out, call);
+        result_.evaluations += points.size();
+    }
+
+    std::optional<PointOfInterest> find_next(const LongCall& call) {
+        // A lattice is about as dear as what follows it.
+        std::vector<double> votes(lattice_.points().size());
+        evaluate(lattice_.points(), votes,
+                 {call.stop, [&](double done) { call.checkpoint(0.5 * done); }});
+        const LongCall silent{call.stop, {}};
+        Climbs climbs(domain_, 0.5 * spacing_of(domain_, options_.lattice), options_.tolerance);
+        for (const Sample& top : lattice_.tops(votes, options_.climbs)) climbs.start(top);
+        const std::vector<Sample> peaks =
+            climbs.to_peaks([&](std::span<const glm::dvec3> points, std::span<double> out) {
+                evaluate(points, out, silent);
+            });
+        std::vector<Sample> candidates;
+        for (const Sample& peak : peaks) {
+            const bool is_new = std::ranges::none_of(candidates, [&](const Sample& c) {
+                return glm::distance(c.point, peak.point) <= 4.0 * options_.tolerance;
+            });
+            if (is_new) candidates.push_back(peak);
+        }
+        for (std::size_t i = 0; i < votes.size(); ++i)
+            candidates.push_back({lattice_.points()[i], votes[i]});
+        call.checkpoint(0.7);
+        std::optional<PointOfInterest> best = best_of(candidates, std::nullopt, silent);
+        if (best && options_.weigh) best = refine(*best, silent);
+        call.checkpoint(1.0);
+        return best;
+    }
+
+    // The same point, or a better one near it.
+    PointOfInterest refine(PointOfInterest best, const LongCall& call) {
+        double width = 0.5 * spacing_of(domain_, options_.lattice);
+        for (std::uint32_t round = 0; round < k_most_rounds && width >= options_.weighed_tolerance;
+             ++round) {
+            const auto points = pattern(domain_, best.point, width);
+            std::array<double, 26> votes;
+            evaluate(points, votes, call);
+            std::vector<Sample> candidates;
+            for (std::size_t i = 0; i < 26; ++i) candidates.push_back({points[i], votes[i]});
+            const std::optional<PointOfInterest> other = best_of(candidates, best.score(), call);
+            if (other && other->score() > best.score() + tie_)
+                best = *other;
+            else
+                width *= 0.5;
+        }
+        return best;
+    }
+
+    // The candidate with the best score; none where none has votes. Those that cannot exceed `bar` may be
+    // left out.
+    std::optional<PointOfInterest> best_of(std::span<const Sample> candidates,
+                                           std::optional<double> bar, const LongCall& call) {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            if (candidates[i].votes > least_) order.push_back(i);
+        std::ranges::stable_sort(order, std::greater(),
+                                 [&](std::size_t i) { return candidates[i].votes; });
+        if (options_.weigh) result_.candidates += order.size();
+
+        std::vector<PointOfInterest> weighed;
+        double greatest = bar.value_or(0.0);
+        std::size_t next = 0;
+        while (next < order.size()) {
+            std::vector<glm::dvec3> batch;
+            const std::size_t begin = next;
+            for (; next < order.size() && batch.size() < options_.weigh_batch; ++next) {
+                const Sample& candidate = candidates[order[next]];
+                if (!options_.weighs_all && candidate.votes < greatest - tie_) break;
+                batch.push_back(candidate.point);
+            }
+            if (batch.empty()) break;
+            call.checkpoint(0.0);
+            const std::vector<double> weights = weights_of(batch);
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                weighed.push_back({batch[i], candidates[order[begin + i]].votes, weights[i]});
+                greatest = std::max(greatest, weighed.back().score());
+            }
+        }
+        // Of those that tie with the greatest.
+        std::optional<PointOfInterest> best;
+        for (const PointOfInterest& point : weighed) {
+            if (point.score() < greatest - tie_ || point.score() <= 0.0) continue;
+            if (!best || comes_before(point.point, best->point)) best = point;
+        }
+        return best;
+    }
+
+    std::vector<double> weights_of(std::span<const glm::dvec3> points) {
+        if (!options_.weigh) return std::vector<double>(points.size(), 1.0);
+        std::vector<double> weights = options_.weigh(points);
+        RIMLINE_CHECK(weights.size() == points.size());
+        for (const double weight : weights) RIMLINE_CHECK(weight >= 0.0 && weight <= 1.0);
+        result_.weighed += points.size();
+        return weights;
+    }
+
+    // Of equal scores. Positions of symmetric peaks differ by a few tolerances.
+    bool comes_before(const glm::dvec3& a, const glm::dvec3& b) const {
+        const auto key = [&](const glm::dvec3& p) {
+            const glm::dvec3 q = glm::round(p / (8.0 * options_.tolerance));
+            return std::tuple(q.x, q.y, q.z);
+        };
+        return key(a) > key(b);
+    }
+
+    DiscountedField votes_;
+    SearchDomain domain_;
+    const InterestOptions& options_;
+    Lattice lattice_;
+    double tie_;
+    double least_;
+    PointsOfInterest result_;
+};
+
+void check(const SearchDomain& domain) {
+    RIMLINE_CHECK(domain.inner_radius >= 0.0 && domain.inner_radius <= domain.outer_radius);
+    RIMLINE_CHECK(domain.outer_radius > 0.0 && std::isfinite(domain.outer_radius));
+}
+
+}  // namespace
+
+glm::dvec3 SearchDomain::nearest(const glm::dvec3& point) const {
+    const double length = glm::length(point);
+    if (length > outer_radius) return point * (outer_radius / length);
+    if (length >= inner_radius) return point;
+    return length > 0.0 ? point * (inner_radius / length) : glm::dvec3(inner_radius, 0.0, 0.0);
+}
+
+bool SearchDomain::contains(const glm::dvec3& point) const {
+    const double square = glm::dot(point, point);
+    return square >= inner_radius * inner_radius && square <= outer_radius * outer_radius;
+}
+
+PointsOfInterest find_points_of_interest(const TangentialField& field, const SearchDomain& domain,
+                                         const InterestOptions& options, const LongCall& call) {
+    check(domain);
+    RIMLINE_CHECK(options.lattice >= 2 && options.lattice <= 1024);
+    RIMLINE_CHECK(options.tolerance > 0.0 && options.weighed_tolerance > 0.0);
+    RIMLINE_CHECK(options.climbs >= 1 && options.weigh_batch >= 1);
+    return Search(field, domain, options).run(call);
+}
+
+PointOfInterest climb(const TangentialField& field, const SearchDomain& domain,
+                      const glm::dvec3& from, double within, double tolerance) {
+    check(domain);
+    RIMLINE_CHECK(within >= 0.0 && tolerance > 0.0);
+    const glm::dvec3 start = domain.nearest(from);
+    Climbs climbs(domain, 0.5 * within, tolerance);
+    climbs.stay_within(start, within);
+    climbs.start({start, field.value(start)});
+    const Sample peak = climbs
+                            .to_peaks([&](std::span<const glm::dvec3> points,
+                                          std::span<double> out) { field.values(points, out); })
+                            .front();
+    return {peak.point, peak.votes};
+}
+
+}  // namespace rimline

@@ -1,0 +1,39 @@
+#include "silhouette/field/unit_planes.h"
+
+#include <glm/geometric.hpp>
+
+#include "silhouette/error.h"
+
+namespace rimline {
+
+UnitFrame unit_frame(const Mesh& mesh) {
+    return {mesh.center(), mesh.radius() > 0.0 ? mesh.radius() : 1.0};
+}
+
+UnitPlanes::UnitPlanes(const Mesh& mesh) : frame_(unit_frame(mesh)) {
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) add(mesh, FaceId{f});
+}
+
+UnitPlanes::UnitPlanes(const Mesh& mesh, std::span<const FaceId> faces) : frame_(unit_frame(mesh)) {
+    for (const FaceId face : faces) {
+        RIMLINE_CHECK(index(face) < mesh.face_count());
+        add(mesh, face);
+    }
+}
+
+void UnitPlanes::add(const Mesh& mesh, FaceId face) {
+    const Plane& plane = mesh.plane(face);
+    if (!plane.has_normal()) return;
+    const Triangle& triangle = mesh.triangles()[index(face)];
+    const auto corner = [&](std::size_t i) {
+        return frame_.from_model(glm::dvec3(mesh.positions()[index(triangle[i])]));
+    };
+    const glm::dvec3 a = corner(0);
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(plane.nx, plane.ny, plane.nz));
+    normals_.push_back(normal);
+    offsets_.push_back(glm::dot(normal, a));
+    areas_.push_back(0.5 * glm::length(glm::cross(corner(1) - a, corner(2) - a)));
+    faces_.push_back(face);
+}
+
+}  // namespace rimline
