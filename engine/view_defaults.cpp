@@ -11,6 +11,9 @@ namespace rimline {
 
 namespace {
 
+// A picture is this much wider than what it shows.
+constexpr double k_margin = 1.06;
+
 // A right-handed pair perpendicular to `up`: the first is the first coordinate axis in that plane.
 struct GroundAxes {
     glm::dvec3 first, second;
@@ -26,6 +29,41 @@ GroundAxes ground_axes(const glm::dvec3& up) {
 
 }  // namespace
 
+Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
+    // The middle of what is seen depends on where the camera looks, but less each time.
+    constexpr int k_turns = 8;
+    constexpr double k_least_fov_deg = 1.0;
+    camera.ortho_height = 0.0;
+    camera.target = mesh.center();
+    // Seen along the up axis, the least turn would spin the picture.
+    const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
+    if (glm::length(glm::cross(back, glm::normalize(camera.up))) < 0.2) {
+        const glm::dmat3 axes = camera_from_world(camera);
+        camera.up = {axes[0][1], axes[1][1], axes[2][1]};
+    }
+    glm::dvec2 reach(0.0);
+    for (int turn = 0; turn <= k_turns; ++turn) {
+        const glm::dmat3 axes = camera_from_world(camera);
+        glm::dvec2 low(0.0), high(0.0);
+        bool is_first = true;
+        for (const glm::vec3& position : mesh.positions()) {
+            const glm::dvec3 p = axes * (glm::dvec3(position) - camera.eye);
+            const glm::dvec2 place = glm::dvec2(p) / -p.z;
+            low = is_first ? place : glm::min(low, place);
+            high = is_first ? place : glm::max(high, place);
+            is_first = false;
+        }
+        reach = glm::max(glm::abs(low), glm::abs(high));
+        if (turn == k_turns) break;
+        const glm::dvec2 middle = 0.5 * (low + high);
+        const double distance = glm::distance(camera.eye, mesh.center());
+        camera.target = camera.eye + distance * (glm::dvec3(middle, -1.0) * axes);
+    }
+    const double tangent = k_margin * std::max(reach.y, reach.x / aspect);
+    camera.fov_y_deg = std::max(2.0 * glm::degrees(std::atan(tangent)), k_least_fov_deg);
+    return camera;
+}
+
 glm::dvec3 default_view_direction(const glm::dvec3& up) {
     const auto [first, second] = ground_axes(up);
     // For y up, `second` points to -z: the viewer stands in front, at +z.
@@ -34,7 +72,6 @@ glm::dvec3 default_view_direction(const glm::dvec3& up) {
 
 Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer,
                   double aspect) {
-    constexpr double k_margin = 1.06;
     const double radius = mesh.radius() > 0.0 ? mesh.radius() : 1.0;
     camera.target = mesh.center();
     camera.eye = camera.target + glm::normalize(towards_viewer) * radius;

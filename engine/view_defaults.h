@@ -13,6 +13,11 @@ namespace rimline {
 /// O(vertices).
 Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer, double aspect);
 
+/// The same for a perspective camera that stays where it is, outside the sphere around the mesh: turned and
+/// given a field of view, over 1°, so that every used vertex lies inside the picture with that margin.
+/// O(vertices).
+Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect);
+
 /// The default three-quarter view: from the front, the right and above, for this up axis.
 glm::dvec3 default_view_direction(const glm::dvec3& up);
 

@@ -135,7 +135,7 @@ public:
             deform_.empty() ? std::nullopt : std::optional(default_wave(mesh, up, 0.0));
         const double reach = mesh.radius() + (wave ? wave->amplitude : 0.0);
         const Motion motion = make_motion(mesh, up, reach, wave);
-        Scene first = scene_.make_scene(first_camera(mesh, motion), picture_);
+        Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
         check_size(first, mesh);
         first.instances.push_back(
             {.octree = octree ? &*octree : nullptr, .color = scene_.surface_color(picture_)});
@@ -148,8 +148,12 @@ public:
         Animation animation(std::move(first), mesh, motion);
         const std::uint32_t frame_count =
             motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
-        const std::vector<FrameReport> frames = about_model(
-            model_.model, [&] { return draw(animation, frame_count, device, sequence, context); });
+        const std::vector<FrameReport> frames = about_model(model_.model, [&] {
+            Renderer renderer(device.context());
+            Progress progress(context, "drawing frames");
+            return draw_frames(animation, frame_count, renderer, picture_.size, sequence,
+                               progress.call());
+        });
         if (context.json)
             print_result(device, instance, frames);
         else
@@ -230,29 +234,6 @@ private:
                         model_.model + ": too large to stand before" +
                             (scene_.ground ? " or to lay a ground under" : "") +
                             ": scale it down, coordinates end at 2^60");
-    }
-
-    // A frame is queued before the one before it is fetched, and written while the next is drawn.
-    std::vector<FrameReport> draw(Animation& animation, std::uint32_t frame_count,
-                                  const Device& device, FrameSequence& sequence,
-                                  const Context& context) const {
-        Renderer renderer(device.context());
-        std::vector<FrameReport> reports;
-        reports.reserve(frame_count);
-        Progress progress(context, "drawing frames");
-        const LongCall call = progress.call();
-        const auto take_one = [&] {
-            sequence.write(renderer.finish());
-            reports.push_back(renderer.report());
-        };
-        for (std::uint32_t frame = 0; frame < frame_count; ++frame) {
-            call.checkpoint(double(frame) / frame_count);
-            renderer.submit(animation.at(frame), picture_.size.width, picture_.size.height);
-            if (frame > 0) take_one();
-        }
-        take_one();
-        sequence.finish();
-        return reports;
     }
 
     void print_result(const Device& device, const VulkanInstance& instance,

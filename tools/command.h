@@ -65,5 +65,8 @@ std::unique_ptr<Command> make_render_command();
 std::unique_ptr<Command> make_animate_command();
 std::unique_ptr<Command> make_devices_command();
 std::unique_ptr<Command> make_view_command();
+std::unique_ptr<Command> make_views_command();
+std::unique_ptr<Command> make_path_command();
+std::unique_ptr<Command> make_light_command();
 
 }  // namespace rimline::tools

@@ -8,8 +8,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
+#include <vector>
 
 #include "engine/png.h"
+#include "engine/renderer.h"
+#include "tools/animation.h"
+#include "tools/option_types.h"
+#include "tools/output_folder.h"
 
 namespace rimline::tools {
 
@@ -29,16 +34,21 @@ public:
     /// Waits for the last frame. Throws likewise.
     void finish();
 
-    const std::filesystem::path& folder() const noexcept { return folder_; }
+    const std::filesystem::path& folder() const noexcept { return folder_.path(); }
     /// An earlier frame's file is replaced; those of a longer sequence stay.
     std::filesystem::path file(std::uint32_t frame) const;
 
 private:
-    std::filesystem::path folder_;
-    bool is_own_ = false;  // It was made here.
+    OutputFolder folder_;
     int digits_ = 4;
     std::uint32_t next_ = 0;
     std::future<void> writing_;
 };
+
+/// Draws the frames of an animation from its first on, and writes them: one is queued before the one
+/// before it is fetched, and written while the next is drawn. Returns what each took.
+std::vector<FrameReport> draw_frames(Animation& animation, std::uint32_t frame_count,
+                                     Renderer& renderer, ImageSize size, FrameSequence& sequence,
+                                     const LongCall& call);
 
 }  // namespace rimline::tools

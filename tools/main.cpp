@@ -52,6 +52,9 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     commands.push_back(rimline::tools::make_info_command());
     commands.push_back(rimline::tools::make_silhouette_command());
     commands.push_back(rimline::tools::make_track_command());
+    commands.push_back(rimline::tools::make_views_command());
+    commands.push_back(rimline::tools::make_path_command());
+    commands.push_back(rimline::tools::make_light_command());
     commands.push_back(rimline::tools::make_bench_command());
     commands.push_back(rimline::tools::make_view_command());
     commands.push_back(rimline::tools::make_devices_command());

@@ -174,6 +174,18 @@ CLI::Option* add_directions(CLI::App& app, const std::string& name, std::vector<
                           });
 }
 
+CLI::Option* add_directions_or_auto(CLI::App& app, const std::string& name,
+                                    std::vector<glm::vec3>& values, bool& is_auto,
+                                    const std::string& description) {
+    return add_repeatable(app, name, "X,Y,Z|auto", description,
+                          [name, &values, &is_auto](const std::string& text) {
+                              if (text == "auto")
+                                  is_auto = true;
+                              else
+                                  values.push_back(parse_direction(name, text));
+                          });
+}
+
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, double low,
                         double high, const std::string& description) {
     return add_text(app, name, "NUMBER", description,

@@ -32,6 +32,11 @@ CLI::Option* add_points(CLI::App& app, const std::string& name, std::vector<glm:
 CLI::Option* add_directions(CLI::App& app, const std::string& name, std::vector<glm::vec3>& values,
                             const std::string& description);
 
+/// The same, where the word `auto` sets `is_auto` and adds none.
+CLI::Option* add_directions_or_auto(CLI::App& app, const std::string& name,
+                                    std::vector<glm::vec3>& values, bool& is_auto,
+                                    const std::string& description);
+
 /// A finite number in [low, high]; `value` holds the default, shown in the help.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, double low,
                         double high, const std::string& description);

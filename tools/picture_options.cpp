@@ -24,7 +24,9 @@ void PictureOptions::add_lights_to(CLI::App& app) {
     constexpr const char* k_group = "Light";
     add_points(app, "--light", lights, "A point light; repeatable (default: chosen)")
         ->group(k_group);
-    add_directions(app, "--sun", suns, "A directional light, towards it; repeatable")
+    add_directions_or_auto(app, "--sun", suns, has_chosen_sun,
+                           "A directional light, towards it; repeatable. auto: the one that shows "
+                           "most of what the camera sees")
         ->group(k_group);
 }
 

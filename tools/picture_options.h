@@ -24,6 +24,7 @@ struct PictureOptions {
     // Lights. Chosen by the command where none is given.
     std::vector<glm::vec3> lights;  ///< Points.
     std::vector<glm::vec3> suns;    ///< Directions from the model towards the light.
+    bool has_chosen_sun = false;    ///< One more sun, the best for the camera (sun_choice.h).
 
     // Image.
     ImageSize size{1280, 960};

@@ -11,7 +11,7 @@
 #include "silhouette/hough/hough_octree.h"
 #include "tools/command.h"
 #include "tools/model_argument.h"
-#include "tools/output_file.h"
+#include "tools/picture_file.h"
 #include "tools/picture_options.h"
 #include "tools/picture_scene.h"
 #include "tools/progress.h"
@@ -47,7 +47,7 @@ public:
             "that fills the picture better.\n\n"
             "Examples:\n"
             "  rimline render\n"
-            "  rimline render horse.ply -o horse.png --style toon --ground\n"
+            "  rimline render horse.ply -o horse.png --style toon --ground --sun auto\n"
             "  rimline render shape:knot --eye 3,2,4 --light 2,5,1 --style ink -o knot.png");
     }
 
@@ -64,7 +64,8 @@ public:
         });
         context.checkpoint();
 
-        Scene scene = options_.make_scene(make_camera(mesh, model_.model, picture_), picture_);
+        Scene scene =
+            options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
         check_size(scene, mesh);
         scene.instances.push_back(
             {.octree = &octree, .name = model_.model, .color = options_.surface_color(picture_)});
@@ -77,9 +78,7 @@ public:
         const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
         context.checkpoint();
 
-        const std::vector<std::byte> png = encode_png(picture);
-        output.write({reinterpret_cast<const char*>(png.data()), png.size()});
-        output.commit();
+        write_png(output, picture);
         if (context.json)
             print_result(device, instance, renderer.report());
         else

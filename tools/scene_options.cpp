@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/view_defaults.h"
+#include "silhouette/field/sun_choice.h"
 #include "tools/option_types.h"
 #include "tools/picture_scene.h"
 
@@ -50,7 +51,8 @@ glm::vec3 SceneOptions::surface_color(const PictureOptions& picture) const {
     return default_surface_color(style_value(), background(picture));
 }
 
-Scene SceneOptions::make_scene(const Camera& camera, const PictureOptions& picture) const {
+Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
+                               const PictureOptions& picture) const {
     const StyleDefaults defaults = style_defaults(style_value());
     Scene scene{.camera = camera,
                 .style = style_value(),
@@ -67,6 +69,11 @@ Scene SceneOptions::make_scene(const Camera& camera, const PictureOptions& pictu
         scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
     for (const glm::vec3& sun : picture.suns)
         scene.lights.push_back({.vector = glm::dvec3(sun), .directional = true});
+    if (picture.has_chosen_sun)
+        if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye))
+            // Rounded as --sun is read, so that what `light` prints gives the same picture.
+            scene.lights.push_back(
+                {.vector = glm::dvec3(glm::vec3(sun->direction)), .directional = true});
     if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));
     return scene;
 }

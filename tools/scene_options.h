@@ -25,8 +25,9 @@ struct SceneOptions {
 
     void add_to(CLI::App& app);
 
-    /// A scene in this style, seen from `camera`, with the lights of `picture`: no instances yet.
-    Scene make_scene(const Camera& camera, const PictureOptions& picture) const;
+    /// A scene in this style, seen from `camera`, with the lights of `picture`: no instances yet. `mesh` is
+    /// what a sun is chosen for.
+    Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
     /// The color of surfaces.
     glm::vec3 surface_color(const PictureOptions& picture) const;
 

@@ -31,6 +31,18 @@ std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3&
     return points;
 }
 
+// Of them, the six along the axes.
+std::array<glm::dvec3, 6> axis_pattern(const SearchDomain& domain, const glm::dvec3& middle,
+                                       double width) {
+    std::array<glm::dvec3, 6> points;
+    for (int i = 0; i < 6; ++i) {
+        glm::dvec3 step(0.0);
+        step[i % 3] = i < 3 ? width : -width;
+        points[static_cast<std::size_t>(i)] = domain.nearest(middle + step);
+    }
+    return points;
+}
+
 struct Sample {
     glm::dvec3 point;
     double votes;
@@ -113,6 +125,14 @@ public:
     }
 
     std::span<const glm::dvec3> points() const { return points_; }
+
+    /// Whether a sample is one of every `stride`th along each axis, counted from the middle.
+    bool is_at_stride(std::size_t sample, std::uint32_t stride) const {
+        if (places_.empty()) return true;
+        return std::ranges::all_of(places_[sample], [&](int place) {
+            return (place - size_ / 2) % static_cast<int>(stride) == 0;
+        });
+    }
 
     /// The best of those that have no greater neighbour, best first.
     std::vector<Sample> tops(std::span<const double> votes, std::size_t most) const {
@@ -201,8 +221,10 @@ private:
             });
             if (is_new) candidates.push_back(peak);
         }
+        const std::uint32_t stride = options_.weigh ? options_.weighed_stride : 1;
         for (std::size_t i = 0; i < votes.size(); ++i)
-            candidates.push_back({lattice_.points()[i], votes[i]});
+            if (lattice_.is_at_stride(i, stride))
+                candidates.push_back({lattice_.points()[i], votes[i]});
         call.checkpoint(0.7);
         std::optional<PointOfInterest> best = best_of(candidates, std::nullopt, silent);
         if (best && options_.weigh) best = refine(*best, silent);
@@ -212,14 +234,14 @@ private:
 
     // The same point, or a better one near it.
     PointOfInterest refine(PointOfInterest best, const LongCall& call) {
-        double width = 0.5 * spacing_of(domain_, options_.lattice);
+        double width = 0.5 * spacing_of(domain_, options_.lattice) * options_.weighed_stride;
         for (std::uint32_t round = 0; round < k_most_rounds && width >= options_.weighed_tolerance;
              ++round) {
-            const auto points = pattern(domain_, best.point, width);
-            std::array<double, 26> votes;
+            const auto points = axis_pattern(domain_, best.point, width);
+            std::array<double, 6> votes;
             evaluate(points, votes, call);
             std::vector<Sample> candidates;
-            for (std::size_t i = 0; i < 26; ++i) candidates.push_back({points[i], votes[i]});
+            for (std::size_t i = 0; i < 6; ++i) candidates.push_back({points[i], votes[i]});
             const std::optional<PointOfInterest> other = best_of(candidates, best.score(), call);
             if (other && other->score() > best.score() + tie_)
                 best = *other;
@@ -319,7 +341,7 @@ PointsOfInterest find_points_of_interest(const TangentialField& field, const Sea
     check(domain);
     RIMLINE_CHECK(options.lattice >= 2 && options.lattice <= 1024);
     RIMLINE_CHECK(options.tolerance > 0.0 && options.weighed_tolerance > 0.0);
-    RIMLINE_CHECK(options.climbs >= 1 && options.weigh_batch >= 1);
+    RIMLINE_CHECK(options.climbs >= 1 && options.weigh_batch >= 1 && options.weighed_stride >= 1);
     return Search(field, domain, options).run(call);
 }
 

@@ -9,8 +9,9 @@
 //
 //   Weights. A candidate's score is its votes times a weight in [0, 1] (4.5.3: how much of the silhouette
 //   is visible) that may be dear to find. As votes bound scores, candidates are weighed in falling order
-//   of votes until none that is left can win. Around the winner, patterns of 27 points are weighed the
-//   same way, down to the weighed tolerance.
+//   of votes until none that is left can win. Where weights vary slowly, a part of the lattice's samples
+//   will do beside the peaks (weighed_stride). Around the winner, patterns of 7 points are weighed the same
+//   way, down to the weighed tolerance.
 //
 //   Ties. Symmetric meshes have several equal maxima, but for rounding. Scores that differ by less than
 //   2^-20 of the field's greatest value count as equal, and of equal ones stands the one with the greatest
@@ -58,8 +59,10 @@ struct InterestOptions {
     std::uint32_t climbs = 8;         ///< From so many of the best samples.
     Weigh weigh;                      ///< Empty: all weights are 1.
     double weighed_tolerance = 0.05;  ///< Of positions, where they are weighed.
-    std::uint32_t weigh_batch = 16;   ///< At most so many at once.
-    bool weighs_all = false;          ///< For tests: every candidate, for the same result.
+    /// Of the lattice's samples, every so-manieth along each axis is a candidate where they are weighed.
+    std::uint32_t weighed_stride = 1;
+    std::uint32_t weigh_batch = 16;  ///< At most so many at once.
+    bool weighs_all = false;         ///< For tests: every candidate, for the same result.
 };
 
 struct PointsOfInterest {

@@ -35,6 +35,41 @@ TEST_CASE("a fitted perspective camera holds every vertex with the margin, and n
             }
 }
 
+TEST_CASE("a zoomed camera stays where it is and holds every vertex with the margin") {
+    for (const std::string_view name : k_built_in_shapes)
+        for (const double aspect : {0.5, 1.0, 1.7})
+            for (const glm::dvec3 direction : {glm::dvec3(1, 0.3, 0.2), {0, 1, 0}, {-1, -1, 2}}) {
+                CAPTURE(name);
+                CAPTURE(aspect);
+                const Mesh mesh(make_built_in_shape(name, 2000));
+                const glm::dvec3 eye =
+                    mesh.center() + 1.75 * mesh.radius() * glm::normalize(direction);
+                const Camera camera = zoom_camera({.eye = eye, .up = {0, 1, 0}}, mesh, aspect);
+                CHECK(camera.eye == eye);
+                const glm::dvec2 extent = extent_on_screen(camera, mesh, aspect);
+                CHECK(std::max(extent.x, extent.y) == doctest::Approx(1.0 / 1.06).epsilon(1e-6));
+                // In the middle: nothing is farther out on the one side than on the other.
+                const Projection projection =
+                    make_projection(camera, aspect, mesh.center(), mesh.radius());
+                glm::dvec2 low(1.0), high(-1.0);
+                for (const glm::vec3& position : mesh.positions()) {
+                    const glm::dvec3 p =
+                        camera_from_world(camera) * (glm::dvec3(position) - camera.eye);
+                    const double w = projection.w[0] * p.z + projection.w[1];
+                    low = glm::min(low, glm::dvec2(p) * projection.scale / w);
+                    high = glm::max(high, glm::dvec2(p) * projection.scale / w);
+                }
+                CHECK(glm::length(low + high) < 0.02);
+            }
+}
+
+TEST_CASE("a camera zoomed on a single point looks at it") {
+    const Mesh point(MeshSource{.positions = {{1, 2, 3}}, .triangles = {{0, 0, 0}}});
+    const Camera camera = zoom_camera({.eye = {1, 2, 5}}, point, 1.0);
+    CHECK(camera.target == glm::dvec3(1, 2, 3));
+    CHECK(camera.fov_y_deg == 1.0);
+}
+
 TEST_CASE("a needle that points at the viewer lies wholly in front of the camera") {
     const Mesh needle(MeshSource{.positions = {{0, 0, 1}, {1e-5f, 0, -1}, {-1e-5f, 0, -1}},
                                  .triangles = {{0, 1, 2}}});

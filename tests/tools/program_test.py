@@ -18,7 +18,7 @@ import tempfile
 import time
 
 PROGRAM = os.path.abspath(sys.argv[1])
-COMMANDS = ("render", "animate", "info", "silhouette", "track", "bench", "view", "devices")
+COMMANDS = ("render", "animate", "info", "silhouette", "track", "views", "path", "light", "bench", "view", "devices")
 
 
 def run(*arguments, **options):
@@ -871,6 +871,131 @@ def test_an_interrupted_animation_leaves_whole_frames():
         for name in names:
             with open(os.path.join(output, name), "rb") as file:
                 assert file.read().endswith(b"IEND\xaeB`\x82"), name
+
+
+def check_views(result, count, weighted):
+    assert len(result["views"]) == count and result["asked"] >= count and result["ms"] >= 0
+    for view in result["views"]:
+        assert is_vector(view["eye"])
+        distance = math.dist(view["eye"], result["center"]) / result["radius"]
+        assert 3 ** 0.5 - 1e-9 <= distance <= 2 + 1e-9
+        if weighted:
+            assert 0 <= view["visible_ratio"] <= 1
+            assert math.isclose(view["score"], view["votes"] * view["visible_ratio"])
+        else:
+            assert view["visible_ratio"] is None and view["score"] == view["votes"]
+
+
+def write_faces(path, *faces):
+    with open(path, "w") as file:
+        for face in faces:
+            file.writelines("v %g %g %g\n" % corner for corner in face)
+        file.writelines("f -%d -%d -%d\n" % (3 * i, 3 * i - 1, 3 * i - 2) for i in range(len(faces), 0, -1))
+    return path
+
+
+TRIANGLE = ((0, 0, 0), (1, 0, 0), (0, 1, 0))
+
+
+def test_views_by_votes_alone_need_no_device():
+    result = succeed("views", "shape:knot:2000", "-k", "3", "--no-ratio")
+    check_views(result, 3, False)
+    assert result["renders"] == 0 and not result["inside_out"]
+    scores = [view["score"] for view in result["views"]]
+    assert scores == sorted(scores, reverse=True)
+    text = run("views", "shape:knot:2000", "-k", "3", "--no-ratio")
+    assert text.returncode == 0 and text.stdout.count("  view ") == 3, text.stdout
+    assert succeed("views", "shape:knot:2000", "-k", "3", "--no-ratio", "--threads", "1")["views"] == result["views"]
+
+
+def test_there_are_no_more_views_than_show_something_new():
+    with tempfile.TemporaryDirectory() as folder:
+        one = write_faces(os.path.join(folder, "one.obj"), TRIANGLE)
+        result = succeed("views", one, "-k", "4", "--no-ratio")
+        check_views(result, 1, False)
+        assert result["asked"] == 4
+        assert "1 of 4" in run("views", one, "-k", "4", "--no-ratio").stdout
+        assert "take a model with more faces" in fail(1, "path", one, "--no-ratio")
+        needle = write_faces(os.path.join(folder, "needle.obj"), ((0, 0, 0), (1, 0, 0), (2, 0, 0)))
+        assert needle + ": no face has a plane" in fail(1, "views", needle, "--no-ratio")
+        assert needle + ": no face turns a side" in fail(1, "light", needle, "--eye", "1,2,3")
+
+
+def test_views_are_drawn_from_where_they_are_and_written_together():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "views")
+        result = succeed("views", "shape:scene:3000", "-k", "3", "-o", output, *SMALL, "--ground", "--sun", "auto")
+        check_views(result, 3, True)
+        assert 3 <= result["renders"] <= result["candidates"] and result["output"] == output
+        assert sorted(os.listdir(output)) == ["contact_sheet.png", "view_1.png", "view_2.png", "view_3.png"]
+        for i in (1, 2, 3):
+            assert png_size(os.path.join(output, f"view_{i}.png")) == (64, 48)
+        assert png_size(os.path.join(output, "contact_sheet.png")) == (8 + 2 * 72, 8 + 2 * 56)
+        assert succeed("views", "shape:scene:3000", "-k", "3")["views"] == result["views"]
+
+
+def test_views_leave_nothing_behind_when_they_fail():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "views")
+        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"], ["shape:box", "--size", "16384x16384"]):
+            fail(1, "views", "-o", output, *options)
+            fail(1, "path", "--frames", "3", "-o", output, *options)
+            assert os.listdir(folder) == []
+        for options in (["-k", "0"], ["-k", "65"], ["--sun", "up"]):
+            fail(2, "views", "shape:box", "-o", output, *options)
+        fail(2, "path", "shape:box", "-k", "1")
+        fail(2, "light", "shape:box")
+        process = subprocess.Popen([PROGRAM, "views", "shape:knot:300000", "-k", "64", "-o", output],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(2.0)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=300)
+        assert process.returncode == -signal.SIGINT, (process.returncode, err)
+        assert out == "" and err == "rimline: error: cancelled\n", (out, err)
+        assert os.listdir(folder) == []
+
+
+def test_a_path_passes_its_views_and_keeps_its_distance():
+    result = succeed("path", "shape:knot:2000", "--no-ratio", "--frames", "24")
+    check_views(result, 4, False)
+    assert len(result["nodes"]) == 8 and len(result["samples"]) == 24
+    assert result["node_views"][::2] == [0] + sorted(result["node_views"][2::2], key=result["node_views"].index)
+    assert sorted(result["node_views"][::2]) == [0, 1, 2, 3] and result["node_views"][1::2] == [None] * 4
+    for node, view in zip(result["nodes"], result["node_views"]):
+        assert view is None or node == result["views"][view]["eye"]
+    assert result["samples"][0] == result["nodes"][0]
+    assert result["min_distance"] >= (3 ** 0.5 - 1e-9) * result["radius"]
+    steps = [math.dist(a, b) for a, b in zip(result["samples"], result["samples"][1:] + result["samples"][:1])]
+    assert max(steps) <= 1.01 * result["length"] / 24
+
+
+def test_a_path_is_drawn_through_animate():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "path")
+        result = succeed("path", "shape:spring:2000", "-k", "2", "--frames", "5", "-o", output, *SMALL, "--ground",
+                         "--light-follow")
+        check_views(result, 2, True)
+        assert sorted(os.listdir(output)) == [f"frame_{i:04}.png" for i in range(5)]
+        assert all(png_size(os.path.join(output, name)) == (64, 48) for name in os.listdir(output))
+
+
+def test_light_is_where_render_puts_an_auto_sun():
+    eye = ["--eye", "3,2,4"]
+    light = succeed("light", "shape:knot:3000", *eye)
+    assert math.isclose(math.hypot(*light["sun"]), 1.0)
+    assert 0 < light["score"] <= light["faces"] < 3000 and not light["sees_backs"]
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        pictures = []
+        for sun in ("auto", ",".join(repr(x) for x in light["sun"]), "0,1,0"):
+            output = os.path.join(folder, "a.png")
+            succeed("render", "shape:knot:3000", *eye, "--sun", sun, "-o", output, *SMALL)
+            with open(output, "rb") as file:
+                pictures.append(file.read())
+        assert pictures[0] == pictures[1] != pictures[2]
 
 
 def test_the_bunny_is_counted_and_verified():

@@ -100,7 +100,7 @@ private:
         progress.reset();
         context.checkpoint();
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
-        Scene scene = scene_.make_scene(camera, picture_);
+        Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.look = ViewLook(scene.style);
         session.look.background = scene.palette.background;
         session.look.lines = scene.lines;

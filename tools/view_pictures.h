@@ -1,0 +1,40 @@
+#pragma once
+
+// Best views on a device: how much of their silhouettes is visible, and their pictures.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/device.h"
+#include "engine/png.h"
+#include "engine/renderer.h"
+#include "engine/visible_ratio.h"
+#include "silhouette/field/best_views.h"
+#include "silhouette/hough/hough_octree.h"
+#include "tools/command.h"
+#include "tools/option_types.h"
+#include "tools/picture_options.h"
+#include "tools/scene_options.h"
+
+namespace rimline::tools {
+
+/// Draws with `pass`, which must outlive it, until Ctrl-C.
+VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context);
+
+/// What a view is drawn with; all of it must outlive the pictures.
+struct ViewScene {
+    const std::string& model;
+    const HoughOctree& octree;
+    const SceneOptions& style;
+    const PictureOptions& picture;
+};
+
+/// One picture for each eye, taken from there: the whole model, its up axis upright. `sun auto` is chosen
+/// for each. Throws what renderers throw, and Error{too_large} for a model that reaches too far.
+std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
+                                std::span<const glm::dvec3> eyes, ImageSize size,
+                                const Context& context);
+
+}  // namespace rimline::tools

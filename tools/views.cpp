@@ -1,0 +1,170 @@
+// rimline views: the viewpoints that together show a model best, and pictures from there.
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engine/device.h"
+#include "engine/vulkan_instance.h"
+#include "tools/command.h"
+#include "tools/contact_sheet.h"
+#include "tools/model_argument.h"
+#include "tools/output_folder.h"
+#include "tools/picture_file.h"
+#include "tools/picture_scene.h"
+#include "tools/progress.h"
+#include "tools/view_choice.h"
+#include "tools/view_pictures.h"
+
+namespace rimline::tools {
+
+namespace {
+
+// A contact sheet is about so wide.
+constexpr std::uint32_t k_sheet_width = 1600;
+constexpr std::uint32_t k_sheet_gap = 8;
+
+class ViewsCommand final : public Command {
+public:
+    std::string name() const override { return "views"; }
+    std::string summary() const override { return "Choose the views that show a model best"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        choice_.add_to(app, 1);
+        app.add_flag("--no-ratio", no_ratio_,
+                     "Votes alone: do not draw candidates to see how much of their silhouettes is "
+                     "visible")
+            ->group("Views");
+        output_option_ =
+            app.add_option("-o,--output", output_,
+                           "The folder to write view_1.png ... and contact_sheet.png into "
+                           "(default: no pictures)")
+                ->type_name("FOLDER")
+                ->group("Output");
+        style_.add_to(app);
+        add_direction(app, "--up", picture_.up,
+                      "What is up in pictures (default: y, or z where the file format says so)")
+            ->group("Camera");
+        picture_.add_lights_to(app);
+        picture_.add_image_to(app);
+        picture_.add_machine_to(app);
+        app.footer(
+            "Views lie 1.73 to 2 of the model's radii from its center. The first has the most "
+            "votes of the\n"
+            "faces' planes, for silhouettes and for being seen head-on, times the share of its "
+            "silhouette\n"
+            "that is visible; each next one counts only what those before it do not show. "
+            "--no-ratio needs\n"
+            "no device. Pictures are taken from the views themselves and show the whole model. "
+            "All of them\n"
+            "are written when all are drawn.\n\n"
+            "Examples:\n"
+            "  rimline views bunny.obj -k 4 -o views\n"
+            "  rimline views horse.ply --up 0,0,1 -o views --style toon --sun auto --ground\n"
+            "  rimline views fandisk.obj -k 6 --no-ratio --json");
+    }
+
+    ExitStatus run(const Context& context) override {
+        std::optional<OutputFolder> folder;
+        if (output_option_->count() > 0) folder.emplace(output_, "pictures");
+        const Mesh mesh = model_.load_mesh(context);
+        context.checkpoint();
+        std::optional<VulkanInstance> instance;
+        std::optional<Device> device;
+        std::optional<HoughOctree> octree;
+        if (!no_ratio_ || folder) {
+            instance.emplace(InstanceOptions{.validate = picture_.validate});
+            device.emplace(*instance, picture_.device);
+            octree.emplace(about_model(model_.model, [&] {
+                Progress progress(context, "building the octree");
+                return HoughOctree(mesh, {}, progress.call());
+            }));
+        }
+        const ChosenViews chosen = about_model(model_.model, [&] {
+            if (no_ratio_) return choice_.choose(model_.model, mesh, {}, 1, context);
+            VisibleRatioPass pass(device->context(), *octree);
+            return choice_.choose(model_.model, mesh, visible_ratios_of(pass, context), 1, context);
+        });
+        if (folder) draw(*folder, *octree, *device, chosen, context);
+        if (context.json)
+            print_result(mesh, chosen, device, instance);
+        else
+            print_summary(chosen);
+        return ExitStatus::success;
+    }
+
+private:
+    // Nothing is written before everything is drawn.
+    void draw(const OutputFolder& folder, const HoughOctree& octree, const Device& device,
+              const ChosenViews& chosen, const Context& context) const {
+        std::vector<glm::dvec3> eyes;
+        for (const BestView& view : chosen.best.views) eyes.push_back(view.eye);
+        const std::uint32_t columns = contact_sheet_columns(eyes.size());
+        const ViewScene scene{model_.model, octree, style_, picture_};
+        about_model(model_.model, [&] {
+            Renderer renderer(device.context());
+            const std::vector<Picture> pictures =
+                draw_views(renderer, scene, eyes, picture_.size, context);
+            const std::vector<Picture> cells =
+                draw_views(renderer, scene, eyes, cell_size(columns), context);
+            context.checkpoint();
+            for (std::size_t i = 0; i < pictures.size(); ++i)
+                write(folder, "view_" + std::to_string(i + 1) + ".png", pictures[i]);
+            write(folder, "contact_sheet.png",
+                  make_contact_sheet(cells, columns, k_sheet_gap, {255, 255, 255}));
+        });
+    }
+
+    static void write(const OutputFolder& folder, const std::string& name, const Picture& picture) {
+        OutputFile file(folder.path() / name);
+        write_png(file, picture);
+    }
+
+    // Drawn anew, so that lines are as wide as anywhere.
+    ImageSize cell_size(std::uint32_t columns) const {
+        const std::uint32_t width = std::min(picture_.size.width, k_sheet_width / columns);
+        const std::uint64_t height =
+            std::uint64_t{picture_.size.height} * width / picture_.size.width;
+        return {width, std::max(1u, static_cast<std::uint32_t>(height))};
+    }
+
+    void print_result(const Mesh& mesh, const ChosenViews& chosen,
+                      const std::optional<Device>& device,
+                      const std::optional<VulkanInstance>& instance) const {
+        using Json = nlohmann::ordered_json;
+        Json messages = nullptr;
+        if (instance)
+            if (const auto count = instance->validation_message_count()) messages = *count;
+        Json result = views_json(model_.model, mesh, chosen);
+        result["device"] = device ? Json(device->facts().name) : Json();
+        result["driver"] = device ? Json(device->facts().driver) : Json();
+        result["validation_messages"] = std::move(messages);
+        result["output"] = output_option_->count() > 0 ? Json(output_) : Json();
+        print_json(result);
+    }
+
+    void print_summary(const ChosenViews& chosen) const {
+        if (output_option_->count() > 0)
+            std::printf("%s: %zu pictures and contact_sheet.png\n", output_.c_str(),
+                        chosen.best.views.size());
+        else
+            std::printf("%s\n", model_.model.c_str());
+        print_views(chosen);
+    }
+
+    ModelArgument model_;
+    ViewChoice choice_;
+    SceneOptions style_;
+    PictureOptions picture_;
+    bool no_ratio_ = false;
+    std::string output_;
+    CLI::Option* output_option_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_views_command() { return std::make_unique<ViewsCommand>(); }
+
+}  // namespace rimline::tools
