@@ -70,6 +70,7 @@ struct DrawList {
     VkDeviceAddress frame = 0;  ///< gpu::FrameData.
     std::size_t light_count = 0;
     bool shadows = false;
+    bool is_orthographic = false;
     std::vector<DrawnInstance> instances;
     /// Of each light; where there is one batch it counts up to 255, else each up to 127.
     std::vector<std::vector<ShadowBatch>> shadow_batches;

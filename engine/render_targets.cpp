@@ -8,6 +8,24 @@ namespace rimline {
 
 namespace {
 
+// Where a viewport ends triangles are clipped, and the corners they get there are rounded. In orthographic
+// views shadow volumes end so far away that lavapipe rounds them by whole pixels, and the picture's
+// outermost row or column had no shadow. So the viewport ends beyond the picture, if the device has room
+// for it. With a power of two no other corner is rounded otherwise than without.
+constexpr float k_guard = 2.0f;
+
+float fitting_guard(const VkPhysicalDeviceLimits& limits, VkExtent2D extent) {
+    const auto fits = [&](std::uint32_t length, std::uint32_t limit) {
+        const float size = k_guard * static_cast<float>(length);
+        const float excess = 0.5f * (size - static_cast<float>(length));
+        return size <= static_cast<float>(limit) && -excess >= limits.viewportBoundsRange[0] &&
+               size - excess <= limits.viewportBoundsRange[1];
+    };
+    const bool fit = fits(extent.width, limits.maxViewportDimensions[0]) &&
+                     fits(extent.height, limits.maxViewportDimensions[1]);
+    return fit ? k_guard : 1.0f;
+}
+
 // Whatever came before in the same commands, which may be another picture's passes or the caller's.
 constexpr StageAccess k_before{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
 constexpr StageAccess k_after{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
@@ -21,7 +39,7 @@ constexpr StageAccess k_drawing{
 constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 
-void begin_rendering(VkCommandBuffer commands, VkExtent2D extent,
+void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, float guard,
                      const VkRenderingAttachmentInfo& color,
                      const VkRenderingAttachmentInfo* depth_stencil = nullptr) {
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
@@ -32,8 +50,12 @@ void begin_rendering(VkCommandBuffer commands, VkExtent2D extent,
                                .pDepthAttachment = depth_stencil,
                                .pStencilAttachment = depth_stencil};
     vkCmdBeginRendering(commands, &info);
-    const VkViewport viewport{.width = static_cast<float>(extent.width),
-                              .height = static_cast<float>(extent.height),
+    const float width = static_cast<float>(extent.width);
+    const float height = static_cast<float>(extent.height);
+    const VkViewport viewport{.x = 0.5f * (1.0f - guard) * width,
+                              .y = 0.5f * (1.0f - guard) * height,
+                              .width = guard * width,
+                              .height = guard * height,
                               .minDepth = 0.0f,
                               .maxDepth = 1.0f};
     vkCmdSetViewport(commands, 0, 1, &viewport);
@@ -73,7 +95,10 @@ std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::
 
 RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
                              std::uint32_t samples)
-    : size_(size), scale_(scale), samples_(samples) {
+    : size_(size),
+      scale_(scale),
+      samples_(samples),
+      guard_(fitting_guard(context.limits, pass_extent())) {
     RIMLINE_CHECK(size.width > 0 && size.height > 0 && scale > 0);
     const VkExtent2D extent = pass_extent();
     constexpr VkImageUsageFlags k_drawn_and_read =
@@ -118,16 +143,16 @@ void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float backgro
         depth.resolveImageView = depth_.attachment_view();
         depth.resolveImageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     }
-    begin_rendering(commands, pass_extent(), color, &depth);
+    begin_rendering(commands, pass_extent(), guard_, color, &depth);
 }
 
 void RenderTargets::begin_lines(VkCommandBuffer commands) const {
-    begin_rendering(commands, pass_extent(),
+    begin_rendering(commands, pass_extent(), guard_,
                     color_attachment(lines_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
 }
 
 void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target) {
-    begin_rendering(commands, target.extent,
+    begin_rendering(commands, target.extent, 1.0f,
                     color_attachment(target.view, VK_ATTACHMENT_LOAD_OP_DONT_CARE));
 }
 

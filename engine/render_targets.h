@@ -36,6 +36,9 @@ public:
     }
     std::uint32_t scale() const noexcept { return scale_; }
     std::uint32_t samples() const noexcept { return samples_; }
+    /// The viewport of the surface and line passes is so many times as wide and high as the picture in
+    /// its middle, a power of two.
+    float guard() const noexcept { return guard_; }
 
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
@@ -59,6 +62,7 @@ private:
     VkExtent2D size_;
     std::uint32_t scale_;
     std::uint32_t samples_;
+    float guard_;
     Image surfaces_, depth_;                            // One sample.
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
     Image lines_;

@@ -235,6 +235,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
     DrawList list{.frame = put(0, frame_data(scene, *targets_)),
                   .light_count = light_count,
                   .shadows = scene.shadows,
+                  .is_orthographic = scene.camera.is_orthographic(),
                   .instances = {},
                   .shadow_batches = {}};
     const SceneBounds bounds = bounds_of(scene);

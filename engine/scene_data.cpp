@@ -121,10 +121,10 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
     const Projection projection = make_projection(
         scene.camera, double(extent.width) / extent.height, bounds.center, bounds.radius);
     const bool orthographic = scene.camera.is_orthographic();
-    return {.clip_scale = glm::vec2(projection.scale),
+    return {.clip_scale = glm::vec2(projection.scale) / targets.guard(),
             .clip_z = glm::vec2(projection.z),
             .clip_w = glm::vec2(projection.w),
-            .viewport = {float(extent.width), float(extent.height)},
+            .extent = {float(extent.width), float(extent.height)},
             .depth_place = first_sample_place(targets.samples()),
             .line_radius = 0.5f * scene.line_width_px * float(targets.scale()),
             .depth_slack = orthographic ? 0.0f : k_depth_slack,
@@ -137,7 +137,7 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .dash_period = (scene.dash_px + scene.dash_gap_px) * float(targets.scale()),
             .dash_length = scene.dash_px * float(targets.scale()),
             .frozen_lines = scene.silhouette_camera ? 1u : 0u,
-            .padding = 0};
+            .guard = targets.guard()};
 }
 
 gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& mesh,

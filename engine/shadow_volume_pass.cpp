@@ -43,27 +43,37 @@ constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
 
 }  // namespace
 
-ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, const AttachmentFormats& formats,
-                                   SideStage stage)
-    : layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages)) {
+ShadowVolumePass::Pipelines ShadowVolumePass::make_pipelines(const DeviceContext& context,
+                                                             const AttachmentFormats& formats,
+                                                             VkPipelineLayout layout,
+                                                             SideStage stage, bool depth_clamp) {
+    Pipelines pipelines;
     GraphicsPipelineDescription description{.vertex = shadow_caps_vert,
                                             .geometry = {},
                                             .fragment = {},
                                             .formats = formats,
                                             .blend = Blend::none_written,
                                             .depth_compare = VK_COMPARE_OP_GREATER,
-                                            .depth_clamp = true,
+                                            .depth_clamp = depth_clamp,
                                             .stencil = StencilUse::count,
-                                            .layout = layout_};
-    caps_ = make_graphics_pipeline(context, description);
+                                            .layout = layout};
+    pipelines.caps = make_graphics_pipeline(context, description);
     description.vertex = shadow_sides_vert;
-    pulled_sides_ = make_graphics_pipeline(context, description);
+    pipelines.pulled_sides = make_graphics_pipeline(context, description);
     if (stage == SideStage::geometry && context.features.geometry_shader) {
         description.vertex = points_vert;
         description.geometry = shadow_sides_geom;
         description.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
-        geometry_sides_ = make_graphics_pipeline(context, description);
+        pipelines.geometry_sides = make_graphics_pipeline(context, description);
     }
+    return pipelines;
+}
+
+ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, const AttachmentFormats& formats,
+                                   SideStage stage)
+    : layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages)),
+      perspective_(make_pipelines(context, formats, layout_, stage, false)),
+      orthographic_(make_pipelines(context, formats, layout_, stage, true)) {
     fold_ = make_graphics_pipeline(context, {.vertex = composite_vert,
                                              .geometry = {},
                                              .fragment = {},
@@ -94,7 +104,7 @@ void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, st
 
 void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& list,
                                    std::size_t light, const ShadowBatch& batch) const {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, caps_);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
     set_counting_bits(commands, list.shadow_batches[light].size() == 1 ? 0xffu : 0x7fu);
     for (const std::uint32_t front_bit : {1u, 0u}) {
         set_counting(commands, ShadowMethod::fail, front_bit == 0);
@@ -114,7 +124,8 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
 
 void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& list,
                                     std::size_t light, const ShadowBatch& batch) const {
-    const bool pulled = geometry_sides_ == VK_NULL_HANDLE;
+    const Pipelines& pipelines = pipelines_of(list);
+    const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
     VkPipeline bound = VK_NULL_HANDLE;
     const auto bind = [&](VkPipeline pipeline) {
         if (pipeline == bound) return;
@@ -127,13 +138,13 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
         const DrawnLight& drawn = instance.lights[light];
         const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
         if (draw.face_by_face) {
-            bind(pulled_sides_);
+            bind(pipelines.pulled_sides);
             set_counting(commands, drawn.method, false);
             push_draw_constants(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_FACES);
             vkCmdDraw(commands, 3 * corners * draw.face_count, 1, 3 * corners * draw.first_face, 0);
             continue;
         }
-        bind(pulled ? pulled_sides_ : geometry_sides_);
+        bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);
         set_counting(commands, drawn.method, false);
         const bool single = drawn.form == ShadowForm::single;
         const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;

@@ -16,6 +16,10 @@
 //     stencil   [ t | c c c c c c c ]   c: the batch's count, t: a batch before counted something
 //
 // Caps lie on their own surfaces; depth is compared strictly, so that a surface does not shade itself.
+// Both must be clipped alike, for a corner that comes of clipping moves the depths of all its triangle.
+// So in perspective volumes end at the near plane as surfaces do: what is nearer is in front of all that
+// is seen, where depth fail counts nothing, and depth pass is not chosen for a volume that is there. In
+// orthographic views, which no surface is clipped in, volumes end behind the far plane; depth is clamped.
 // Where the light lies in a face's plane the sides lie on it too; there the surface pass asks the bit.
 // Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
 // Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.1.
@@ -44,15 +48,24 @@ public:
                 VkExtent2D extent) const;
 
 private:
+    struct Pipelines {
+        OwnedPipeline caps;
+        OwnedPipeline pulled_sides;
+        OwnedPipeline geometry_sides;  // Null where sides are pulled.
+    };
+
+    static Pipelines make_pipelines(const DeviceContext& context, const AttachmentFormats& formats,
+                                    VkPipelineLayout layout, SideStage stage, bool depth_clamp);
+    const Pipelines& pipelines_of(const DrawList& list) const noexcept {
+        return list.is_orthographic ? orthographic_ : perspective_;
+    }
     void record_caps(VkCommandBuffer commands, const DrawList& list, std::size_t light,
                      const ShadowBatch& batch) const;
     void record_sides(VkCommandBuffer commands, const DrawList& list, std::size_t light,
                       const ShadowBatch& batch) const;
 
     OwnedPipelineLayout layout_;
-    OwnedPipeline caps_;
-    OwnedPipeline pulled_sides_;
-    OwnedPipeline geometry_sides_;  // Null where sides are pulled.
+    Pipelines perspective_, orthographic_;
     OwnedPipeline fold_;
 };
 

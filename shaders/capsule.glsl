@@ -39,7 +39,7 @@ vec3 from_camera(uint vertex) {
 }
 
 vec2 pixel_of(vec2 ndc) {
-    precise vec2 pixel = (ndc * 0.5 + 0.5) * draw.frame.data.viewport;
+    precise vec2 pixel = (ndc * (0.5 * draw.frame.data.guard) + 0.5) * draw.frame.data.extent;
     return pixel;
 }
 
@@ -88,14 +88,14 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
 
     // In front of the near plane, and not farther outside the picture than a line is wide.
     const float radius = draw.frame.data.line_radius + 1.0;
-    precise vec2 guard = 1.0 + 2.0 * radius / draw.frame.data.viewport;
+    precise vec2 reach = (1.0 + 2.0 * radius / draw.frame.data.extent) / draw.frame.data.guard;
     precise float begin = 0.0;
     precise float end = 1.0;
     clip(a.w - a.z, b.w - b.z, begin, end);
-    clip(guard.x * a.w - a.x, guard.x * b.w - b.x, begin, end);
-    clip(guard.x * a.w + a.x, guard.x * b.w + b.x, begin, end);
-    clip(guard.y * a.w - a.y, guard.y * b.w - b.y, begin, end);
-    clip(guard.y * a.w + a.y, guard.y * b.w + b.y, begin, end);
+    clip(reach.x * a.w - a.x, reach.x * b.w - b.x, begin, end);
+    clip(reach.x * a.w + a.x, reach.x * b.w + b.x, begin, end);
+    clip(reach.y * a.w - a.y, reach.y * b.w - b.y, begin, end);
+    clip(reach.y * a.w + a.y, reach.y * b.w + b.y, begin, end);
     if (begin > end) return false;
     precise vec4 clipped_a = begin == 0.0 ? a : a + (b - a) * begin;
     precise vec4 clipped_b = end == 1.0 ? b : a + (b - a) * end;
@@ -145,7 +145,7 @@ vec4 capsule_corner(Capsule capsule, uint corner) {
     const vec2 along = (len > 1e-6 ? (q - p) / len : vec2(1.0, 0.0)) * radius;
     const vec2 across = vec2(-along.y, along.x) * ((corner & 1u) == 0u ? 1.0 : -1.0);
     const vec2 place = corner < 2u ? p - along + across : q + along + across;
-    return vec4(place / draw.frame.data.viewport * 2.0 - 1.0, 0.5, 1.0);
+    return vec4((place / draw.frame.data.extent * 2.0 - 1.0) / draw.frame.data.guard, 0.5, 1.0);
 }
 
 #endif

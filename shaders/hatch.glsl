@@ -30,7 +30,8 @@ void surface_steps(vec3 position, vec3 normal, out vec3 right_step, out vec3 up_
     const vec2 clip_w = draw.frame.data.clip_w;
     const float w = clip_w.x * dot(axes[2], from_camera) + clip_w.y;
     const vec3 ray = clip_w.x == 0.0 ? -axes[2] : normalize(from_camera);
-    const float pixel = 2.0 * w / (abs(draw.frame.data.clip_scale.x) * draw.frame.data.viewport.x);
+    const float pixel = 2.0 * w / (abs(draw.frame.data.clip_scale.x) * draw.frame.data.guard *
+                                   draw.frame.data.extent.x);
     const float facing = min(dot(normal, ray), -0.12);
     right_step = pixel * (axes[0] - ray * (dot(normal, axes[0]) / facing));
     up_step = pixel * (axes[1] - ray * (dot(normal, axes[1]) / facing));

@@ -112,10 +112,10 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lin
 
 // One for each picture. Colors are linear light.
 struct FrameData {
-    vec2 clip_scale;    // clip.xy = clip_scale * eye.xy
+    vec2 clip_scale;    // clip.xy = clip_scale * eye.xy, so that the picture is |xy| <= w / guard
     vec2 clip_z;        // clip.z = clip_z.x * eye.z + clip_z.y * w
     vec2 clip_w;        // clip.w = clip_w.x * eye.z + clip_w.y * w
-    vec2 viewport;      // Width and height of the pass, in pixels.
+    vec2 extent;        // Width and height of the picture in the pass, in pixels.
     vec2 depth_place;   // Where in a pixel its one depth was taken: of samples, the first.
     float line_radius;  // Half of a line's width, in pixels of the pass.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
@@ -129,7 +129,7 @@ struct FrameData {
     float dash_length;    // What of that is drawn.
     uint
         frozen_lines;  // 1: the silhouette is another point's, and runs over surfaces as creases do.
-    uint padding;
+    float guard;  // How many times as wide and high as the picture the viewport is; a power of 2.
 };
 
 // As the enumerators of Style (engine/scene.h).

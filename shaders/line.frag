@@ -21,7 +21,7 @@ layout(location = 0) out vec2 coverage;
 layout(set = 0, binding = 0) uniform sampler2D surface_depth;
 
 float depth_at(ivec2 pixel) {
-    return texelFetch(surface_depth, clamp(pixel, ivec2(0), ivec2(draw.frame.data.viewport) - 1), 0).r;
+    return texelFetch(surface_depth, clamp(pixel, ivec2(0), ivec2(draw.frame.data.extent) - 1), 0).r;
 }
 
 float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }

@@ -67,21 +67,24 @@ public:
     /// A point at the same depth, so many pixels to the right and down.
     glm::dvec3 displaced(const glm::dvec3& world, glm::dvec2 pixels, glm::dvec2 picture_size) const;
 
+    const Scene& scene() const noexcept { return scene_; }
+    /// Of a face, by its vertices' order: twice the area times the unit normal.
+    glm::dvec3 normal(std::size_t instance, FaceId face) const;
+    /// From a point towards the viewer; for perspective cameras as long as the way there.
+    glm::dvec3 towards_viewer(const glm::dvec3& world) const;
+    /// From a point towards a light; for those that are not directional as long as the way there.
+    static glm::dvec3 towards(const Light& light, const glm::dvec3& world);
+
 private:
     struct Query;
     static void keep_if_blocking(const RTCFilterFunctionNArguments* arguments);
     bool reaches(const SurfacePoint& point, const Ray& camera_ray, const Light& light) const;
     // The sine of the angle at which the light stands over the surface, on its front.
     double height(const SurfacePoint& point, const Light& light) const;
-    static glm::dvec3 towards(const Light& light, const glm::dvec3& world);
     bool is_blocked(Query& query, double end) const;
-    // From a point towards the viewer; for perspective cameras as long as the way there.
-    glm::dvec3 towards_viewer(const glm::dvec3& world) const;
     double depth_of(const glm::dvec3& world) const;
     // The side of a pixel at the depth of a point.
     double pixel_size(const glm::dvec3& world, glm::dvec2 picture_size) const;
-    // Twice the area times the unit normal.
-    glm::dvec3 normal(std::size_t instance, FaceId face) const;
 
     const Scene& scene_;
     glm::dvec3 center_;
