@@ -47,6 +47,7 @@ struct DrawnInstance {
     std::uint32_t crease_count = 0;  ///< Those drawn as lines.
     std::uint32_t loose_count = 0;
     bool has_lines = false;
+    bool fades = false;
     IndirectDraw silhouette;   ///< Of the slots; only where has_lines and the path draws them.
     EveryEdgeDraw every_edge;  ///< Only where has_lines and the path draws no slots.
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
@@ -71,6 +72,7 @@ struct DrawList {
     std::size_t light_count = 0;
     bool shadows = false;
     bool is_orthographic = false;
+    std::uint32_t style = RIMLINE_STYLE_INK;
     std::vector<DrawnInstance> instances;
     /// Of each light; where there is one batch it counts up to 255, else each up to 127.
     std::vector<std::vector<ShadowBatch>> shadow_batches;

@@ -99,6 +99,15 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
     add_stage(VK_SHADER_STAGE_VERTEX_BIT, description.vertex);
     add_stage(VK_SHADER_STAGE_GEOMETRY_BIT, description.geometry);
     add_stage(VK_SHADER_STAGE_FRAGMENT_BIT, description.fragment);
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::uint32_t i = 0; i < description.fragment_constants.size(); ++i)
+        entries.push_back({.constantID = i, .offset = 4 * i, .size = 4});
+    const VkSpecializationInfo constants{
+        .mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+        .pMapEntries = entries.data(),
+        .dataSize = description.fragment_constants.size_bytes(),
+        .pData = description.fragment_constants.data()};
+    if (!entries.empty()) stages.back().pSpecializationInfo = &constants;
 
     const VkPipelineVertexInputStateCreateInfo no_vertices{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};

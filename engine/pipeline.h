@@ -49,6 +49,8 @@ struct GraphicsPipelineDescription {
     SpirvCode vertex;
     SpirvCode geometry;  ///< Empty: none.
     SpirvCode fragment;  ///< Empty: none.
+    /// Of the fragment stage's specialization constants those of numbers 0, 1, ...; empty: none.
+    std::span<const std::uint32_t> fragment_constants{};
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     AttachmentFormats formats;
     Blend blend = Blend::replace;

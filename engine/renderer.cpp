@@ -236,6 +236,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
                   .light_count = light_count,
                   .shadows = scene.shadows,
                   .is_orthographic = scene.camera.is_orthographic(),
+                  .style = static_cast<std::uint32_t>(scene.style),
                   .instances = {},
                   .shadow_batches = {}};
     const SceneBounds bounds = bounds_of(scene);
@@ -251,6 +252,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
                             .crease_count = 0,
                             .loose_count = state.mesh->loose_count(),
                             .has_lines = has_lines(scene, instance),
+                            .fades = instance.fade_radius > 0.0,
                             .silhouette = {},
                             .every_edge = {},
                             .lights = {}};
@@ -414,6 +416,7 @@ FrameReport Renderer::record_frame(VkCommandBuffer commands, const Scene& scene,
                                    const PictureTarget& target, Frame& frame) {
     prepare_targets(target.extent);
     composite_pass_.prepare(context_, target.format);
+    surface_pass_.prepare(context_, scene.style);
     prepare_instances(scene);
     const auto started = std::chrono::steady_clock::now();
     frame.started = started;

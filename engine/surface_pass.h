@@ -2,9 +2,15 @@
 
 // Depth and shading. First what shadow leaves of every surface, with depth; then, for each light, what
 // it adds where the stencil is zero.
+//
+// Each style has pipelines of its own. With one for all, which asks for the style in the fragment stage,
+// lavapipe computed the strokes of hatch for every pixel, and threw them away: two thirds of a frame.
+
+#include <map>
 
 #include "engine/draw_list.h"
 #include "engine/pipeline.h"
+#include "engine/scene.h"
 
 namespace rimline {
 
@@ -12,15 +18,23 @@ class SurfacePass {
 public:
     SurfacePass(const DeviceContext& context, const AttachmentFormats& formats);
 
+    /// Makes ready for lists of `style`, before they are recorded; has no effect the second time.
+    void prepare(const DeviceContext& context, Style style);
+
     /// Writes color and depth. Inside a rendering scope with cleared attachments.
     void record_unlit(VkCommandBuffer commands, const DrawList& list) const;
     /// Adds light `light` where depth is what record_unlit() left and the stencil is zero.
     void record_lit(VkCommandBuffer commands, const DrawList& list, std::size_t light) const;
 
 private:
+    // Of one style, by whether an instance fades.
+    struct Pipelines {
+        OwnedPipeline unlit[2], lit[2];
+    };
+
+    AttachmentFormats formats_;
     OwnedPipelineLayout layout_;
-    OwnedPipeline unlit_;
-    OwnedPipeline lit_;
+    std::map<std::uint32_t, Pipelines> pipelines_;
 };
 
 }  // namespace rimline

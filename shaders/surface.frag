@@ -3,7 +3,8 @@
 #include "draw.glsl"
 #include "hatch.glsl"
 
-// Surfaces in the chosen style. draw.choice is 0 for what shadow leaves of them, 1 and 2 for what the
+// Surfaces in the chosen style, a pipeline each: a CPU that stands in for a GPU takes every branch that is
+// not decided when the shader is compiled. draw.choice is 0 for what shadow leaves of them, 1 and 2 for what the
 // light adds where the stencil lets it through; all lights together add up to the fully lit surface.
 // With 1 the face's bit speaks too where the light grazes the face (surface.vert). 2 is for what casts
 // no shadow.
@@ -13,13 +14,17 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) flat in uint grazed_side;
 layout(location = 0) out vec4 color;
 
+layout(constant_id = 0) const uint k_style = RIMLINE_STYLE_INK;
+layout(constant_id = 1) const bool k_is_lit = false;  // draw.choice is not 0.
+layout(constant_id = 2) const bool k_fades = false;   // The instance's fade_radius is over 0.
+
 // How much of the light a style shows at this cosine. It begins above zero, so that the facets of a
 // shadow's own edge lie in what is dark already.
-float tone(uint style, float cosine) {
-    if (style == RIMLINE_STYLE_MASK) return 1.0;
-    if (style == RIMLINE_STYLE_INK)
+float tone(float cosine) {
+    if (k_style == RIMLINE_STYLE_MASK) return 1.0;
+    if (k_style == RIMLINE_STYLE_INK)
         return 0.86 * smoothstep(0.14, 0.17, cosine) + 0.14 * smoothstep(0.34, 0.40, cosine);
-    if (style == RIMLINE_STYLE_BLUEPRINT || style == RIMLINE_STYLE_HATCH)
+    if (k_style == RIMLINE_STYLE_BLUEPRINT || k_style == RIMLINE_STYLE_HATCH)
         return clamp((cosine - 0.14) / 0.6, 0.0, 1.0);
     return 0.55 * smoothstep(0.14, 0.17, cosine) + 0.45 * smoothstep(0.52, 0.56, cosine);
 }
@@ -28,7 +33,7 @@ float tone(uint style, float cosine) {
 vec3 shown(float amount, vec3 facing_normal) {
     const vec3 lit = draw.instance.data.color;
     const vec3 shade = draw.frame.data.shade;
-    if (draw.frame.data.style != RIMLINE_STYLE_HATCH) return lit * mix(shade, vec3(1.0), amount);
+    if (k_style != RIMLINE_STYLE_HATCH) return lit * mix(shade, vec3(1.0), amount);
     const float density = (1.0 - dot(shade, vec3(1.0 / 3.0))) * (1.0 - amount);
     return mix(lit, draw.frame.data.ink, hatch_ink(position, facing_normal, density));
 }
@@ -39,20 +44,22 @@ void main() {
     if (!gl_FrontFacing) n = -n;
     const vec3 shaded = shown(0.0, n);
     float amount = 0.0;
-    if (draw.choice != 0u) {
+    if (k_is_lit) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
         const vec4 light = draw.light.data.light;
         const vec3 to_light = normalize(light.xyz - light.w * position);
-        amount = reached ? tone(draw.frame.data.style, dot(n, to_light)) : 0.0;
+        amount = reached ? tone(dot(n, to_light)) : 0.0;
         // What only catches shadows is paper: strokes all over it would say nothing.
-        if (draw.frame.data.style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
+        if (k_style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
             amount = smoothstep(0.14, 0.17, dot(n, to_light));
     }
-    color = draw.choice == 0u ? vec4(shaded, 1.0)
-                              : vec4((shown(amount, n) - shaded) * draw.light.data.color, 0.0);
-    if (draw.instance.data.fade_radius > 0.0) {
+    if (k_is_lit)
+        color = vec4((shown(amount, n) - shaded) * draw.light.data.color, 0.0);
+    else
+        color = vec4(shaded, 1.0);
+    if (k_fades) {
         const float away = distance(position, draw.instance.data.fade_center);
         const float fade = smoothstep(0.45, 1.0, away / draw.instance.data.fade_radius);
-        color.rgb = mix(color.rgb, draw.choice == 0u ? draw.frame.data.background : vec3(0.0), fade);
+        color.rgb = mix(color.rgb, k_is_lit ? vec3(0.0) : draw.frame.data.background, fade);
     }
 }
