@@ -72,7 +72,7 @@ struct DrawList {
     std::size_t light_count = 0;
     bool shadows = false;
     bool is_orthographic = false;
-    std::uint32_t style = RIMLINE_STYLE_INK;
+    std::uint32_t style = RIMLINE_STYLE_INK;  ///< A RIMLINE_STYLE_ value.
     std::vector<DrawnInstance> instances;
     /// Of each light; where there is one batch it counts up to 255, else each up to 127.
     std::vector<std::vector<ShadowBatch>> shadow_batches;

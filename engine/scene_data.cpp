@@ -129,7 +129,6 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .line_radius = 0.5f * scene.line_width_px * float(targets.scale()),
             .depth_slack = orthographic ? 0.0f : k_depth_slack,
             .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
-            .style = static_cast<std::uint32_t>(scene.style),
             .background = scene.palette.background,
             .shade = scene.palette.shade,
             .ink = scene.palette.ink,
@@ -137,7 +136,8 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .dash_period = (scene.dash_px + scene.dash_gap_px) * float(targets.scale()),
             .dash_length = scene.dash_px * float(targets.scale()),
             .frozen_lines = scene.silhouette_camera ? 1u : 0u,
-            .guard = targets.guard()};
+            .guard = targets.guard(),
+            .padding = 0};
 }
 
 gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& mesh,

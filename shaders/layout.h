@@ -120,7 +120,6 @@ struct FrameData {
     float line_radius;  // Half of a line's width, in pixels of the pass.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
-    uint style;                  // A RIMLINE_STYLE_ value.
     vec3 background;
     vec3 shade;  // What shadow leaves of a surface's color.
     vec3 ink;
@@ -130,9 +129,10 @@ struct FrameData {
     uint
         frozen_lines;  // 1: the silhouette is another point's, and runs over surfaces as creases do.
     float guard;  // How many times as wide and high as the picture the viewport is; a power of 2.
+    uint padding;
 };
 
-// As the enumerators of Style (engine/scene.h).
+// As the enumerators of Style (engine/scene.h); a specialization constant of surface.frag.
 #define RIMLINE_STYLE_INK 0
 #define RIMLINE_STYLE_TOON 1
 #define RIMLINE_STYLE_MASK 2
