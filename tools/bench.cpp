@@ -20,6 +20,7 @@
 #include "tools/bench_service.h"
 #include "tools/bench_service_report.h"
 #include "tools/bench_targets.h"
+#include "tools/bench_views_request.h"
 #include "tools/command.h"
 #include "tools/model_argument.h"
 #include "tools/option_types.h"
@@ -60,6 +61,12 @@ constexpr const char* k_footer =
     "ratio is a way's median over the first's. --check asks: igea streamed 1/4; closed meshes of\n"
     "60,000 to 110,000 faces adjacency 1.8x, visible ratios 1.4x. Its --growth has the stream,\n"
     "compute shaders and adjacency from 10,000 faces to --most-faces, there by default 300,000.\n\n"
+    "views chooses four views by planes' votes and by other measures at 256 candidates: the share\n"
+    "of faces whose middle is seen from one of them; the least, mean and greatest angle between\n"
+    "two; by how much the first moves with a quarter of the faces, and with vertices moved by a\n"
+    "thousandth of the radius. Lights at the best views: the share of visible pixels that turn\n"
+    "away, those in cast shadow too, and the mean gradient of shading. --check asks of the bunny:\n"
+    "5x fewer viewpoints drawn than the lattice has.\n\n"
     "Examples:\n"
     "  rimline bench hough bunny.obj igea.ply --check\n"
     "  rimline bench hough igea.ply --subdivide 2 --json\n"
@@ -68,6 +75,7 @@ constexpr const char* k_footer =
     "  rimline bench hough fandisk.obj --figures --json\n"
     "  rimline bench service igea.ply --trackers 64\n"
     "  rimline bench engine --check\n"
+    "  rimline bench views horse.ply\n"
     "  rimline bench engine --growth --most-faces 10000000 --device gpu";
 
 // In the folders of RIMLINE_MODELS.
@@ -105,10 +113,11 @@ public:
     void add_options(CLI::App& app) override {
         app.add_option("SUITE", suite_,
                        "What to measure: hough, the octree and its tracker; service, many trackers "
-                       "on threads of their own; engine, streams and frames on a Vulkan device")
+                       "on threads of their own; engine, streams and frames on a Vulkan device; "
+                       "views, the best views and lights beside those of other measures")
             ->type_name("")
             ->required()
-            ->check(CLI::IsMember({"hough", "service", "engine"}));
+            ->check(CLI::IsMember({"hough", "service", "engine", "views"}));
         app.add_option_function<std::vector<std::string>>(
                "MODELS",
                [this](const std::vector<std::string>& texts) {
@@ -130,6 +139,7 @@ public:
         machine_ = this_machine();
         if (suite_ == "service") return run_service(context);
         if (suite_ == "engine") return run_bench_engine(engine_request(), context);
+        if (suite_ == "views") return run_bench_views(views_request(), context);
         if (growth_) return run_growth(context);
         if (figures_) return run_figures(context);
         if (methods_) return run_methods(context);
@@ -182,10 +192,16 @@ private:
                                     "Of the service: threads; 0 leaves it to the machine");
         device_option_ = app.add_option("--device", device_,
                                         "Of the engine: gpu, cpu, an index, or a part of a name");
+        pictures_option_ =
+            app.add_option("--pictures", pictures_,
+                           "Of views: draw the experiments of thesis 4.5.4 into this "
+                           "folder, in place of the measures")
+                ->type_name("FOLDER");
+        up_option_ = add_direction(app, "--up", up_, "Of --pictures: what is up in the models");
         for (CLI::Option* option :
-             {device_option_, viewpoints_option_, frames_option_, worst_frames_option_,
-              rounds_option_, builds_option_, least_option_, most_option_, trackers_option_,
-              fps_option_, workers_option_})
+             {pictures_option_, up_option_, device_option_, viewpoints_option_, frames_option_,
+              worst_frames_option_, rounds_option_, builds_option_, least_option_, most_option_,
+              trackers_option_, fps_option_, workers_option_})
             option->group(k_group);
     }
 
@@ -197,7 +213,15 @@ private:
         };
         const bool is_service = suite_ == "service";
         const bool is_engine = suite_ == "engine";
-        refuse(!is_engine, device_option_, "belongs to the suite engine");
+        const bool is_views = suite_ == "views";
+        refuse(!is_views, pictures_option_, "belongs to the suite views");
+        refuse(!is_views || pictures_.empty(), up_option_, "belongs to --pictures");
+        refuse(is_views && !pictures_.empty(), check_option_, "not together with --pictures");
+        refuse(!is_engine && !is_views, device_option_, "belongs to the suites engine and views");
+        for (const CLI::Option* option :
+             {methods_option_, growth_option_, figures_option_, no_vtk_option_, viewpoints_option_,
+              frames_option_, worst_frames_option_, rounds_option_, builds_option_})
+            refuse(is_views, option, "belongs to other suites");
         for (const CLI::Option* option : {methods_option_, figures_option_, no_vtk_option_,
                                           worst_frames_option_, builds_option_})
             refuse(is_engine, option, "belongs to the suite hough");
@@ -366,6 +390,20 @@ private:
         return request;
     }
 
+    ViewsBenchRequest views_request() const {
+        ViewsBenchRequest request{
+            .models = models_, .subdivide = subdivide_, .device = device_, .check = check_};
+        request.pictures = pictures_;
+        request.up = up_;
+        if (models_.empty()) {
+            for (const char* file_name :
+                 {"stanford-bunny.obj", "horse.ply", "rocker-arm.obj", "fandisk.obj"})
+                if (const auto path = find_model(file_name)) request.models.push_back(*path);
+            if (request.models.empty()) request.models = {"shape:knot:70000", "shape:spring:20000"};
+        }
+        return request;
+    }
+
     ExitStatus run_service(const Context& context) {
         if (frames_option_->count() > 0) service_.frames = hough_.frames;
         const std::vector<std::string> names = models();
@@ -392,10 +430,12 @@ private:
     ServiceBenchOptions service_;
     BenchMachine machine_;
     bool said_machine_ = false;
-    std::string device_;
-    CLI::Option *device_option_ = nullptr, *subdivide_option_ = nullptr, *check_option_ = nullptr,
-                *methods_option_ = nullptr, *growth_option_ = nullptr, *figures_option_ = nullptr,
-                *no_vtk_option_ = nullptr, *viewpoints_option_ = nullptr, *frames_option_ = nullptr,
+    std::string device_, pictures_;
+    std::optional<glm::vec3> up_;
+    CLI::Option *pictures_option_ = nullptr, *up_option_ = nullptr, *device_option_ = nullptr,
+                *subdivide_option_ = nullptr, *check_option_ = nullptr, *methods_option_ = nullptr,
+                *growth_option_ = nullptr, *figures_option_ = nullptr, *no_vtk_option_ = nullptr,
+                *viewpoints_option_ = nullptr, *frames_option_ = nullptr,
                 *worst_frames_option_ = nullptr, *rounds_option_ = nullptr,
                 *builds_option_ = nullptr, *least_option_ = nullptr, *most_option_ = nullptr,
                 *trackers_option_ = nullptr, *fps_option_ = nullptr, *workers_option_ = nullptr;

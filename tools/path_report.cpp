@@ -41,6 +41,11 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const Context& context) co
     CameraPath path(center, places);
     std::vector<glm::dvec3> samples;
     for (std::uint32_t i = 0; i < frames; ++i) samples.push_back(path.position(double(i) / frames));
+    std::vector<glm::dvec3> points;
+    for (const glm::dvec3& sample : samples)
+        points.push_back(chosen.field.frame().from_model(sample));
+    std::vector<double> sample_votes(points.size());
+    chosen.field.values(points, sample_votes, {context.stop, {}});
     double min_distance = glm::distance(places[0], center);
     for (int i = 0; i < k_distance_samples; ++i)
         min_distance = std::min(
@@ -48,6 +53,7 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const Context& context) co
     return {.nodes = std::move(nodes),
             .path = std::move(path),
             .samples = std::move(samples),
+            .sample_votes = std::move(sample_votes),
             .min_distance = min_distance,
             .ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count()};
 }
@@ -67,6 +73,7 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
             {"node_views", std::move(node_views)},
             {"node_votes", std::move(node_votes)},
             {"samples", std::move(samples)},
+            {"sample_votes", planned.sample_votes},
             {"min_distance", planned.min_distance},
             {"length", planned.path.length()},
             {"views", to_json(chosen)},

@@ -20,6 +20,7 @@ struct PlannedPath {
     std::vector<TourNode> nodes;
     CameraPath path;
     std::vector<glm::dvec3> samples;  ///< At the same distance along the path, the first at a view.
+    std::vector<double> sample_votes;  ///< Of the first field.
     double min_distance;  ///< From the mesh's center, of all the path as densely sampled.
     double ms;            ///< Nodes and path, without choosing views.
 };

@@ -13,6 +13,9 @@ namespace rimline::tools {
 
 void ViewChoice::add_to(CLI::App& app, std::uint32_t least) {
     add_count(app, "-k", count, least, 64, "How many views")->group("Views");
+    app.add_flag("--by-area", by_area,
+                 "Votes weigh as faces' areas, where faces are of very different size")
+        ->group("Views");
 }
 
 ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
@@ -21,7 +24,9 @@ ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     Progress progress(context, "choosing views");
-    TangentialField field = make_view_field(mesh);
+    FieldOptions weighed;
+    if (by_area) weighed.weight = FieldOptions::Weight::area;
+    TangentialField field = make_view_field(mesh, weighed);
     BestViewsOptions options;
     options.count = count;
     options.visible_ratios = ratios;

@@ -25,6 +25,7 @@ struct ChosenViews {
 
 struct ViewChoice {
     std::uint32_t count = 4;
+    bool by_area = false;  ///< Planes' votes weigh as their faces' areas.
 
     void add_to(CLI::App& app, std::uint32_t least);
 

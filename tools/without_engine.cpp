@@ -2,6 +2,7 @@
 // asked.
 
 #include "tools/bench_engine_request.h"
+#include "tools/bench_views_request.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
@@ -45,6 +46,12 @@ std::unique_ptr<Command> make_devices_command() {
 ExitStatus run_bench_engine(const EngineBenchRequest&, const Context&) {
     throw Error(ErrorCode::no_device,
                 "bench engine: this rimline was built without the engine; configure it with "
+                "-DRIMLINE_ENGINE=ON and build again");
+}
+
+ExitStatus run_bench_views(const ViewsBenchRequest&, const Context&) {
+    throw Error(ErrorCode::no_device,
+                "bench views: this rimline was built without the engine; configure it with "
                 "-DRIMLINE_ENGINE=ON and build again");
 }
 

@@ -3,15 +3,15 @@
 #include <array>
 #include <map>
 
-#include "silhouette/field/named_functions.h"
 #include "silhouette/mesh/winding.h"
 
 namespace rimline {
 
-TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options) {
+TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options,
+                                const TangentialFunction& function) {
     const UnitPlanes planes =
         is_inside_out(mesh) ? UnitPlanes(turned_inside_out(mesh)) : UnitPlanes(mesh);
-    return TangentialField(planes, view_function(), options);
+    return TangentialField(planes, function, options);
 }
 
 namespace {

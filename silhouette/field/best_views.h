@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/field/named_functions.h"
 #include "silhouette/field/points_of_interest.h"
 #include "silhouette/field/tangential_field.h"
 #include "silhouette/mesh/mesh.h"
@@ -30,7 +31,8 @@ inline constexpr SearchDomain k_view_shell{1.7320508075688773, 2.0};
 
 /// The field that viewpoints are peaks of. Of a closed mesh that is wound inside out (winding.h), the
 /// planes are turned: front is where the surface is seen from.
-TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options = {});
+TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options = {},
+                                const TangentialFunction& function = view_function());
 
 /// Of viewpoints in the mesh's coordinates, in order, each in [0, 1].
 using VisibleRatios = std::function<std::vector<double>(std::span<const glm::dvec3>)>;

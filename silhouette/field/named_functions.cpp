@@ -85,8 +85,8 @@ std::span<const NamedFunction> named_functions() {
         {"angle-large", "seen at a large angle (4.4)", large_viewing_angle(2.0), k_inner, 2.0},
         {"origins", "origins of Hough spaces (4.8)", origin_function(), 0.0, 3.0},
         {"views", "viewpoints (4.10)", view_function(), k_inner, 2.0},
-        {"views-near", "viewpoints, the plateau reached at alpha", view_function(1.0, 1.0), k_inner,
-         2.0},
+        {"views-far", "viewpoints, the plateau reached at 2 alpha", view_function(1.0, 2.0),
+         k_inner, 2.0},
         {"light", "a light (4.18)", light_function(), k_inner, 2.0},
     };
     return functions;

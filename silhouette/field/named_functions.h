@@ -45,9 +45,7 @@ TangentialFunction origin_function(double alpha = 1.72);
 /// Viewpoints (4.5, Figure 4.10), in the shell from √3 to 2: 1 on the plane, 0 at |s| = alpha/2; in front
 /// 1 from `plateau` on, behind a quarter of that. alpha/2 < plateau.
 TangentialFunction view_function(double alpha, double plateau);
-inline TangentialFunction view_function(double alpha = 1.0) {
-    return view_function(alpha, 2.0 * alpha);
-}
+inline TangentialFunction view_function(double alpha = 1.0) { return view_function(alpha, alpha); }
 /// A light (4.6, Figure 4.18), in the same shell, for planes that face the viewpoint: 0 behind, 1 at
 /// alpha/2, a third from alpha on.
 TangentialFunction light_function(double alpha = 1.0);
