@@ -19,6 +19,7 @@ constexpr ImageSize k_cell{400, 300};
 constexpr std::uint32_t k_views = 4;
 constexpr std::uint32_t k_gap = 4;
 constexpr double k_bend_deg = 70.0;
+constexpr double k_crease_deg = 50.0;  // Edges of machine parts.
 
 // One mesh on the device.
 class Stage {
@@ -47,6 +48,7 @@ public:
                               bool has_chosen_sun, const Context& context) {
         SceneOptions scene;
         scene.style = style;
+        scene.crease_degrees = k_crease_deg;
         picture_.has_chosen_sun = has_chosen_sun;
         return draw_views(renderer_, {model_, octree_, scene, picture_}, eyes, k_cell, context);
     }

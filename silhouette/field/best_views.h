@@ -6,7 +6,7 @@
 // (named_functions.h): every plane votes for where its edges are likely on the silhouette, for where it is
 // seen head-on, and a little for where it is seen head-on from behind, which symmetric models have. The
 // first viewpoint has the most votes, and each one after it the most of those not cast yet, so that views
-// differ and none is the mirror image of another.
+// differ.
 //
 // Votes know no occlusion. A caller who can draw weights them by how much of a viewpoint's silhouette
 // is visible (4.5.3; engine/visible_ratio.h). As that is never over 1, candidates are drawn in falling
