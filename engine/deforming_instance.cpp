@@ -57,7 +57,9 @@ const GpuSilhouette& DeformingInstance::add(std::unique_ptr<GpuSilhouette>& silh
                                             DeformedFrame::Purpose purpose, DeformedFrame& frame) {
     const bool is_first = !silhouette;
     if (is_first)
-        silhouette = std::make_unique<GpuSilhouette>(context_, mesh_.topology(), mesh_.faces());
+        silhouette =
+            std::make_unique<GpuSilhouette>(context_, mesh_.topology(), mesh_.faces(),
+                                            GpuSilhouette::Changes::counted, &budget_, model_);
     frame.add({silhouette.get(), point}, purpose, is_first);
     return *silhouette;
 }

@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/deforming_mesh.h"
@@ -68,8 +70,12 @@ class DeformingInstance {
 public:
     /// As DeformingMesh.
     DeformingInstance(const DeviceContext& context, const Mesh& mesh, const GpuMesh& gpu_mesh,
-                      float crease_angle_rad, std::uint32_t ring_slots)
-        : context_(context), mesh_(context, mesh, gpu_mesh, crease_angle_rad, ring_slots) {}
+                      float crease_angle_rad, std::uint32_t ring_slots, MemoryBudget& budget,
+                      const std::string& model)
+        : context_(context),
+          budget_(budget),
+          model_(model),
+          mesh_(context, mesh, gpu_mesh, crease_angle_rad, ring_slots, &budget, model) {}
 
     /// Moves the mesh, and adds it to `frame`. Throws as DeformingMesh::move().
     void begin_frame(const Deformation& deformation, std::uint32_t ring_slot,
@@ -89,6 +95,15 @@ public:
         return add(lights_[light], point, DeformedFrame::Purpose::shadow, frame);
     }
 
+    /// Gives up the silhouette from the last of its lights; for who frees it when no frame reads it any
+    /// more.
+    std::size_t light_count() const noexcept { return lights_.size(); }
+    std::unique_ptr<GpuSilhouette> take_last_light() noexcept {
+        std::unique_ptr<GpuSilhouette> last = std::move(lights_.back());
+        lights_.pop_back();
+        return last;
+    }
+
     const DeformingMesh& mesh() const noexcept { return mesh_; }
 
 private:
@@ -97,6 +112,8 @@ private:
                              DeformedFrame& frame);
 
     DeviceContext context_;
+    MemoryBudget& budget_;
+    std::string model_;
     DeformingMesh mesh_;
     std::unique_ptr<GpuSilhouette> camera_;
     std::vector<std::unique_ptr<GpuSilhouette>> lights_;

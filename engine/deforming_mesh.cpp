@@ -53,22 +53,32 @@ gpu::WaveConstants constants_of(const Wave& wave) {
 
 DeformingMesh::DeformingMesh(const DeviceContext& context, const Mesh& mesh,
                              const GpuMesh& gpu_mesh, float crease_angle_rad,
-                             std::uint32_t ring_slots)
+                             std::uint32_t ring_slots, MemoryBudget* budget,
+                             const std::string& model)
     : context_(context),
       mesh_(&mesh),
       vertex_count_(mesh.vertex_count()),
       ring_slots_(ring_slots),
       triangles_(gpu_mesh.triangles()),
-      topology_(context, mesh),
-      positions_(context, mesh.positions().size_bytes(), BufferPlace::device, "moved positions"),
-      corner_normals_(context, 3 * sizeof(glm::vec3) * std::uint64_t{mesh.face_count()},
-                      BufferPlace::device, "normals of moved positions") {
+      model_(model),
+      topology_(context, mesh, budget, model),
+      share_(budget),
+      ring_share_(budget) {
     const CornerGroupList groups = corner_groups(mesh, crease_angle_rad);
+    const std::span<const std::uint32_t> begin(groups.begin);
+    const std::span<const std::uint32_t> corners(groups.corners);
     group_count_ = static_cast<std::uint32_t>(groups.begin.size() - 1);
-    group_begin_ =
-        upload_buffer(context, std::span<const std::uint32_t>(groups.begin), "groups of corners");
-    group_corners_ =
-        upload_buffer(context, std::span<const std::uint32_t>(groups.corners), "corners of groups");
+    const std::uint64_t normal_bytes = 3 * sizeof(glm::vec3) * std::uint64_t{mesh.face_count()};
+    share_.resize(buffer_bytes(mesh.positions().size_bytes()) + buffer_bytes(normal_bytes) +
+                      buffer_bytes(begin.size_bytes()) + buffer_bytes(corners.size_bytes()) +
+                      sizeof(gpu::DeformJob),
+                  "the moved positions and normals of " + model);
+    positions_ = Buffer(context, mesh.positions().size_bytes(), BufferPlace::device,
+                        "the moved positions of " + model);
+    corner_normals_ =
+        Buffer(context, normal_bytes, BufferPlace::device, "the moved normals of " + model);
+    group_begin_ = upload_buffer(context, begin, "the groups of corners of " + model);
+    group_corners_ = upload_buffer(context, corners, "the groups of corners of " + model);
     const gpu::DeformJob job{.rest = gpu_mesh.positions(),
                              .positions = positions_.address(),
                              .triangles = triangles_,
@@ -86,9 +96,16 @@ void DeformingMesh::move(const Deformation& deformation, std::uint32_t ring_slot
     if (const auto* moved = std::get_if<MovedPositions>(&deformation)) {
         RIMLINE_CHECK(moved->positions.size() == vertex_count_);
         const std::uint64_t size_bytes = moved->positions.size_bytes();
-        if (ring_.size() < size_bytes * ring_slots_)
-            ring_ = Buffer(context_, size_bytes * ring_slots_, BufferPlace::upload,
-                           "the ring of moved positions");
+        if (ring_.size() < size_bytes * ring_slots_) {
+            const std::string what = "the ring of moved positions of " + model_;
+            try {
+                ring_share_.resize(size_bytes * ring_slots_, what);
+                ring_ = Buffer(context_, size_bytes * ring_slots_, BufferPlace::upload, what);
+            } catch (...) {
+                ring_share_.resize(ring_.size(), what);
+                throw;
+            }
+        }
         if (size_bytes > 0)
             std::memcpy(ring_.mapped() + ring_slot * size_bytes, moved->positions.data(),
                         size_bytes);

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "engine/deformation.h"
 #include "engine/gpu_mesh.h"
@@ -25,14 +26,18 @@ namespace rimline {
 class DeformingMesh {
 public:
     /// `gpu_mesh` is the same mesh, uploaded; it must outlive this. Surfaces are shaded smooth across
-    /// edges that bend by at most `crease_angle_rad` at rest. Uploads and waits.
+    /// edges that bend by at most `crease_angle_rad` at rest. Uploads and waits. Memory is of `budget`,
+    /// which must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the
+    /// budget or the device's limit.
     DeformingMesh(const DeviceContext& context, const Mesh& mesh, const GpuMesh& gpu_mesh,
-                  float crease_angle_rad, std::uint32_t ring_slots);
+                  float crease_angle_rad, std::uint32_t ring_slots, MemoryBudget* budget = nullptr,
+                  const std::string& model = "the model");
 
     /// Where the mesh is from now on, for the frame of `ring_slot`: the caller has waited until the GPU is
     /// done with the frame that used that slot last. O(1), or O(vertices) for positions of the caller's.
-    /// Throws Error{too_large} where the deformed mesh would leave the range of coordinates; positions must
-    /// be as MovedPositions says.
+    /// Throws Error{too_large} where the deformed mesh would leave the range of coordinates, and as the
+    /// constructor where positions of the caller's come for the first time; they must be as
+    /// MovedPositions says.
     void move(const Deformation& deformation, std::uint32_t ring_slot);
 
     VkDeviceAddress positions() const noexcept { return positions_.address(); }
@@ -54,7 +59,10 @@ private:
     std::uint32_t group_count_;
     std::uint32_t ring_slots_;
     VkDeviceAddress triangles_;
+    std::string model_;
     SilhouetteTopology topology_;
+    MemoryBudget::Share share_;  // Of all but the topology and the ring.
+    MemoryBudget::Share ring_share_;
     Buffer positions_;
     Buffer corner_normals_;
     Buffer group_begin_;

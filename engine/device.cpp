@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "engine/face_bits_pass.h"
+#include "engine/queue_choice.h"
 
 namespace rimline {
 
@@ -35,27 +38,20 @@ std::vector<VkPhysicalDevice> physical_devices(const VulkanInstance& instance) {
         "vkEnumeratePhysicalDevices");
 }
 
-constexpr VkQueueFlags k_queue_flags = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-
-// The first family for graphics and compute, or the number of families.
-std::uint32_t find_queue_family(VkPhysicalDevice device, std::uint32_t& family_count) {
-    vkGetPhysicalDeviceQueueFamilyProperties(device, &family_count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(family_count);
-    vkGetPhysicalDeviceQueueFamilyProperties(device, &family_count, families.data());
-    const auto found =
-        std::find_if(families.begin(), families.end(), [](const VkQueueFamilyProperties& family) {
-            return (family.queueFlags & k_queue_flags) == k_queue_flags;
-        });
-    return static_cast<std::uint32_t>(found - families.begin());
+std::optional<QueueChoice> queues_of(VkPhysicalDevice device) {
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+    return choose_queues(std::span(families).first(count));
 }
 
 bool has_extension(VkPhysicalDevice device, std::string_view name) {
-    std::uint32_t count = 0;
-    vk_check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
-             "vkEnumerateDeviceExtensionProperties");
-    std::vector<VkExtensionProperties> extensions(count);
-    vk_check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
-             "vkEnumerateDeviceExtensionProperties");
+    const auto extensions = enumerate<VkExtensionProperties>(
+        [&](std::uint32_t* count, VkExtensionProperties* properties) {
+            return vkEnumerateDeviceExtensionProperties(device, nullptr, count, properties);
+        },
+        "vkEnumerateDeviceExtensionProperties");
     return std::ranges::any_of(extensions, [name](const VkExtensionProperties& extension) {
         return name == extension.extensionName;
     });
@@ -94,8 +90,6 @@ DeviceFacts describe(VkPhysicalDevice device) {
     vkGetPhysicalDeviceProperties2(device, &properties);
     FeatureChain features;
     vkGetPhysicalDeviceFeatures2(device, &features.v10);
-    std::uint32_t family_count = 0;
-    const std::uint32_t family = find_queue_family(device, family_count);
     facts.driver = std::string(v12.driverName) + " " + v12.driverInfo;
     facts.geometry_shader = features.v10.features.geometryShader == VK_TRUE;
     facts.occlusion_query_precise = features.v10.features.occlusionQueryPrecise == VK_TRUE;
@@ -108,7 +102,7 @@ DeviceFacts describe(VkPhysicalDevice device) {
     facts.maintenance4 = features.v13.maintenance4 == VK_TRUE;
     facts.swapchain = has_extension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
-    facts.graphics_and_compute_queue = family < family_count;
+    facts.graphics_and_compute_queue = queues_of(device).has_value();
     facts.samples = common_samples(properties.properties.limits);
     facts.depth_stencil_format = has_depth_stencil_format(device);
     return facts;
@@ -129,6 +123,8 @@ DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice dev
                           .device = device,
                           .queue = queue,
                           .queue_family = queue_family,
+                          .transfer_queue = queue,
+                          .transfer_family = queue_family,
                           .features = features};
     vkGetPhysicalDeviceMemoryProperties(physical_device, &context.memory);
     VkPhysicalDeviceMaintenance4Properties maintenance4{
@@ -152,13 +148,15 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
     const VkPhysicalDevice physical = physical_devices(instance).at(choice.index);
     facts_ = all[choice.index];
 
-    std::uint32_t family_count = 0;
-    const std::uint32_t family = find_queue_family(physical, family_count);
+    const QueueChoice queues = queues_of(physical).value();  // It was judged usable.
     const float priority = 1.0f;
-    const VkDeviceQueueCreateInfo queue_info{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                             .queueFamilyIndex = family,
-                                             .queueCount = 1,
-                                             .pQueuePriorities = &priority};
+    const auto one_queue = [&](std::uint32_t family) {
+        return VkDeviceQueueCreateInfo{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                       .queueFamilyIndex = family,
+                                       .queueCount = 1,
+                                       .pQueuePriorities = &priority};
+    };
+    const std::array queue_infos{one_queue(queues.family), one_queue(queues.transfer_family)};
     FeatureChain features;
     features.v10.features.geometryShader = facts_.geometry_shader;
     features.v10.features.occlusionQueryPrecise = facts_.occlusion_query_precise;
@@ -171,20 +169,23 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
     features.v13.synchronization2 = VK_TRUE;
     const bool presents = instance.presents() && facts_.swapchain;
     const char* const swapchain_extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-    const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-                                  .pNext = &features.v10,
-                                  .queueCreateInfoCount = 1,
-                                  .pQueueCreateInfos = &queue_info,
-                                  .enabledExtensionCount = presents ? 1u : 0u,
-                                  .ppEnabledExtensionNames = &swapchain_extension};
+    const VkDeviceCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+        .pNext = &features.v10,
+        .queueCreateInfoCount = queues.transfer_family == queues.family ? 1u : 2u,
+        .pQueueCreateInfos = queue_infos.data(),
+        .enabledExtensionCount = presents ? 1u : 0u,
+        .ppEnabledExtensionNames = &swapchain_extension};
     VkDevice device = VK_NULL_HANDLE;
     vk_check(vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
     VkQueue queue = VK_NULL_HANDLE;
-    vkGetDeviceQueue(device, family, 0, &queue);
-    context_ = make_device_context(physical, device, queue, family,
+    vkGetDeviceQueue(device, queues.family, 0, &queue);
+    context_ = make_device_context(physical, device, queue, queues.family,
                                    {.geometry_shader = facts_.geometry_shader,
                                     .swapchain = presents,
                                     .occlusion_query_precise = facts_.occlusion_query_precise});
+    context_.transfer_family = queues.transfer_family;
+    vkGetDeviceQueue(device, queues.transfer_family, 0, &context_.transfer_queue);
     try {
         face_bits_agree_ = test_face_bits(context_);
     } catch (...) {
@@ -209,18 +210,25 @@ OwnedSemaphore make_timeline(const DeviceContext& context) {
     return {context.device, semaphore};
 }
 
-OwnedCommandPool make_command_pool(const DeviceContext& context) {
+void wait_for_timeline(const DeviceContext& context, VkSemaphore timeline, std::uint64_t value) {
+    const VkSemaphoreWaitInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
+                                   .semaphoreCount = 1,
+                                   .pSemaphores = &timeline,
+                                   .pValues = &value};
+    vk_check(repeat_wait([&] { return vkWaitSemaphores(context.device, &info, UINT64_MAX); }),
+             "vkWaitSemaphores");
+}
+
+OwnedCommandPool make_command_pool(const DeviceContext& context, std::uint32_t family) {
     const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                                       .queueFamilyIndex = context.queue_family};
+                                       .queueFamilyIndex = family};
     VkCommandPool pool = VK_NULL_HANDLE;
     vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
     return {context.device, pool};
 }
 
-void run_commands(const DeviceContext& context,
-                  const std::function<void(VkCommandBuffer)>& record) {
-    const OwnedCommandPool pool = make_command_pool(context);
+VkCommandBuffer begin_commands(const DeviceContext& context, VkCommandPool pool) {
     const VkCommandBufferAllocateInfo allocate{
         .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
         .commandPool = pool,
@@ -232,6 +240,13 @@ void run_commands(const DeviceContext& context,
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                          .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
     vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+    return commands;
+}
+
+void run_commands(const DeviceContext& context,
+                  const std::function<void(VkCommandBuffer)>& record) {
+    const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
+    const VkCommandBuffer commands = begin_commands(context, pool);
     record(commands);
     vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
     const VkCommandBufferSubmitInfo submitted{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,

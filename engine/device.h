@@ -1,6 +1,6 @@
 #pragma once
 
-// A logical device with the one queue everything runs on.
+// A logical device with the queue that everything runs on, and one beside it for copies where there is one.
 
 #include <vulkan/vulkan.h>
 
@@ -32,6 +32,9 @@ struct DeviceContext {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
+    /// For copies into static buffers (uploads.h): of another family, or the queue above.
+    VkQueue transfer_queue = VK_NULL_HANDLE;
+    std::uint32_t transfer_family = 0;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
     /// maxBufferSize and maxMemoryAllocationSize.
@@ -44,7 +47,8 @@ struct DeviceContext {
 /// Every physical device of an instance, usable or not, in Vulkan's order.
 std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance);
 
-/// Reads a context from handles a caller made; `features` are those the caller enabled.
+/// Reads a context from handles a caller made; `features` are those the caller enabled. One queue does
+/// for everything; who has one for copies to spare sets transfer_queue and transfer_family afterwards.
 DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice device, VkQueue queue,
                                   std::uint32_t queue_family, const DeviceFeatures& features);
 
@@ -73,8 +77,12 @@ private:
 
 /// A timeline semaphore at 0.
 OwnedSemaphore make_timeline(const DeviceContext& context);
-/// Of the context's queue family; its buffers can be reset one by one.
-OwnedCommandPool make_command_pool(const DeviceContext& context);
+/// Waits until `timeline` reaches `value`. Throws what vk_check() does.
+void wait_for_timeline(const DeviceContext& context, VkSemaphore timeline, std::uint64_t value);
+/// For a queue of `family`; its buffers can be reset one by one.
+OwnedCommandPool make_command_pool(const DeviceContext& context, std::uint32_t family);
+/// A command buffer of `pool`, begun, to be submitted once. It goes with the pool.
+VkCommandBuffer begin_commands(const DeviceContext& context, VkCommandPool pool);
 
 /// Records commands, submits them, and waits until they are done. For setting up, not for frames.
 /// Throws what vk_check() does; what the commands use may be freed then.

@@ -6,6 +6,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "engine/shadow_choice.h"
@@ -48,6 +49,7 @@ struct DrawnInstance {
     std::uint32_t loose_count = 0;
     bool has_lines = false;
     bool fades = false;
+    std::size_t ink = 0;       ///< Of DrawList::inks: what its lines are drawn with.
     IndirectDraw silhouette;   ///< Of the slots; only where has_lines and the path draws them.
     EveryEdgeDraw every_edge;  ///< Only where has_lines and the path draws no slots.
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
@@ -74,6 +76,8 @@ struct DrawList {
     bool is_orthographic = false;
     std::uint32_t style = RIMLINE_STYLE_INK;  ///< A RIMLINE_STYLE_ value.
     std::vector<DrawnInstance> instances;
+    /// The colors of lines, each once, in linear light. Lines of a later one lie over those of others.
+    std::vector<glm::vec3> inks;
     /// Of each light; where there is one batch it counts up to 255, else each up to 127.
     std::vector<std::vector<ShadowBatch>> shadow_batches;
 };

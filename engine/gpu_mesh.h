@@ -9,6 +9,7 @@
 #include "engine/line_comparators.h"
 #include "engine/line_path.h"
 #include "engine/memory.h"
+#include "engine/uploads.h"
 #include "shaders/layout.h"
 #include "silhouette/mesh/mesh.h"
 
@@ -26,10 +27,14 @@ std::vector<gpu::EdgeRecord> loose_edge_records(const Mesh& mesh);
 
 class GpuMesh {
 public:
-    /// Surfaces are shaded smooth across edges that bend by at most `crease_angle_rad`. Uploads and
-    /// waits, what `line_path` alone needs too. `mesh` is not needed afterwards.
-    GpuMesh(const DeviceContext& context, const Mesh& mesh, float crease_angle_rad,
+    /// Surfaces are shaded smooth across edges that bend by at most `crease_angle_rad`. Adds its data to
+    /// `batch`, what `line_path` alone needs too: send it, and keep this until it is there. `mesh` is not
+    /// needed afterwards.
+    GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad,
             LinePath line_path = LinePath::geometry);
+
+    /// Bytes of buffers.
+    std::uint64_t size_bytes() const noexcept;
 
     std::uint32_t face_count() const noexcept { return face_count_; }
     std::uint32_t border_count() const noexcept { return border_count_; }

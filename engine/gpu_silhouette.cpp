@@ -72,18 +72,42 @@ std::uint64_t total_size(const Buffers&... buffers) {
     return (buffers.size() + ...);
 }
 
+// What the buffers of a silhouette hold.
+struct Sizes {
+    Sizes(std::uint32_t face_count, std::uint32_t edge_count, GpuSilhouette::Changes changes)
+        : face_words(std::uint64_t{4} * face_word_count(face_count)),
+          edge_words(std::uint64_t{4} * face_word_count(edge_count)),
+          face_tallies(sizeof(gpu::FaceTally) * std::uint64_t{group_count(face_count)}),
+          edge_tallies(sizeof(gpu::EdgeTally) * std::uint64_t{group_count(edge_count)}),
+          slots(std::uint64_t{4} * edge_count),
+          list(changes == GpuSilhouette::Changes::listed ? slots : 0),
+          word_writes(changes == GpuSilhouette::Changes::listed ? 2 * face_words : 0) {}
+
+    std::uint64_t face_words, edge_words;
+    std::uint64_t face_tallies, edge_tallies;
+    std::uint64_t slots;
+    std::uint64_t list, word_writes;  // Of changes; 0 where they are not listed.
+};
+
 }  // namespace
 
-SilhouetteTopology::SilhouetteTopology(const DeviceContext& context, const Mesh& mesh)
+SilhouetteTopology::SilhouetteTopology(const DeviceContext& context, const Mesh& mesh,
+                                       MemoryBudget* budget, const std::string& model)
     : face_count_(mesh.face_count()),
       regular_end_(mesh.edges_of_class(EdgeClass::regular).last),
       two_face_end_(mesh.edges_of_class(EdgeClass::inconsistent).last),
-      edge_count_(mesh.edges_of_class(EdgeClass::nonmanifold).last) {
+      edge_count_(mesh.edges_of_class(EdgeClass::nonmanifold).last),
+      share_(budget) {
     const std::vector<gpu::EdgeFaces> pairs = edge_faces(mesh);
-    edge_faces_ = upload_buffer(context, std::span<const gpu::EdgeFaces>(pairs), "faces of edges");
     const Fans fan = fans(mesh);
-    fan_begin_ = upload_buffer(context, std::span<const std::uint32_t>(fan.begin), "fans of edges");
-    fan_faces_ = upload_buffer(context, std::span<const FaceId>(fan.faces), "faces of fans");
+    const std::string what = "the faces of edges of " + model;
+    share_.resize(buffer_bytes(std::span(pairs).size_bytes()) +
+                      buffer_bytes(std::span(fan.begin).size_bytes()) +
+                      buffer_bytes(std::span(fan.faces).size_bytes()),
+                  what);
+    edge_faces_ = upload_buffer(context, std::span<const gpu::EdgeFaces>(pairs), what);
+    fan_begin_ = upload_buffer(context, std::span<const std::uint32_t>(fan.begin), what);
+    fan_faces_ = upload_buffer(context, std::span<const FaceId>(fan.faces), what);
 }
 
 std::uint64_t SilhouetteTopology::size_bytes() const noexcept {
@@ -91,30 +115,31 @@ std::uint64_t SilhouetteTopology::size_bytes() const noexcept {
 }
 
 GpuSilhouette::GpuSilhouette(const DeviceContext& context, const SilhouetteTopology& topology,
-                             const FaceSource& faces, Changes changes)
+                             const FaceSource& faces, Changes changes, MemoryBudget* budget,
+                             const std::string& model)
     : face_group_count_(group_count(topology.face_count_)),
-      edge_group_count_(group_count(topology.edge_count_)) {
+      edge_group_count_(group_count(topology.edge_count_)),
+      share_(budget) {
+    share_.resize(size_bytes(topology, changes), "a silhouette of " + model + " found on the GPU");
     const auto make = [&](std::uint64_t size_bytes, const char* what) {
-        return Buffer(context, size_bytes, BufferPlace::device, what);
+        return Buffer(context, size_bytes, BufferPlace::device, what + model);
     };
-    const std::uint64_t face_bytes = std::uint64_t{4} * face_word_count(topology.face_count_);
-    const std::uint64_t edge_bytes = std::uint64_t{4} * face_word_count(topology.edge_count_);
-    const std::uint64_t list_bytes = std::uint64_t{4} * topology.edge_count_;
+    const Sizes sizes(topology.face_count_, topology.edge_count_, changes);
     const bool listed = changes == Changes::listed;
-    face_words_ = make(face_bytes, "face bits");
-    face_changes_ = make(face_bytes, "changes of face bits");
-    edge_words_ = make(edge_bytes, "edge bits");
-    edge_changes_ = make(edge_bytes, "changes of edge bits");
-    face_tallies_ = make(sizeof(gpu::FaceTally) * std::uint64_t{face_group_count_}, "face tallies");
-    edge_tallies_ = make(sizeof(gpu::EdgeTally) * std::uint64_t{edge_group_count_}, "edge tallies");
-    slots_ = make(list_bytes, "silhouette slots");
+    face_words_ = make(sizes.face_words, "the face bits of ");
+    face_changes_ = make(sizes.face_words, "the changes of face bits of ");
+    edge_words_ = make(sizes.edge_words, "the edge bits of ");
+    edge_changes_ = make(sizes.edge_words, "the changes of edge bits of ");
+    face_tallies_ = make(sizes.face_tallies, "the face tallies of ");
+    edge_tallies_ = make(sizes.edge_tallies, "the edge tallies of ");
+    slots_ = make(sizes.slots, "the silhouette slots of ");
     if (listed) {
-        added_ = make(list_bytes, "edges that joined");
-        removed_ = make(list_bytes, "edges that left");
-        word_writes_ = make(2 * face_bytes, "words that changed");
+        added_ = make(sizes.list, "the edges that join of ");
+        removed_ = make(sizes.list, "the edges that leave of ");
+        word_writes_ = make(sizes.word_writes, "the words that change of ");
     }
-    counts_ = make(sizeof(gpu::SilhouetteCounts), "silhouette counts");
-    arguments_ = make(sizeof(gpu::SlotArguments), "draw arguments");
+    counts_ = make(sizeof(gpu::SilhouetteCounts), "the silhouette counts of ");
+    arguments_ = make(sizeof(gpu::SlotArguments), "the draw arguments of ");
 
     const gpu::SilhouetteJob job{.planes = faces.planes,
                                  .positions = faces.positions,
@@ -147,6 +172,20 @@ GpuSilhouette::GpuSilhouette(const DeviceContext& context, const SilhouetteTopol
         for (const Buffer* buffer : {&face_words_, &edge_words_})
             vkCmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 0);
     });
+}
+
+std::uint64_t GpuSilhouette::size_bytes(const SilhouetteTopology& topology,
+                                        Changes changes) noexcept {
+    const Sizes sizes(topology.face_count_, topology.edge_count_, changes);
+    std::uint64_t sum =
+        sizeof(gpu::SilhouetteCounts) + sizeof(gpu::SlotArguments) + sizeof(gpu::SilhouetteJob);
+    for (const std::uint64_t size :
+         {sizes.face_words, sizes.face_words, sizes.edge_words, sizes.edge_words,
+          sizes.face_tallies, sizes.edge_tallies, sizes.slots})
+        sum += buffer_bytes(size);
+    if (changes == Changes::listed)
+        sum += 2 * buffer_bytes(sizes.list) + buffer_bytes(sizes.word_writes);
+    return sum;
 }
 
 std::uint64_t GpuSilhouette::size_bytes() const noexcept {

@@ -17,8 +17,10 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "engine/memory.h"
+#include "engine/memory_budget.h"
 #include "engine/pipeline.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
@@ -28,8 +30,11 @@ namespace rimline {
 /// The faces of a mesh's edges, for any number of silhouettes of it. 8 bytes an edge.
 class SilhouetteTopology {
 public:
-    /// Uploads and waits. `mesh` is not needed afterwards.
-    SilhouetteTopology(const DeviceContext& context, const Mesh& mesh);
+    /// Uploads and waits. `mesh` is not needed afterwards. Memory is of `budget`, which must outlive it;
+    /// null for none. Messages name `model`. Throws Error{too_large} naming the budget or the device's
+    /// limit.
+    SilhouetteTopology(const DeviceContext& context, const Mesh& mesh,
+                       MemoryBudget* budget = nullptr, const std::string& model = "the model");
 
     std::uint32_t face_count() const noexcept { return face_count_; }
     /// Edges that may be on a silhouette: all but borders.
@@ -42,6 +47,7 @@ private:
     std::uint32_t regular_end_;
     std::uint32_t two_face_end_;
     std::uint32_t edge_count_;
+    MemoryBudget::Share share_;
     Buffer edge_faces_;
     Buffer fan_begin_;
     Buffer fan_faces_;
@@ -75,9 +81,11 @@ public:
     };
 
     /// Makes room for any silhouette, uploads and waits. `topology`, and what `faces` names, must outlive
-    /// it. About 1 byte a face and 4 an edge, and 8 an edge more where changes are listed.
+    /// it. About 1/4 byte a face and 4 1/4 an edge, and 8 an edge more where changes are listed. Budget,
+    /// messages and errors are as SilhouetteTopology's.
     GpuSilhouette(const DeviceContext& context, const SilhouetteTopology& topology,
-                  const FaceSource& faces, Changes changes = Changes::counted);
+                  const FaceSource& faces, Changes changes = Changes::counted,
+                  MemoryBudget* budget = nullptr, const std::string& model = "the model");
 
     /// For consumers, as a ChangeStream's: slots hold edge numbers, words hold face bits, and the
     /// arguments (gpu::SlotArguments) draw the slots in use.
@@ -92,12 +100,16 @@ public:
     const Buffer& removed() const noexcept { return removed_; }
     const Buffer& word_writes() const noexcept { return word_writes_; }
 
+    /// Bytes of buffers, also before there are any.
     std::uint64_t size_bytes() const noexcept;
+    static std::uint64_t size_bytes(const SilhouetteTopology& topology,
+                                    Changes changes = Changes::counted) noexcept;
 
 private:
     friend class GpuSilhouettePass;
     std::uint32_t face_group_count_;
     std::uint32_t edge_group_count_;
+    MemoryBudget::Share share_;
     Buffer face_words_;
     Buffer face_changes_;
     Buffer edge_words_;

@@ -55,16 +55,15 @@ std::vector<std::uint32_t> adjacency_indices(const Mesh& mesh) {
 
 }  // namespace
 
-LineComparatorMesh::LineComparatorMesh(const DeviceContext& context, const Mesh& mesh)
+LineComparatorMesh::LineComparatorMesh(UploadBatch& batch, const Mesh& mesh)
     : regular_edge_count_(mesh.edges_of_class(EdgeClass::regular).size()),
-      planes_(upload_buffer(context, mesh.planes(), "planes")) {
+      planes_(batch.add(mesh.planes(), "planes")) {
     const std::vector<gpu::FacePairRecord> pairs = rimline::irregular_pairs(mesh);
     irregular_pair_count_ = static_cast<std::uint32_t>(pairs.size());
-    irregular_pairs_ =
-        upload_buffer(context, std::span<const gpu::FacePairRecord>(pairs), "irregular edges");
+    irregular_pairs_ = batch.add(std::span<const gpu::FacePairRecord>(pairs), "irregular edges");
     const std::vector<std::uint32_t> indices = adjacency_indices(mesh);
     adjacency_index_count_ = static_cast<std::uint32_t>(indices.size());
-    adjacency_ = upload_buffer(context, std::span<const std::uint32_t>(indices), "adjacency");
+    adjacency_ = batch.add(std::span<const std::uint32_t>(indices), "adjacency");
 }
 
 EveryEdgeDraw LineComparatorMesh::draw() const noexcept {

@@ -5,14 +5,20 @@
 
 #include "engine/draw_list.h"
 #include "engine/memory.h"
+#include "engine/uploads.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
 
 class LineComparatorMesh {
 public:
-    /// Uploads and waits. `mesh` is not needed afterwards.
-    LineComparatorMesh(const DeviceContext& context, const Mesh& mesh);
+    /// Adds its data to `batch`, as GpuMesh.
+    LineComparatorMesh(UploadBatch& batch, const Mesh& mesh);
+
+    /// Bytes of buffers.
+    std::uint64_t size_bytes() const noexcept {
+        return planes_.size() + irregular_pairs_.size() + adjacency_.size();
+    }
 
     VkDeviceAddress planes() const noexcept { return planes_.address(); }
     /// gpu::FacePairRecord: one for an inconsistent edge, and one for each two consecutive faces of a

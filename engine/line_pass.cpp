@@ -81,13 +81,13 @@ void LinePass::record_every_edge(VkCommandBuffer commands, const DrawList& list,
     record_list(commands, every.irregular_pair_count);
 }
 
-void LinePass::record(VkCommandBuffer commands, const DrawList& list) const {
+void LinePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
     const VkDescriptorSet set = depth_.get();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 0,
                             nullptr);
     for (const DrawnInstance& instance : list.instances) {
-        if (!instance.has_lines) continue;
+        if (!instance.has_lines || instance.ink != ink) continue;
         if (draws_slots(path_)) {
             push_draw_constants(commands, layout_, list, instance, nullptr,
                                 RIMLINE_LINES_SILHOUETTE);

@@ -22,8 +22,8 @@ public:
     /// The finished depth of the surfaces, one sample a pixel.
     void set_surface_depth(const Image& depth) { depth_.set({&depth}); }
 
-    /// Inside a rendering scope with the coverage cleared to zero.
-    void record(VkCommandBuffer commands, const DrawList& list) const;
+    /// The lines of one color. Inside a rendering scope with the coverage cleared to zero.
+    void record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const;
 
 private:
     void record_list(VkCommandBuffer commands, std::uint32_t edge_count) const;

@@ -1,6 +1,7 @@
 #include "engine/memory.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "engine/barrier.h"
@@ -70,17 +71,23 @@ VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
 
 Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place,
                const std::string& what)
-    : size_(std::max<VkDeviceSize>(size, 4)) {
+    : size_(buffer_bytes(size)) {
     if (size_ > context.max_buffer_bytes)
         throw Error(ErrorCode::too_large, what + " needs " + size_text(size_) +
                                               ", more than the device's maxBufferSize of " +
                                               size_text(context.max_buffer_bytes));
+    const std::array families{context.queue_family, context.transfer_family};
+    const bool is_shared =
+        place == BufferPlace::device && context.queue_family != context.transfer_family;
     const VkBufferCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
         .size = size_,
         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT};
+                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+        .sharingMode = is_shared ? VK_SHARING_MODE_CONCURRENT : VK_SHARING_MODE_EXCLUSIVE,
+        .queueFamilyIndexCount = is_shared ? 2u : 0u,
+        .pQueueFamilyIndices = families.data()};
     VkBuffer handle = VK_NULL_HANDLE;
     check_room(vkCreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer", size_,
                what);

@@ -15,7 +15,9 @@
 namespace rimline {
 
 enum class BufferPlace {
-    device,    ///< Fast for the GPU; the host writes it through upload().
+    /// Fast for the GPU; the host writes it through uploads. Shared by both queue families, so that either
+    /// reads what the other wrote as soon as a semaphore says so.
+    device,
     upload,    ///< Persistently mapped; the host writes, the GPU reads.
     readback,  ///< Persistently mapped; the GPU writes, the host reads.
 };
@@ -43,6 +45,11 @@ private:
     VkDeviceSize size_ = 0;
     std::byte* mapped_ = nullptr;
 };
+
+/// What a buffer of `size_bytes` holds.
+constexpr VkDeviceSize buffer_bytes(VkDeviceSize size_bytes) noexcept {
+    return size_bytes > 4 ? size_bytes : 4;
+}
 
 /// Makes a device buffer that holds `data`, and waits until it does.
 Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,

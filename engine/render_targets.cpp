@@ -151,6 +151,11 @@ void RenderTargets::begin_lines(VkCommandBuffer commands) const {
                     color_attachment(lines_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
 }
 
+void RenderTargets::begin_ink(VkCommandBuffer commands) const {
+    begin_rendering(commands, pass_extent(), 1.0f,
+                    color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD));
+}
+
 void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target) {
     begin_rendering(commands, target.extent, 1.0f,
                     color_attachment(target.view, VK_ATTACHMENT_LOAD_OP_DONT_CARE));
@@ -181,6 +186,19 @@ void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
     record_barrier(commands, k_drawing, k_sampling,
                    {{depth_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
+}
+
+void RenderTargets::record_before_ink(VkCommandBuffer commands) const {
+    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    record_barrier(commands, k_drawing,
+                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+                   {{surfaces_, k_color, k_color},
+                    {lines_, k_color, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
+}
+
+void RenderTargets::record_after_ink(VkCommandBuffer commands) const {
+    record_barrier(commands, {k_sampling.stages, VK_ACCESS_2_NONE}, k_drawing,
+                   {{lines_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
 }
 
 void RenderTargets::record_before_picture(VkCommandBuffer commands) const {

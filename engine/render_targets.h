@@ -47,11 +47,16 @@ public:
     /// Scopes of dynamic rendering; each clears what it draws into, or overwrites all of it.
     void begin_surfaces(VkCommandBuffer commands, const float background[4]) const;
     void begin_lines(VkCommandBuffer commands) const;
+    /// Draws over the finished surfaces.
+    void begin_ink(VkCommandBuffer commands) const;
     static void begin_picture(VkCommandBuffer commands, const PictureTarget& target);
 
     /// Layout changes between the scopes, for all images at once, the target among them.
     void record_before_surfaces(VkCommandBuffer commands, const PictureTarget& target) const;
     void record_before_lines(VkCommandBuffer commands) const;
+    /// Between the lines of one color, ink of that color on the surfaces, and lines of the next.
+    void record_before_ink(VkCommandBuffer commands) const;
+    void record_after_ink(VkCommandBuffer commands) const;
     void record_before_picture(VkCommandBuffer commands) const;
     /// Leaves the target in its final layout, and orders all that follows after it.
     static void record_after_picture(VkCommandBuffer commands, const PictureTarget& target);

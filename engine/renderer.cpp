@@ -21,6 +21,14 @@ AttachmentFormats surface_formats(std::uint32_t samples) {
     return {k_surface_format, k_depth_stencil_format, samples};
 }
 
+// Where `color` is among `inks`, which it joins if it is new.
+std::size_t number_of(std::vector<glm::vec3>& inks, const glm::vec3& color) {
+    const auto found = std::ranges::find(inks, color);
+    const auto number = static_cast<std::size_t>(found - inks.begin());
+    if (found == inks.end()) inks.push_back(color);
+    return number;
+}
+
 RendererOptions fitted(const DeviceContext& context, RendererOptions options) {
     options.samples = std::min(options.samples, context.samples);
     return options;
@@ -35,15 +43,19 @@ Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
       service_(options.service ? options.service : own_service_.get()),
       stream_budget_(options.stream_memory_bytes,
                      "the budget for silhouettes (RendererOptions::stream_memory_bytes)"),
+      tracker_budget_(options.tracker_memory_bytes,
+                      "the budget for trackers (RendererOptions::tracker_memory_bytes)"),
       scatter_(context),
       surface_pass_(context, surface_formats(options_.samples)),
       shadow_pass_(context, surface_formats(options_.samples), options_.shadow_sides),
       line_pass_(context, k_coverage_format, options_.line_path),
+      ink_pass_(context, k_surface_format),
       composite_pass_(context),
       timeline_(make_timeline(context)),
-      command_pool_(make_command_pool(context)),
+      command_pool_(make_command_pool(context, context.queue_family)),
       marks_(context, k_frames_in_flight),
-      check_(context, k_frames_in_flight) {
+      check_(context, k_frames_in_flight),
+      uploads_(context) {
     for (Frame& frame : frames_) {
         const VkCommandBufferAllocateInfo info{
             .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
@@ -64,13 +76,7 @@ Renderer::~Renderer() {
 }
 
 void Renderer::wait_for(std::uint64_t timeline_value) const {
-    const VkSemaphore semaphore = timeline_;
-    const VkSemaphoreWaitInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
-                                   .semaphoreCount = 1,
-                                   .pSemaphores = &semaphore,
-                                   .pValues = &timeline_value};
-    vk_check(repeat_wait([&] { return vkWaitSemaphores(context_.device, &info, UINT64_MAX); }),
-             "vkWaitSemaphores");
+    wait_for_timeline(context_, timeline_, timeline_value);
 }
 
 bool Renderer::is_done(const Frame& frame) const noexcept {
@@ -88,6 +94,7 @@ void Renderer::prepare_targets(VkExtent2D size) {
     targets_.reset();  // Free before making anew.
     auto targets = std::make_unique<RenderTargets>(context_, size, scale, options_.samples);
     line_pass_.set_surface_depth(targets->depth());
+    ink_pass_.set_lines(targets->lines());
     composite_pass_.set_images(targets->surfaces(), targets->lines());
     targets_ = std::move(targets);
 }
@@ -107,7 +114,7 @@ void Renderer::prepare_picture(VkExtent2D size) {
 
 // Made before what goes there is taken: nothing may be freed because there was no room to keep it.
 Renderer::Retired& Renderer::next_retired() {
-    return retired_.emplace_back(Retired{recorded_, nullptr, nullptr, nullptr});
+    return retired_.emplace_back(Retired{recorded_, nullptr, nullptr, nullptr, nullptr});
 }
 
 void Renderer::retire(std::unique_ptr<TrackedSilhouette>& silhouette) {
@@ -123,6 +130,7 @@ void Renderer::retire(InstanceState& state) {
 }
 
 void Renderer::free_retired() noexcept {
+    if (retired_.empty() || !uploads_.is_done()) return;
     std::erase_if(retired_, [&](const Retired& retired) {
         return std::ranges::all_of(frames_, [&](const Frame& frame) {
             return frame.number > retired.last_frame || is_done(frame);
@@ -130,7 +138,22 @@ void Renderer::free_retired() noexcept {
     });
 }
 
-void Renderer::prepare_instances(const Scene& scene) {
+// The mesh on the GPU, or on its way there.
+const GpuMesh& Renderer::upload(const Mesh& mesh, Frame& frame) {
+    std::unique_ptr<GpuMesh>& uploaded = meshes_[&mesh];
+    if (!uploaded) {
+        UploadBatch batch(context_, uploads_);
+        auto made =
+            std::make_unique<GpuMesh>(batch, mesh, options_.crease_angle_rad, line_pass_.path());
+        batch.send();
+        uploaded = std::move(made);
+        ++frame.report.meshes_uploaded;
+        frame.report.bytes_uploaded += uploaded->size_bytes();
+    }
+    return *uploaded;
+}
+
+void Renderer::prepare_instances(const Scene& scene, Frame& frame) {
     free_retired();
     for (std::size_t i = scene.instances.size(); i < instances_.size(); ++i) retire(instances_[i]);
     instances_.resize(scene.instances.size());
@@ -141,23 +164,23 @@ void Renderer::prepare_instances(const Scene& scene) {
         const Mesh& source = instance.mesh();
         if (state.source != &source || state.octree != octree) {
             retire(state);
-            std::unique_ptr<GpuMesh>& mesh = meshes_[&source];
-            if (!mesh)
-                mesh = std::make_unique<GpuMesh>(context_, source, options_.crease_angle_rad,
-                                                 line_pass_.path());
+            const GpuMesh& mesh = upload(source, frame);
             if (instance.deforming) {
                 if (!deform_passes_) deform_passes_ = std::make_unique<DeformPasses>(context_);
                 state.deforming = std::make_unique<DeformingInstance>(
-                    context_, source, *mesh, options_.crease_angle_rad, k_frames_in_flight);
+                    context_, source, mesh, options_.crease_angle_rad, k_frames_in_flight,
+                    stream_budget_, instance.name);
             }
             state.source = &source;
             state.octree = octree;
-            state.mesh = mesh.get();
+            state.mesh = &mesh;
             state.is_closed_chain = is_closed_chain(source);
         }
         for (std::size_t l = scene.lights.size(); l < state.lights.size(); ++l)
             retire(state.lights[l]);
         state.lights.resize(scene.lights.size());
+        while (state.deforming && state.deforming->light_count() > scene.lights.size())
+            next_retired().found = state.deforming->take_last_light();
     }
     if (!unused_meshes_) return;
     for (auto& [mesh, uploaded] : meshes_)
@@ -176,9 +199,9 @@ void Renderer::prepare_silhouettes(const Scene& scene) {
         if (silhouette)
             silhouette->announce(point);
         else
-            silhouette = std::make_unique<TrackedSilhouette>(context_, *service_, *instance.octree,
-                                                             point, k_frames_in_flight,
-                                                             stream_budget_, instance.name);
+            silhouette = std::make_unique<TrackedSilhouette>(
+                context_, *service_, *instance.octree, point, k_frames_in_flight, stream_budget_,
+                tracker_budget_, instance.name);
     };
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const SceneInstance& instance = scene.instances[i];
@@ -238,6 +261,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
                   .is_orthographic = scene.camera.is_orthographic(),
                   .style = static_cast<std::uint32_t>(scene.style),
                   .instances = {},
+                  .inks = {},
                   .shadow_batches = {}};
     const SceneBounds bounds = bounds_of(scene);
     const VkExtent2D extent = targets_->pass_extent();
@@ -253,6 +277,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
                             .loose_count = state.mesh->loose_count(),
                             .has_lines = has_lines(scene, instance),
                             .fades = instance.fade_radius > 0.0,
+                            .ink = 0,
                             .silhouette = {},
                             .every_edge = {},
                             .lights = {}};
@@ -260,6 +285,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
         if (state.deforming)
             state.deforming->begin_frame(instance.deformation, ring_slot(), frame.deformed);
         if (drawn.has_lines) {
+            drawn.ink = number_of(list.inks, line_color(scene, instance));
             drawn.crease_count = crease_count(scene, *state.mesh);
             frame.report.silhouette += drawn.border_count;
             frame.report.creases += drawn.crease_count;
@@ -280,7 +306,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
             drawn.silhouette = {stream.arguments().handle()};
             frame.report.silhouette += stream.silhouette_size();
         }
-        gpu::InstanceData data = instance_data(instance, *state.mesh, scene.camera, slots);
+        gpu::InstanceData data = instance_data(scene, instance, *state.mesh, slots);
         if (state.deforming) {
             data.positions = state.deforming->mesh().positions();
             data.corner_normals = state.deforming->mesh().corner_normals();
@@ -339,6 +365,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
         }
         list.instances.push_back(std::move(drawn));
     }
+    if (list.inks.empty()) list.inks.push_back(scene.palette.ink);
     plan_shadows(list, frame);
     return list;
 }
@@ -396,31 +423,51 @@ void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const
     }
     vkCmdEndRendering(commands);
 
-    targets_->record_before_lines(commands);
-    targets_->begin_lines(commands);
-    if (scene.lines) line_pass_.record(commands, list);
-    vkCmdEndRendering(commands);
-
+    CompositeColors colors{.ink = glm::vec4(list.inks.back(), scene.hidden_line_strength),
+                           .grid = glm::vec4(scene.palette.grid, scene.palette.grid_strength)};
+    record_lines(commands, list, colors);
+    if (list.inks.size() > 1) colors.grid.a = 0.0f;  // It lies under the first ink already.
     targets_->record_before_picture(commands);
     RenderTargets::begin_picture(commands, target);
-    composite_pass_.record(commands, target.format,
-                           {glm::vec4(scene.palette.ink, scene.hidden_line_strength),
-                            glm::vec4(scene.palette.grid, scene.palette.grid_strength)},
-                           targets_->scale());
+    composite_pass_.record(commands, target.format, colors, targets_->scale());
     vkCmdEndRendering(commands);
     RenderTargets::record_after_picture(commands, target);
+}
+
+// Each color's lines in turn, all but the last laid on the surfaces; `colors` has hidden lines and grid.
+void Renderer::record_lines(VkCommandBuffer commands, const DrawList& list,
+                            const CompositeColors& colors) const {
+    targets_->record_before_lines(commands);
+    for (std::size_t ink = 0; ink < list.inks.size(); ++ink) {
+        targets_->begin_lines(commands);
+        line_pass_.record(commands, list, ink);
+        vkCmdEndRendering(commands);
+        if (ink + 1 == list.inks.size()) break;
+        targets_->record_before_ink(commands);
+        targets_->begin_ink(commands);
+        ink_pass_.record(commands,
+                         {.ink = glm::vec4(list.inks[ink], colors.ink.a),
+                          .grid = ink == 0 ? colors.grid : glm::vec4(0.0f)},
+                         targets_->scale());
+        vkCmdEndRendering(commands);
+        targets_->record_after_ink(commands);
+    }
+}
+
+// What a frame needs before it begins.
+void Renderer::prepare(const Scene& scene, const PictureTarget& target, Frame& frame) {
+    prepare_targets(target.extent);
+    composite_pass_.prepare(context_, target.format);
+    surface_pass_.prepare(context_, scene.style);
+    frame.report = {};
+    prepare_instances(scene, frame);
 }
 
 // Everything that render() and record() share: `frame` is counted as recorded when this returns.
 FrameReport Renderer::record_frame(VkCommandBuffer commands, const Scene& scene,
                                    const PictureTarget& target, Frame& frame) {
-    prepare_targets(target.extent);
-    composite_pass_.prepare(context_, target.format);
-    surface_pass_.prepare(context_, scene.style);
-    prepare_instances(scene);
     const auto started = std::chrono::steady_clock::now();
     frame.started = started;
-    frame.report = {};
     frame.silhouettes.clear();
     frame.deformed.clear();
     FrameReport report;
@@ -449,6 +496,8 @@ FrameReport Renderer::record(VkCommandBuffer commands, const Scene& scene,
     Frame& frame = frames_[slot];
     RIMLINE_CHECK(is_done(frame) && std::ranges::find(queued_, slot) == queued_.end());
     count_differences(slot);
+    prepare(scene, target, frame);
+    uploads_.wait();  // The caller's submit knows nothing of them.
     FrameReport report = record_frame(commands, scene, target, frame);
     frame.timeline_value = 0;
     return report;
@@ -472,7 +521,14 @@ void Renderer::submit(Frame& frame) {
                                        .semaphore = timeline_,
                                        .value = submitted_ + 1,
                                        .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    // Where meshes are new, on their way.
+    const VkSemaphoreSubmitInfo uploaded{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                         .semaphore = uploads_.timeline(),
+                                         .value = uploads_.sent_value(),
+                                         .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .waitSemaphoreInfoCount = uploads_.is_done() ? 0u : 1u,
+                               .pWaitSemaphoreInfos = &uploaded,
                                .commandBufferInfoCount = 1,
                                .pCommandBufferInfos = &commands,
                                .signalSemaphoreInfoCount = 1,
@@ -502,18 +558,18 @@ void Renderer::submit(const Scene& scene, std::uint32_t width, std::uint32_t hei
     if (frame.picture.size() < picture_bytes)
         frame.picture = Buffer(context_, picture_bytes, BufferPlace::readback, "the picture");
 
+    const PictureTarget target{.image = picture_.handle(),
+                               .view = picture_.attachment_view(),
+                               .format = k_picture_format,
+                               .extent = frame.size,
+                               .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    prepare(scene, target, frame);
     const VkCommandBuffer commands = frame.commands;
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                          .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
     vk_check(vkResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
     vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
-    record_frame(commands, scene,
-                 {.image = picture_.handle(),
-                  .view = picture_.attachment_view(),
-                  .format = k_picture_format,
-                  .extent = frame.size,
-                  .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL},
-                 frame);
+    record_frame(commands, scene, target, frame);
     try {
         const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                        .imageExtent = {width, height, 1}};

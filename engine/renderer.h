@@ -27,6 +27,7 @@
 #include "engine/draw_list.h"
 #include "engine/frame_marks.h"
 #include "engine/gpu_mesh.h"
+#include "engine/ink_pass.h"
 #include "engine/line_pass.h"
 #include "engine/picture_target.h"
 #include "engine/png.h"
@@ -49,8 +50,12 @@ struct RendererOptions {
     /// Pixels are the same but for what SideStage says.
     SideStage shadow_sides = SideStage::vertex;
     /// What all silhouettes on the GPU may take together (StreamSize, change_stream.h): 80 MiB for each
-    /// silhouette point of a mesh of 10 million faces, 5 bytes a face.
+    /// silhouette point of a mesh of 10 million faces. What deforms counts with its silhouettes, its moved
+    /// positions and normals, and what finds them (deforming_mesh.h).
     std::uint64_t stream_memory_bytes = std::uint64_t{1} << 30;
+    /// What all trackers may reserve together (SilhouetteTracker::size_bytes()): about 80 bytes a face for
+    /// each silhouette point, most of which is not touched before a move of that size comes.
+    std::uint64_t tracker_memory_bytes = std::uint64_t{16} << 30;
     /// Moves the trackers, for several renderers if so wished; must outlive them. Null: one of its own.
     SilhouetteService* service = nullptr;
     /// Reads slots, face bits and draw arguments back every frame and compares them with the trackers
@@ -90,6 +95,8 @@ struct FrameReport {
     /// From moving the trackers to the last command recorded, by the clock. Uploading a mesh drawn for
     /// the first time is not in it; extracting the first silhouettes is.
     double record_ms = 0.0;
+    std::uint32_t meshes_uploaded = 0;  ///< Those drawn for the first time, ...
+    std::uint64_t bytes_uploaded = 0;   ///< ... and what went to the GPU of them.
     /// The same up to the finished picture; 0 for a frame that a caller submits.
     double frame_ms = 0.0;
     SilhouetteChanges camera;  ///< Of the silhouettes drawn as lines, over all instances.
@@ -139,8 +146,8 @@ public:
     ///     and one into a target of another size only when it is done with all of them;
     ///   - destroys the renderer only when the GPU is done.
     /// A frame that should be done and is not is found by the mark that each leaves (frame_marks.h), and
-    /// stops the program. A mesh drawn for the first time is uploaded here, over the context's queue,
-    /// and waited for. Bound pipelines, sets, push constants and dynamic state are others afterwards.
+    /// stops the program. A mesh drawn for the first time is uploaded here, over the context's queue for
+    /// copies, and waited for. Bound pipelines, sets, push constants and dynamic state are others afterwards.
     /// Throws as render(), and Error{bad_input} for a format that is none to draw into; `commands` may
     /// then hold a part of the frame, and must not be submitted.
     FrameReport record(VkCommandBuffer commands, const Scene& scene, const PictureTarget& target);
@@ -167,6 +174,8 @@ public:
 
     /// What silhouettes take of options.stream_memory_bytes.
     std::uint64_t stream_bytes() const noexcept { return stream_budget_.used_bytes(); }
+    /// What trackers have reserved of options.tracker_memory_bytes.
+    std::uint64_t tracker_bytes() const noexcept { return tracker_budget_.used_bytes(); }
     /// The images of the passes, null before the first frame. After a frame depth() is read-only; with
     /// one sample its stencil holds the count of the last light.
     const RenderTargets* targets() const noexcept { return targets_.get(); }
@@ -202,6 +211,7 @@ private:
         std::unique_ptr<TrackedSilhouette> silhouette;
         std::unique_ptr<GpuMesh> mesh;
         std::unique_ptr<DeformingInstance> deforming;
+        std::unique_ptr<GpuSilhouette> found;
     };
 
     std::uint32_t ring_slot() const noexcept {
@@ -215,7 +225,9 @@ private:
     void free_retired() noexcept;
     void prepare_picture(VkExtent2D size);
     void prepare_targets(VkExtent2D size);
-    void prepare_instances(const Scene& scene);
+    const GpuMesh& upload(const Mesh& mesh, Frame& frame);
+    void prepare_instances(const Scene& scene, Frame& frame);
+    void prepare(const Scene& scene, const PictureTarget& target, Frame& frame);
     void prepare_silhouettes(const Scene& scene);
     const ChangeStream& follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point,
                                Frame& frame);
@@ -226,6 +238,8 @@ private:
                              const PictureTarget& target, Frame& frame);
     void record_passes(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
                        Frame& frame, const PictureTarget& target) const;
+    void record_lines(VkCommandBuffer commands, const DrawList& list,
+                      const CompositeColors& colors) const;
     static void add_deformed_counts(Frame& frame);
     void submit(Frame& frame);
     void forget_gpu_state() noexcept;
@@ -235,10 +249,12 @@ private:
     std::unique_ptr<SilhouetteService> own_service_;
     SilhouetteService* service_;
     MemoryBudget stream_budget_;
+    MemoryBudget tracker_budget_;
     ScatterPass scatter_;
     SurfacePass surface_pass_;
     ShadowVolumePass shadow_pass_;
     LinePass line_pass_;
+    InkPass ink_pass_;
     CompositePass composite_pass_;
     OwnedSemaphore timeline_;
     OwnedCommandPool command_pool_;
@@ -254,6 +270,7 @@ private:
     std::unique_ptr<DeformPasses> deform_passes_;  // When the first instance deforms.
     std::vector<InstanceState> instances_;
     std::vector<Retired> retired_;
+    Uploads uploads_;  // After the meshes: gone before them, it waits for what is on its way.
     ShadowCounter shadow_counter_;
     bool unused_meshes_ = false;  // Whether meshes_ may hold one that no instance has.
     std::uint64_t differences_ = 0;

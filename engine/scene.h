@@ -19,6 +19,14 @@ namespace rimline {
 // Cameras and lights must lie within k_max_coordinate of the origin, in the coordinates of every
 // instance.
 
+/// What an instance is made of. Colors in linear light.
+struct Material {
+    glm::vec3 color{1.0f};
+    /// Of its lines, and of the strokes that shade it in Style::hatch; the palette's ink where there is
+    /// none. A frame takes one pass over its picture more for each color of lines beyond the first.
+    std::optional<glm::vec3> line_color;
+};
+
 /// A mesh somewhere in the world: world = rotation * object + translation. The octree and its mesh must
 /// outlive every renderer that has drawn them.
 struct SceneInstance {
@@ -30,7 +38,7 @@ struct SceneInstance {
     Deformation deformation;   ///< Of `deforming`, in this frame.
     glm::dmat3 rotation{1.0};  ///< Orthonormal, without reflection.
     glm::dvec3 translation{0.0};
-    glm::vec3 color{1.0f};  ///< Linear light.
+    Material material;
     bool has_lines = true;
     bool casts_shadows = true;
     /// Over 0: fades into the background towards this distance from fade_center (world), as a ground
@@ -57,13 +65,13 @@ enum class Style : std::uint32_t {
     toon,  ///< Color in two tones.
     mask,  ///< White where light arrives by the stencil alone, black where not: to see and to test.
     blueprint,  ///< Fine light lines on blue paper with a grid; surfaces are hardly there.
-    hatch,      ///< Strokes of the ink in which light and shadow lie: the darker, the denser.
+    hatch,  ///< Strokes of the lines' color in which light and shadow lie: the darker, the denser.
 };
 
 /// Colors in linear light.
 struct Palette {
     glm::vec3 background{1.0f};
-    glm::vec3 ink{0.0f};
+    glm::vec3 ink{0.0f};  ///< Of lines and strokes where the material has no color for them.
     /// What is left of a surface's color in shadow. Style::hatch leaves that much of it between its
     /// strokes, on average over the three channels.
     glm::vec3 shade{0.5f};

@@ -103,6 +103,10 @@ bool casts_shadows(const Scene& scene, const SceneInstance& instance) {
     return scene.shadows && instance.casts_shadows;
 }
 
+const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance) {
+    return instance.material.line_color ? *instance.material.line_color : scene.palette.ink;
+}
+
 HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance,
                                const Light& light) {
     const HomogeneousPoint point = light_point(instance, light);
@@ -131,7 +135,6 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
             .background = scene.palette.background,
             .shade = scene.palette.shade,
-            .ink = scene.palette.ink,
             .hatch_spacing = scene.hatch_spacing_px * float(targets.scale()),
             .dash_period = (scene.dash_px + scene.dash_gap_px) * float(targets.scale()),
             .dash_length = scene.dash_px * float(targets.scale()),
@@ -140,8 +143,9 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .padding = 0};
 }
 
-gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& mesh,
-                                const Camera& camera, VkDeviceAddress slots) {
+gpu::InstanceData instance_data(const Scene& scene, const SceneInstance& instance,
+                                const GpuMesh& mesh, VkDeviceAddress slots) {
+    const Camera& camera = scene.camera;
     // The camera's silhouette point and the position that vertices are taken relative to are one and
     // the same float.
     const HomogeneousPoint eye =
@@ -161,9 +165,11 @@ gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& me
             .camera = eye.xyz(),
             .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},
             .middle = mesh.middle(),
-            .color = instance.color,
+            .color = instance.material.color,
+            .ink = line_color(scene, instance),
             .fade_radius = float(instance.fade_radius),
-            .fade_center = glm::vec3(point_in_object(instance, instance.fade_center))};
+            .fade_center = glm::vec3(point_in_object(instance, instance.fade_center)),
+            .padding = 0};
 }
 
 }  // namespace rimline

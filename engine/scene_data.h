@@ -23,6 +23,9 @@ namespace rimline {
 bool has_lines(const Scene& scene, const SceneInstance& instance);
 bool casts_shadows(const Scene& scene, const SceneInstance& instance);
 
+/// What its lines and strokes are drawn with.
+const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance);
+
 /// From where lines are silhouettes: the camera, unless they are frozen.
 const Camera& lines_camera(const Scene& scene);
 
@@ -57,7 +60,7 @@ std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh);
 
 gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets);
 /// `slots` is the address of the camera's silhouette, 0 where there is none.
-gpu::InstanceData instance_data(const SceneInstance& instance, const GpuMesh& mesh,
-                                const Camera& camera, VkDeviceAddress slots);
+gpu::InstanceData instance_data(const Scene& scene, const SceneInstance& instance,
+                                const GpuMesh& mesh, VkDeviceAddress slots);
 
 }  // namespace rimline

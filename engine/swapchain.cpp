@@ -16,12 +16,11 @@ OwnedSemaphore make_semaphore(VkDevice device) {
 
 // Pictures hold sRGB bytes already: a format that encodes once more would brighten them.
 VkFormat choose_format(VkPhysicalDevice device, VkSurfaceKHR surface) {
-    std::uint32_t count = 0;
-    vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(device, surface, &count, nullptr),
-             "vkGetPhysicalDeviceSurfaceFormatsKHR");
-    std::vector<VkSurfaceFormatKHR> offered(count);
-    vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(device, surface, &count, offered.data()),
-             "vkGetPhysicalDeviceSurfaceFormatsKHR");
+    const auto offered = enumerate<VkSurfaceFormatKHR>(
+        [&](std::uint32_t* count, VkSurfaceFormatKHR* formats) {
+            return vkGetPhysicalDeviceSurfaceFormatsKHR(device, surface, count, formats);
+        },
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
     for (const VkFormat format : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
         if (std::ranges::any_of(offered, [format](const VkSurfaceFormatKHR& f) {
                 return f.format == format && f.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;
@@ -52,7 +51,9 @@ Swapchain::Swapchain(const DeviceContext& context, VkSurfaceKHR surface, std::ui
 Swapchain::~Swapchain() { wait_until_unused(); }
 
 // What is presented may use its image and semaphore until the queue is idle; a lost device is done.
-void Swapchain::wait_until_unused() const noexcept { vkQueueWaitIdle(context_.queue); }
+void Swapchain::wait_until_unused() const noexcept {
+    (void)repeat_wait([&] { return vkQueueWaitIdle(context_.queue); });
+}
 
 void Swapchain::remake(VkExtent2D window_size) {
     wait_until_unused();
@@ -94,17 +95,16 @@ void Swapchain::remake(VkExtent2D window_size) {
         .clipped = VK_FALSE,
         .oldSwapchain = swapchain_};
     VkSwapchainKHR handle = VK_NULL_HANDLE;
-    vk_check(vkCreateSwapchainKHR(context_.device, &info, nullptr, &handle),
-             "vkCreateSwapchainKHR");
+    const VkResult made = vkCreateSwapchainKHR(context_.device, &info, nullptr, &handle);
+    // Also where it failed: the old one is retired, and cannot be followed by another.
     swapchain_ = OwnedSwapchain(context_.device, handle);
+    vk_check(made, "vkCreateSwapchainKHR");
 
-    std::uint32_t count = 0;
-    vk_check(vkGetSwapchainImagesKHR(context_.device, swapchain_, &count, nullptr),
-             "vkGetSwapchainImagesKHR");
-    std::vector<VkImage> images(count);
-    vk_check(vkGetSwapchainImagesKHR(context_.device, swapchain_, &count, images.data()),
-             "vkGetSwapchainImagesKHR");
-    for (const VkImage image : images) {
+    for (const VkImage image : enumerate<VkImage>(
+             [&](std::uint32_t*count, VkImage*images) {
+                 return vkGetSwapchainImagesKHR(context_.device, handle, count, images);
+             },
+             "vkGetSwapchainImagesKHR")) {
         const VkImageViewCreateInfo view{
             .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
             .image = image,

@@ -17,12 +17,15 @@ SilhouetteChanges& SilhouetteChanges::operator+=(const SilhouetteChanges& other)
 
 TrackedSilhouette::TrackedSilhouette(const DeviceContext& context, SilhouetteService& service,
                                      const HoughOctree& octree, const HomogeneousPoint& point,
-                                     std::uint32_t ring_slots, MemoryBudget& budget,
-                                     const std::string& model)
+                                     std::uint32_t ring_slots, MemoryBudget& stream_budget,
+                                     MemoryBudget& tracker_budget, const std::string& model)
     : mesh_(&octree.mesh()),
       regular_end_(octree.mesh().edges_of_class(EdgeClass::regular).last),
-      stream_(context, StreamSize::of(octree.mesh()), ring_slots, &budget, model),
-      follower_(service, octree, point) {}
+      stream_(context, StreamSize::of(octree.mesh()), ring_slots, &stream_budget, model),
+      tracker_share_(&tracker_budget),
+      follower_(service, octree, point) {
+    tracker_share_.resize(follower_.tracker_bytes(), "the tracker of " + model);
+}
 
 std::uint32_t TrackedSilhouette::count_regular(std::span<const EdgeId> edges) const noexcept {
     return static_cast<std::uint32_t>(

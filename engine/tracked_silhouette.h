@@ -31,10 +31,11 @@ struct SilhouetteChanges {
 
 class TrackedSilhouette {
 public:
-    /// The service, the octree and the budget must outlive it. Throws what their parts do.
+    /// The service, the octree and the budgets must outlive it. Throws what their parts do.
     TrackedSilhouette(const DeviceContext& context, SilhouetteService& service,
                       const HoughOctree& octree, const HomogeneousPoint& point,
-                      std::uint32_t ring_slots, MemoryBudget& budget, const std::string& model);
+                      std::uint32_t ring_slots, MemoryBudget& stream_budget,
+                      MemoryBudget& tracker_budget, const std::string& model);
 
     /// Says where the next follow() will probably lead: the service begins with it. Does not wait.
     void announce(const HomogeneousPoint& point) noexcept { follower_.announce(point); }
@@ -82,6 +83,7 @@ private:
     std::uint32_t regular_end_;  // Regular edges come first.
     std::uint32_t regular_count_ = 0;
     ChangeStream stream_;
+    MemoryBudget::Share tracker_share_;
     SilhouetteFollower follower_;
 };
 

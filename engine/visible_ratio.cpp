@@ -199,7 +199,7 @@ VisibleRatioPass::VisibleRatioPass(const DeviceContext& context, const HoughOctr
       layout_(
           make_pipeline_layout(context, sizeof(gpu::RatioConstants), VK_SHADER_STAGE_VERTEX_BIT)),
       timeline_(make_timeline(context)),
-      command_pool_(make_command_pool(context)),
+      command_pool_(make_command_pool(context, context.queue_family)),
       room_(new Room{tbb::enumerable_thread_specific<ThreadRoom>([&octree] {
           return ThreadRoom{octree.make_scratch(), {}, {}, {}};
       })}) {
@@ -482,13 +482,7 @@ void VisibleRatioPass::record_view(const Batch& batch, std::size_t v, bool keeps
 }
 
 void VisibleRatioPass::wait_for(const Batch& batch) const {
-    const VkSemaphore semaphore = timeline_;
-    const VkSemaphoreWaitInfo wait{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO,
-                                   .semaphoreCount = 1,
-                                   .pSemaphores = &semaphore,
-                                   .pValues = &batch.end};
-    vk_check(repeat_wait([&] { return vkWaitSemaphores(context_.device, &wait, UINT64_MAX); }),
-             "vkWaitSemaphores");
+    wait_for_timeline(context_, timeline_, batch.end);
 }
 
 void VisibleRatioPass::finish(Batch& batch, std::span<VisibleRatio> ratios) const {

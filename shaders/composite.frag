@@ -1,8 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "paper_grid.glsl"
 
-// The finished picture: ink over the paper's grid over surfaces, averaged from `scale` x `scale` samples a pixel in linear
-// light, then encoded as sRGB where the image does not do so by itself.
+// The finished picture: ink over the paper's grid over surfaces, averaged from `scale` x `scale` samples
+// a pixel in linear light, then encoded as sRGB where the image does not do so by itself.
 
 layout(set = 0, binding = 0) uniform sampler2D surfaces;
 layout(set = 0, binding = 1) uniform sampler2D lines;
@@ -20,17 +21,9 @@ vec3 srgb_from_linear(vec3 c) {
     return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
-const int k_grid_px = 16;
-
-// A grid of lines a pixel wide, one of them through the middle, every fifth one strong.
-float grid_at(ivec2 pixel) {
-    const ivec2 from_middle = abs(pixel - textureSize(surfaces, 0) / (2 * scale));
-    if (any(equal(from_middle % (5 * k_grid_px), ivec2(0)))) return grid.a;
-    return any(equal(from_middle % k_grid_px, ivec2(0))) ? 0.45 * grid.a : 0.0;
-}
-
 void main() {
-    const float ruled = grid.a > 0.0 ? grid_at(ivec2(gl_FragCoord.xy)) : 0.0;
+    const float ruled =
+        grid_at(ivec2(gl_FragCoord.xy), textureSize(surfaces, 0) / scale, grid.a);
     const ivec2 first = ivec2(gl_FragCoord.xy) * scale;
     vec3 sum = vec3(0.0);
     for (int y = 0; y < scale; ++y)

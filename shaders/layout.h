@@ -121,8 +121,7 @@ struct FrameData {
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
     vec3 background;
-    vec3 shade;  // What shadow leaves of a surface's color.
-    vec3 ink;
+    vec3 shade;           // What shadow leaves of a surface's color.
     float hatch_spacing;  // Between strokes, in pixels of the pass.
     float dash_period;    // Of hidden lines, in pixels of the pass; 0: they are not dashed.
     float dash_length;    // What of that is drawn.
@@ -164,8 +163,10 @@ struct InstanceData {
     vec4 viewpoint;        // The camera's silhouette point, homogeneous.
     vec3 middle;           // Of the mesh.
     vec3 color;
+    vec3 ink;           // Of its strokes.
     float fade_radius;  // Over 0: the surface fades into the background towards this distance ...
     vec3 fade_center;   // ... from here.
+    uint padding;
 };
 
 // One for each pair of instance and light.
@@ -217,8 +218,8 @@ static_assert(sizeof(LineEnds) == 8);
 static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
-static_assert(sizeof(FrameData) == 4 * 28);
-static_assert(sizeof(InstanceData) == 10 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 1 + 3));
+static_assert(sizeof(FrameData) == 4 * 26);
+static_assert(sizeof(InstanceData) == 10 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 32);
 }  // namespace rimline::gpu

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
+#include "slot_arguments.glsl"
 
 // A change set's writes, scattered into slots and face words, and the draw arguments that follow from
 // the silhouette's size. Each place is named once (silhouette/hough/change_set.h), so order is free.
@@ -27,12 +28,7 @@ layout(push_constant, scalar) uniform Constants {
 void main() {
     const uint first = gl_GlobalInvocationID.x;
     const uint stride = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    if (first == 0u) {
-        arguments.slots.points = DrawArguments(silhouette_size, 1u, 0u, 0u);
-        arguments.slots.strips = DrawArguments(4u, silhouette_size, 0u, 0u);
-        arguments.slots.pointed_sides = DrawArguments(3u * silhouette_size, 1u, 0u, 0u);
-        arguments.slots.sides = DrawArguments(6u * silhouette_size, 1u, 0u, 0u);
-    }
+    if (first == 0u) arguments.slots = slot_arguments(silhouette_size);
     for (uint i = first; i < slot_write_count; i += stride) {
         const PlacedWrite write = slot_writes.at[i];
         slots.at[write.place] = write.value;

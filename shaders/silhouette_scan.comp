@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "silhouette_job.h"
+#include "slot_arguments.glsl"
 
 // Third of four: tallies of groups become sums over all groups before, so that every list has one order,
 // that of faces and edges. Workgroup 0 sums the edges' tallies, workgroup 1 the faces'; each then knows
@@ -52,10 +53,7 @@ void main() {
         job.data.counts.data.regular = before.y;
         job.data.counts.data.added = before.z;
         job.data.counts.data.removed = before.w;
-        job.data.arguments.slots.points = DrawArguments(before.x, 1u, 0u, 0u);
-        job.data.arguments.slots.strips = DrawArguments(4u, before.x, 0u, 0u);
-        job.data.arguments.slots.pointed_sides = DrawArguments(3u * before.x, 1u, 0u, 0u);
-        job.data.arguments.slots.sides = DrawArguments(6u * before.x, 1u, 0u, 0u);
+        job.data.arguments.slots = slot_arguments(before.x);
     } else {
         job.data.counts.data.words = before.x;
         job.data.counts.data.flips = before.y;

@@ -35,7 +35,7 @@ vec3 shown(float amount, vec3 facing_normal) {
     const vec3 shade = draw.frame.data.shade;
     if (k_style != RIMLINE_STYLE_HATCH) return lit * mix(shade, vec3(1.0), amount);
     const float density = (1.0 - dot(shade, vec3(1.0 / 3.0))) * (1.0 - amount);
-    return mix(lit, draw.frame.data.ink, hatch_ink(position, facing_normal, density));
+    return mix(lit, draw.instance.data.ink, hatch_ink(position, facing_normal, density));
 }
 
 void main() {

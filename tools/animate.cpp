@@ -138,7 +138,7 @@ public:
         Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
         check_size(first, mesh);
         first.instances.push_back(
-            {.octree = octree ? &*octree : nullptr, .color = scene_.surface_color(picture_)});
+            {.octree = octree ? &*octree : nullptr, .material = scene_.material(picture_)});
         std::optional<Ground> ground;
         if (scene_.ground) {
             ground.emplace(mesh, up, wave ? wave->amplitude : 0.0);

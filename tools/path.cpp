@@ -130,7 +130,7 @@ private:
                             .fov_y_deg = fitting_fov_deg(mesh, planned.samples, up)};
         Scene first = style_.make_scene(camera, mesh, picture_);
         first.instances.push_back(
-            {.octree = &octree, .name = model_.model, .color = style_.surface_color(picture_)});
+            {.octree = &octree, .name = model_.model, .material = style_.material(picture_)});
         std::optional<Ground> ground;
         if (style_.ground) {
             ground.emplace(mesh, up, 0.0);

@@ -66,7 +66,8 @@ Camera make_camera(const Mesh& mesh, const std::string& model, const PictureOpti
 
 SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree) {
     return {.octree = &octree,
-            .color = scene.style == Style::mask ? glm::vec3(1.0f) : scene.palette.background,
+            .material = {.color = scene.style == Style::mask ? glm::vec3(1.0f)
+                                                             : scene.palette.background},
             .has_lines = false,
             .casts_shadows = false,
             .fade_radius = k_ground_fade * mesh.radius(),

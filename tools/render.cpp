@@ -68,7 +68,7 @@ public:
             options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
         check_size(scene, mesh);
         scene.instances.push_back(
-            {.octree = &octree, .name = model_.model, .color = options_.surface_color(picture_)});
+            {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
         std::optional<Ground> ground;
         if (options_.ground) {
             ground.emplace(mesh, up_of(mesh, picture_), 0.0);

@@ -16,6 +16,9 @@ void SceneOptions::add_to(CLI::App& app) {
         ->check(CLI::IsMember({"ink", "toon", "blueprint", "hatch", "mask"}))
         ->capture_default_str()
         ->group(k_group);
+    add_color(app, "--color", color, "Of surfaces (default: the style's own)")->group(k_group);
+    add_color(app, "--line-color", line_color, "Of lines (default: the style's own)")
+        ->group(k_group);
     app.add_option("--lines", lines, "Silhouettes and borders: on or off")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str()
@@ -47,8 +50,11 @@ glm::vec3 SceneOptions::background(const PictureOptions& picture) const {
                               : style_defaults(style_value()).background;
 }
 
-glm::vec3 SceneOptions::surface_color(const PictureOptions& picture) const {
-    return default_surface_color(style_value(), background(picture));
+Material SceneOptions::material(const PictureOptions& picture) const {
+    Material material{.color = color ? linear_from_srgb(*color)
+                                     : default_surface_color(style_value(), background(picture))};
+    if (line_color) material.line_color = linear_from_srgb(*line_color);
+    return material;
 }
 
 Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,

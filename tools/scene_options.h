@@ -15,6 +15,9 @@ namespace rimline::tools {
 
 struct SceneOptions {
     std::string style = "ink";
+    std::optional<Color>
+        color;  ///< Of surfaces. This and that of lines: the style's own if not given.
+    std::optional<Color> line_color;
     std::string lines = "on";
     std::optional<double>
         line_width;  ///< In pixels. This and creases: the style's own if not given.
@@ -28,8 +31,8 @@ struct SceneOptions {
     /// A scene in this style, seen from `camera`, with the lights of `picture`: no instances yet. `mesh` is
     /// what a sun is chosen for.
     Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
-    /// The color of surfaces.
-    glm::vec3 surface_color(const PictureOptions& picture) const;
+    /// Of the model.
+    Material material(const PictureOptions& picture) const;
 
 private:
     Style style_value() const;

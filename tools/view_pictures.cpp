@@ -53,7 +53,7 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
         Scene drawn = scene.style.make_scene(camera, mesh, scene.picture);
         drawn.instances.push_back({.octree = &scene.octree,
                                    .name = scene.model,
-                                   .color = scene.style.surface_color(scene.picture)});
+                                   .material = scene.style.material(scene.picture)});
         if (ground) drawn.instances.push_back(ground->instance(drawn));
         pictures.push_back(renderer.render(drawn, size.width, size.height));
     }

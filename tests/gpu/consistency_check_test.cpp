@@ -50,7 +50,8 @@ TEST_CASE("over 10,000 random frames the GPU holds exactly what the trackers say
         Walked(const DeviceContext& context, SilhouetteService& service, MemoryBudget& budget,
                const tests::Model& model, std::uint64_t seed)
             : walk(model.mesh, seed),
-              silhouette(context, service, model.octree, walk.point(), 1, budget, "a model") {}
+              silhouette(context, service, model.octree, walk.point(), 1, budget, budget,
+                         "a model") {}
         tests::RandomWalk walk;
         TrackedSilhouette silhouette;
     };
@@ -88,7 +89,8 @@ TEST_CASE("a word that is wrong on the GPU is counted") {
     SilhouetteService service({.workers = 1});
     MemoryBudget budget(std::uint64_t{64} << 20, "the budget of this test");
     const HomogeneousPoint point = HomogeneousPoint::viewpoint({3, 1, 0.5f});
-    TrackedSilhouette silhouette(gpu->context(), service, model.octree, point, 1, budget, "a knot");
+    TrackedSilhouette silhouette(gpu->context(), service, model.octree, point, 1, budget, budget,
+                                 "a knot");
     StreamFrames frames(gpu->context());
     const std::array all{&silhouette};
     silhouette.follow(point, 0);

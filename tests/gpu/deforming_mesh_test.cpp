@@ -18,12 +18,22 @@ namespace {
 
 constexpr float k_crease = 0.7f;
 
+// The mesh on the GPU.
+GpuMesh uploaded(const DeviceContext& context, const Mesh& mesh, float crease_angle_rad) {
+    Uploads uploads(context);
+    UploadBatch batch(context, uploads);
+    GpuMesh gpu_mesh(batch, mesh, crease_angle_rad);
+    batch.send();
+    uploads.wait();
+    return gpu_mesh;
+}
+
 class Subject {
 public:
     Subject(const DeviceContext& context, const MeshSource& source, float crease_angle_rad)
         : context_(context),
           mesh_(source),
-          gpu_mesh_(context, mesh_, crease_angle_rad),
+          gpu_mesh_(uploaded(context, mesh_, crease_angle_rad)),
           deforming_(context, mesh_, gpu_mesh_, crease_angle_rad, 2),
           silhouette_(context, deforming_.topology(), deforming_.faces()) {}
 
@@ -199,7 +209,7 @@ TEST_CASE("normals are of length 1 on degenerate, cancelling, tiny and huge face
 TEST_CASE("a deformation that leaves the range of coordinates is refused") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(tests::tetrahedron());
-    const GpuMesh gpu_mesh(gpu->context(), mesh, k_crease);
+    const GpuMesh gpu_mesh = uploaded(gpu->context(), mesh, k_crease);
     DeformingMesh deforming(gpu->context(), mesh, gpu_mesh, k_crease, 1);
     Wave wave = default_wave(mesh, {0, 1, 0}, 0.0);
     deforming.move(wave, 0);

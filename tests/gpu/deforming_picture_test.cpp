@@ -27,7 +27,7 @@ struct Stage {
                     .style = style,
                     .palette = default_palette(style, paper)};
         scene.instances.push_back(
-            {.octree = &model.octree, .color = default_surface_color(style, paper)});
+            {.octree = &model.octree, .material = {.color = default_surface_color(style, paper)}});
         scene.instances.push_back({.octree = &ground.octree, .has_lines = false});
         scene.lights.push_back(default_sun(scene.camera));
         scene.lights.push_back({.vector = {0.4, 3.0, 1.0}, .directional = false});

@@ -183,6 +183,72 @@ TEST_CASE("a limit of the device is named with the model that exceeds it") {
         "bunny.obj"));
 }
 
+TEST_CASE("what deforms counts in the budget with its silhouettes, and is refused by name") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("knot", 3000));
+    const SilhouetteTopology topology(gpu->context(), mesh);
+    const std::uint64_t one = GpuSilhouette::size_bytes(topology);
+    for (const auto changes : {GpuSilhouette::Changes::counted, GpuSilhouette::Changes::listed}) {
+        const GpuSilhouette silhouette(gpu->context(), topology, {}, changes);
+        CHECK(silhouette.size_bytes() == GpuSilhouette::size_bytes(topology, changes));
+    }
+    Scene scene{.camera = {.eye = {0, 1, 4}}};
+    scene.instances.push_back(
+        {.name = "eel.ply", .deforming = &mesh, .deformation = default_wave(mesh, {0, 1, 0}, 0.0)});
+    scene.lights = {{.vector = {1, 1, 1}}, {.vector = {0, 1, 1}}};
+    const RendererOptions plain{.samples = 1, .scale = 1};
+    Renderer free(gpu->context(), plain);
+    const Picture expected = free.render(scene, 64, 64);
+    const std::uint64_t all = free.stream_bytes();
+    CHECK(all > 3 * one + topology.size_bytes());
+    RendererOptions bounded_options = plain;
+    bounded_options.stream_memory_bytes = all + one / 2;
+    Renderer bounded(gpu->context(), bounded_options);
+    CHECK(bounded.render(scene, 64, 64).rgba == expected.rgba);
+    CHECK(bounded.stream_bytes() == all);
+    Scene larger = scene;
+    larger.lights.push_back({.vector = {0, 1, -1}});
+    const std::string message = too_large_message([&] { bounded.render(larger, 64, 64); });
+    CHECK(contains(message, "eel.ply"));
+    CHECK(contains(message, "RendererOptions::stream_memory_bytes"));
+    for (int i = 0; i < 3; ++i) CHECK(bounded.render(scene, 64, 64).rgba == expected.rgba);
+    CHECK(bounded.stream_bytes() == all);
+    // Positions of the caller's want a ring.
+    const std::vector<glm::vec3> moved(mesh.positions().begin(), mesh.positions().end());
+    Scene given = scene;
+    given.instances[0].deformation = MovedPositions{.positions = moved};
+    CHECK(contains(too_large_message([&] { bounded.render(given, 64, 64); }), "eel.ply"));
+    CHECK(bounded.stream_bytes() == all);
+    // A light that leaves gives its silhouette's memory back, the mesh all of it.
+    scene.lights.resize(1);
+    for (int i = 0; i < 3; ++i) bounded.render(scene, 64, 64);
+    CHECK(bounded.stream_bytes() == all - one);
+    scene.instances.clear();
+    for (int i = 0; i < 3; ++i) bounded.render(scene, 64, 64);
+    CHECK(bounded.stream_bytes() == 0);
+}
+
+TEST_CASE("trackers beyond their budget are refused by name, and give it back when they go") {
+    RIMLINE_OPEN_GPU(gpu);
+    const tests::Model model(make_built_in_shape("knot", 3000));
+    const std::uint64_t one =
+        SilhouetteTracker(model.octree, HomogeneousPoint::viewpoint({0, 1, 4})).size_bytes();
+    Renderer renderer(gpu->context(),
+                      {.samples = 1, .scale = 1, .tracker_memory_bytes = 2 * one + one / 2});
+    Scene scene{.camera = {.eye = {0, 1, 4}}};
+    scene.instances.push_back({.octree = &model.octree, .name = "knot.ply"});
+    scene.lights = {{.vector = {1, 1, 1}}};
+    renderer.render(scene, 32, 32);
+    CHECK(renderer.tracker_bytes() == 2 * one);
+    scene.lights.push_back({.vector = {0, 1, 1}});
+    const std::string message = too_large_message([&] { renderer.render(scene, 32, 32); });
+    CHECK(contains(message, "the tracker of knot.ply"));
+    CHECK(contains(message, "RendererOptions::tracker_memory_bytes"));
+    scene.lights.clear();
+    for (int i = 0; i < 3; ++i) renderer.render(scene, 32, 32);
+    CHECK(renderer.tracker_bytes() == one);
+}
+
 TEST_CASE("a scene beyond the renderer's budget is refused by name, and a smaller one then drawn") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("knot", 3000));

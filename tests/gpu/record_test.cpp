@@ -22,8 +22,8 @@ Scene scene_at(const tests::Model& model, int frame) {
                                      double(k_width) / k_height),
                 .style = Style::toon,
                 .palette = default_palette(Style::toon, paper)};
-    scene.instances.push_back(
-        {.octree = &model.octree, .color = default_surface_color(Style::toon, paper)});
+    scene.instances.push_back({.octree = &model.octree,
+                               .material = {.color = default_surface_color(Style::toon, paper)}});
     scene.lights.push_back(default_sun(scene.camera));
     scene.camera.eye.x += 0.03 * frame;
     scene.lights[0].vector.y += 0.1 * frame;

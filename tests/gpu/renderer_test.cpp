@@ -17,7 +17,8 @@ Scene scene_of(const Mesh& mesh, const HoughOctree& octree, Style style) {
     Scene scene{.camera = fit_camera({}, mesh, default_view_direction({0, 1, 0}), 1.0),
                 .style = style,
                 .palette = default_palette(style, paper)};
-    scene.instances.push_back({.octree = &octree, .color = default_surface_color(style, paper)});
+    scene.instances.push_back(
+        {.octree = &octree, .material = {.color = default_surface_color(style, paper)}});
     scene.lights.push_back(default_sun(scene.camera));
     return scene;
 }

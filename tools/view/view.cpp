@@ -103,6 +103,8 @@ private:
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.look = ViewLook(scene.style);
         session.look.background = scene.palette.background;
+        if (scene_.color) session.look.color = linear_from_srgb(*scene_.color);
+        if (scene_.line_color) session.look.line_color = linear_from_srgb(*scene_.line_color);
         session.look.lines = scene.lines;
         session.look.line_width_px = scene.line_width_px;
         session.look.hidden = scene_.hidden;

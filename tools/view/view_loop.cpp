@@ -128,7 +128,7 @@ void ViewLoop::build_panel() {
         requests_ = panel_.draw(session_, hand_, hough_,
                                 {.counters = counters_,
                                  .loading = loader_.stage(),
-                                 .device = renderer_.device().facts().name,
+                                 .device = renderer_.device_facts().name,
                                  .scale = window_.content_scale()});
     }
     if (options_.panel && hough_.open) {
@@ -147,7 +147,7 @@ void ViewLoop::build_panel() {
 
 // Software draws four times as fast at half the resolution.
 std::uint32_t ViewLoop::scale() const {
-    const bool slow = renderer_.device().facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    const bool slow = renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
     const bool rests = !moving_ && now_s() - last_change_s_ >= k_rest_s;
     return !slow || rests || !options_.panel || options_.frames > 0 ? RendererOptions{}.scale : 1;
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <glm/common.hpp>
 
+#include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tools/picture_scene.h"
 #include "tools/view/camera_motion.h"
@@ -52,6 +53,13 @@ int axis_of(const glm::dvec3& up) {
     for (int axis = 0; axis < 3; ++axis)
         if (up[axis] > 0.0 && up[(axis + 1) % 3] == 0.0 && up[(axis + 2) % 3] == 0.0) return axis;
     return 3;
+}
+
+// Another color than this one, where one was chosen.
+std::optional<glm::vec3> chosen_color(const char* name, const glm::vec3& linear) {
+    glm::vec3 color = srgb_from_linear(linear);
+    if (!ImGui::ColorEdit3(name, &color.x, ImGuiColorEditFlags_NoInputs)) return std::nullopt;
+    return linear_from_srgb(glm::clamp(color, 0.0f, 1.0f));
 }
 
 void same_width() { ImGui::SetNextItemWidth(-0.42f * ImGui::GetWindowWidth()); }
@@ -140,10 +148,14 @@ void ViewPanel::draw_look(ViewSession& session) {
         ImGui::SliderFloat("from", &look.crease_angle_deg, 10.0f, 120.0f, "%.0f deg");
         look.crease_angle_deg = std::clamp(look.crease_angle_deg, 10.0f, 180.0f);
     }
-    glm::vec3 paper = srgb_from_linear(look.background);
-    same_width();
-    if (ImGui::ColorEdit3("paper", &paper.x, ImGuiColorEditFlags_NoInputs))
-        look.background = linear_from_srgb(glm::clamp(paper, 0.0f, 1.0f));
+    if (const auto paper = chosen_color("paper", look.background)) look.background = *paper;
+    ImGui::SameLine();
+    const Material shown = session.scene().instances.front().material;
+    if (const auto color = chosen_color("surface", shown.color)) look.color = color;
+    ImGui::SameLine();
+    const glm::vec3 ink = default_palette(look.style, look.background).ink;
+    if (const auto color = chosen_color("ink", shown.line_color.value_or(ink)))
+        look.line_color = color;
 }
 
 void ViewPanel::draw_lights(ViewSession& session) {

@@ -17,6 +17,8 @@ void ViewLook::set_style(Style chosen) {
     const StyleDefaults defaults = style_defaults(chosen);
     style = chosen;
     background = defaults.background;
+    color.reset();
+    line_color.reset();
     line_width_px = defaults.line_width_px;
     crease_angle_deg = defaults.crease_angle_deg;
 }
@@ -112,8 +114,10 @@ Scene ViewSession::scene() const {
                     look.hidden ? style_defaults(look.style).hidden_line_strength : 0.0f,
                 .crease_angle_deg = look.crease_angle_deg};
     scene.lights = lights;
-    scene.instances.push_back(
-        {.octree = &model_->octree(), .color = default_surface_color(look.style, look.background)});
+    scene.instances.push_back({.octree = &model_->octree(),
+                               .material = {.color = look.color.value_or(
+                                                default_surface_color(look.style, look.background)),
+                                            .line_color = look.line_color}});
     if (look.ground)
         scene.instances.push_back(
             ground_instance(scene, model_->mesh(), model_->ground(camera.up)));

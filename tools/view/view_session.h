@@ -17,11 +17,13 @@ namespace rimline::tools {
 struct ViewLook {
     /// As the style is drawn where nobody says otherwise.
     explicit ViewLook(Style chosen = Style::ink) { set_style(chosen); }
-    /// Another style, with its own paper, width and creases.
+    /// Another style, with its own colors, width and creases.
     void set_style(Style chosen);
 
     Style style = Style::ink;
-    glm::vec3 background{1.0f};  ///< Linear light.
+    glm::vec3 background{1.0f};  ///< Linear light, as those below.
+    /// Of the model's surfaces and of its lines; where there are none, the style's own.
+    std::optional<glm::vec3> color, line_color;
     bool lines = true;
     float line_width_px = 2.5f;
     bool hidden = false;            ///< Lines that something hides are drawn, dashed.

@@ -27,15 +27,6 @@ OwnedFence make_signalled_fence(VkDevice device) {
     return {device, fence};
 }
 
-OwnedCommandPool make_pool(const DeviceContext& context) {
-    const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                       .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                                       .queueFamilyIndex = context.queue_family};
-    VkCommandPool pool = VK_NULL_HANDLE;
-    vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
-    return {context.device, pool};
-}
-
 Picture picture_from(const Buffer& pixels, VkExtent2D extent, VkFormat format) {
     Picture picture{extent.width, extent.height, {}};
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels.mapped());
@@ -53,6 +44,7 @@ struct WindowRenderer::OnDevice {
     struct RingSlot {
         VkCommandBuffer commands = VK_NULL_HANDLE;
         OwnedFence done;
+        Buffer pixels;  // What the window shows, where that was asked for: commands write it.
     };
 
     OnDevice(const VulkanInstance& instance, const Window& window, const std::string& request,
@@ -62,7 +54,7 @@ struct WindowRenderer::OnDevice {
           swapchain(device.context(), surface.get(), k_ring_slots),
           renderer(device.context()),
           overlay(device.context(), swapchain.format(), k_ring_slots),
-          pool(make_pool(device.context())) {
+          pool(make_command_pool(device.context(), device.context().queue_family)) {
         overlay.set_texture(letters.width, letters.height, letters.opacity);
         for (RingSlot& slot : ring) {
             const VkCommandBufferAllocateInfo info{
@@ -77,14 +69,17 @@ struct WindowRenderer::OnDevice {
     }
     ~OnDevice() {
         // Answers where the device is lost, too.
-        vkDeviceWaitIdle(device.context().device);
+        (void)repeat_wait([&] { return vkDeviceWaitIdle(device.context().device); });
     }
     OnDevice(const OnDevice&) = delete;
     OnDevice& operator=(const OnDevice&) = delete;
 
     void wait_for(const RingSlot& slot) const {
         const VkFence fence = slot.done;
-        vk_check(vkWaitForFences(device.context().device, 1, &fence, VK_TRUE, UINT64_MAX),
+        vk_check(repeat_wait([&] {
+                     return vkWaitForFences(device.context().device, 1, &fence, VK_TRUE,
+                                            UINT64_MAX);
+                 }),
                  "vkWaitForFences");
     }
     void wait_for_all() const {
@@ -167,13 +162,15 @@ WindowRenderer::WindowRenderer(const VulkanInstance& instance, const Window& win
       window_(&window),
       request_(std::move(device)),
       letters_(std::move(letters)),
-      gpu_(std::make_unique<OnDevice>(instance, window, request_, letters_)) {}
+      gpu_(std::make_unique<OnDevice>(instance, window, request_, letters_)),
+      device_facts_(gpu_->device.facts()) {}
 
 WindowRenderer::~WindowRenderer() = default;
 
 void WindowRenderer::remake() {
     gpu_.reset();  // Before the new ones: a window takes one surface at a time.
     gpu_ = std::make_unique<OnDevice>(*instance_, *window_, request_, letters_);
+    device_facts_ = gpu_->device.facts();
     ++remade_;
 }
 
@@ -186,11 +183,15 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const Scene& scene,
             return draw_once(scene, overlay, scale, capture);
         } catch (const Error& error) {
             // A lost surface comes as no_device. What memory cannot hold it will not hold next time
-            // either, but the acquired image and its semaphore are beyond use: all is made again.
+            // either, but the acquired image and its semaphore are beyond use: the next frame makes all
+            // again.
             const bool is_lost =
                 error.code() == ErrorCode::device_lost || error.code() == ErrorCode::no_device;
             if (is_lost && losses < k_most_device_losses) continue;
-            if (!is_lost) remake();
+            gpu_.reset();
+            throw;
+        } catch (...) {
+            gpu_.reset();
             throw;
         }
     }
@@ -224,12 +225,11 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const Scene& scen
     constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
-    Buffer pixels;
     if (capture) {
-        pixels = Buffer(gpu_->device.context(), VkDeviceSize{4} * extent.width * extent.height,
-                        BufferPlace::readback, "what the window shows");
+        slot.pixels = Buffer(gpu_->device.context(), VkDeviceSize{4} * extent.width * extent.height,
+                             BufferPlace::readback, "what the window shows");
         record_barrier(slot.commands, k_drawing, k_copying, {{target, k_drawn, k_copied}});
-        gpu_->record_capture(slot.commands, pixels);
+        gpu_->record_capture(slot.commands, slot.pixels);
         record_barrier(slot.commands, k_copying, k_nothing_more, {{target, k_copied, k_shown}});
     } else {
         record_barrier(slot.commands, k_drawing, k_nothing_more, {{target, k_drawn, k_shown}});
@@ -240,23 +240,18 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const Scene& scen
     gpu_->swapchain.present();
     if (capture) {
         gpu_->wait_for(slot);
-        drawn.shown = picture_from(pixels, extent, gpu_->swapchain.format());
+        drawn.shown = picture_from(slot.pixels, extent, gpu_->swapchain.format());
     }
     return drawn;
 }
 
 Picture WindowRenderer::picture(const Scene& scene, std::uint32_t width, std::uint32_t height) {
+    if (!gpu_) remake();
     gpu_->wait_for_all();
     // The next frame has another size for the renderer's targets.
     gpu_->last_extent = {};
     gpu_->renderer.set_scale(RendererOptions{}.scale);
     return gpu_->renderer.render(scene, width, height);
-}
-
-const Device& WindowRenderer::device() const noexcept { return gpu_->device; }
-
-std::uint32_t WindowRenderer::swapchain_generation() const noexcept {
-    return gpu_->swapchain.generation();
 }
 
 }  // namespace rimline::tools

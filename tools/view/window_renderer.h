@@ -60,9 +60,8 @@ public:
     /// How often that was done.
     std::uint32_t remade() const noexcept { return remade_; }
 
-    const Device& device() const noexcept;
-    /// How often the swapchain's images were made since the device was.
-    std::uint32_t swapchain_generation() const noexcept;
+    /// Of the device that is drawn with, or was last.
+    const DeviceFacts& device_facts() const noexcept { return device_facts_; }
 
 private:
     struct OnDevice;
@@ -74,7 +73,8 @@ private:
     const Window* window_;
     std::string request_;
     LetterTexture letters_;
-    std::unique_ptr<OnDevice> gpu_;
+    std::unique_ptr<OnDevice> gpu_;  // Null after an error, until the next frame.
+    DeviceFacts device_facts_;
     std::uint32_t remade_ = 0;
 };
 

@@ -79,6 +79,8 @@ public:
     }
 
     TrackerId tracker() const noexcept { return tracker_; }
+    /// Memory that the tracker has reserved. Waits for the worker that moves it, if one does.
+    std::uint64_t tracker_bytes() const noexcept { return service_->size_bytes(tracker_); }
 
 private:
     [[noreturn]] static void throw_stopped() {

@@ -156,6 +156,12 @@ bool SilhouetteService::snapshot(TrackerId id, SilhouetteSnapshot& snapshot) {
     return true;
 }
 
+std::uint64_t SilhouetteService::size_bytes(TrackerId id) noexcept {
+    Slot& place = slot(id);
+    const std::lock_guard moving(place.moving);
+    return place.owner == id ? place.tracker->size_bytes() : 0;
+}
+
 bool SilhouetteService::wait_for_change(TrackerId id) noexcept {
     Slot& place = slot(id);
     ++waiting_;

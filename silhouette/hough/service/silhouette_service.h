@@ -92,6 +92,10 @@ public:
     /// removed. Throws std::bad_alloc; nothing is dropped then.
     bool snapshot(TrackerId id, SilhouetteSnapshot& snapshot);
 
+    /// Memory that the tracker has reserved (SilhouetteTracker::size_bytes()), which moves do not change.
+    /// Waits for the worker that moves it, if one does. 0 when it was removed.
+    std::uint64_t size_bytes(TrackerId id) noexcept;
+
     /// Sleeps until take() has something. False when it will not: the tracker was removed, or the
     /// service stopped and everything is taken.
     bool wait_for_change(TrackerId id) noexcept;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "engine/barrier.h"
 #include "engine/change_stream.h"
 #include "engine/face_bits_pass.h"
 #include "engine/visible_ratio.h"
@@ -74,6 +75,83 @@ RIMLINE_FAULT_SCENARIO("pictures of a mesh that deforms") {
     for (const double turns : {0.0, 0.3}) {
         scene.instances.back().deformation = default_wave(mesh, {0, 1, 0}, turns);
         stage.show(stage.step([&] { return renderer->render(scene, 16, 16); }).rgba);
+    }
+}
+
+RIMLINE_FAULT_SCENARIO("pictures of lines that are tested in every frame") {
+    for (const LinePath path :
+         {LinePath::pulling, LinePath::all_edges, LinePath::quads, LinePath::adjacency})
+        stage.make<LinePass>(stage.context(), k_coverage_format, path);
+    RendererOptions options = k_plain;
+    options.line_path = LinePath::adjacency;
+    const auto renderer =
+        stage.undisturbed([&] { return std::make_unique<Renderer>(stage.context(), options); });
+    const Scene scene = stage.scene();
+    stage.show(stage.step([&] { return renderer->render(scene, 16, 16); }).rgba);
+}
+
+RIMLINE_FAULT_SCENARIO("pictures of shadows by every method and form") {
+    const AttachmentFormats formats{k_surface_format, k_depth_stencil_format, 1};
+    for (const SideStage sides : {SideStage::vertex, SideStage::geometry})
+        stage.make<ShadowVolumePass>(stage.context(), formats, sides);
+    RendererOptions options = k_plain;
+    options.shadow_sides = SideStage::geometry;
+    const auto renderer =
+        stage.undisturbed([&] { return std::make_unique<Renderer>(stage.context(), options); });
+    Scene scene = stage.scene();
+    for (const ShadowMethod method :
+         {ShadowMethod::fail, ShadowMethod::pass, ShadowMethod::automatic})
+        for (const ShadowForm form : {ShadowForm::general, ShadowForm::automatic}) {
+            scene.shadow_method = method;
+            scene.shadow_form = form;
+            scene.camera.eye.x += 0.05;
+            stage.show(stage.step([&] { return renderer->render(scene, 16, 16); }).rgba);
+        }
+}
+
+// The caller drops a frame that failed, and records it once more.
+RIMLINE_FAULT_SCENARIO("frames recorded into a caller's commands") {
+    const auto renderer = undisturbed_renderer(stage);
+    constexpr VkExtent2D k_extent{16, 16};
+    constexpr VkFormat k_format = VK_FORMAT_R8G8B8A8_UNORM;
+    const Image image = stage.undisturbed([&] {
+        return Image(
+            stage.context(),
+            {.format = k_format,
+             .extent = k_extent,
+             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+            "a caller's image");
+    });
+    const Buffer pixels = stage.undisturbed([&] {
+        return Buffer(stage.context(), 4 * k_extent.width * k_extent.height, BufferPlace::readback,
+                      "a caller's pixels");
+    });
+    Scene scene = stage.scene();
+    for (int frame = 0; frame < 3; ++frame) {
+        scene.camera.eye.x += 0.05;
+        scene.lights[1].vector.y += 0.1;
+        if (frame == 2) scene.instances.push_back({.octree = &stage.models().box.octree});
+        stage.step([&] {
+            renderer->forget_recorded();
+            run_commands(stage.context(), [&](VkCommandBuffer commands) {
+                renderer->record(commands, scene,
+                                 {.image = image.handle(),
+                                  .view = image.attachment_view(),
+                                  .format = k_format,
+                                  .extent = k_extent,
+                                  .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL});
+                const VkBufferImageCopy region{
+                    .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                    .imageExtent = {k_extent.width, k_extent.height, 1}};
+                vkCmdCopyImageToBuffer(commands, image.handle(),
+                                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1,
+                                       &region);
+                record_barrier(commands,
+                               {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                               {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+            });
+        });
+        stage.show(std::vector<std::byte>(pixels.mapped(), pixels.mapped() + pixels.size()));
     }
 }
 

@@ -17,8 +17,10 @@ Scene Stage::scene() const {
     const glm::vec3 paper(0.9f);
     Scene scene{.camera = fit_camera({}, models_.knot.mesh, default_view_direction({0, 1, 0}), 1.0),
                 .palette = default_palette(Style::ink, paper)};
-    scene.instances.push_back({.octree = &models_.knot.octree, .color = paper});
-    scene.instances.push_back({.octree = &models_.sheet.octree, .color = paper});
+    scene.instances.push_back({.octree = &models_.knot.octree, .material = {.color = paper}});
+    scene.instances.push_back(
+        {.octree = &models_.sheet.octree,
+         .material = {.color = paper, .line_color = glm::vec3(0.5f, 0.1f, 0.0f)}});
     scene.lights.push_back(default_sun(scene.camera));
     scene.lights.push_back({.vector = 2.0 * scene.camera.eye, .directional = false});
     return scene;

@@ -49,7 +49,7 @@ public:
     const VulkanInstance& instance() const noexcept { return instance_; }
     const DeviceContext& context() const noexcept { return context_; }
     const FaultModels& models() const noexcept { return models_; }
-    /// A knot before a sheet, a light and a sun, in ink.
+    /// A knot before a sheet with lines of another color, a light and a sun, in ink.
     Scene scene() const;
 
     /// The result of `call`, which is made again when an injected fault ended it.

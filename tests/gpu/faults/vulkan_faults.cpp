@@ -69,7 +69,7 @@ public:
     // What a call that allocates answers instead of being made, or VK_SUCCESS to be made.
     VkResult before(const char* call, std::initializer_list<VkResult> results) {
         const Books books(mutex_);
-        if (!is_turn(FaultKind::failure)) return VK_SUCCESS;
+        if (!is_turn(FaultKind::failure, call)) return VK_SUCCESS;
         const VkResult result = results.begin()[fault_.result % results.size()];
         report_ = {true, call, result};
         return result;
@@ -80,7 +80,7 @@ public:
         {
             const Books books(mutex_);
             if (lost_.contains(device)) return VK_ERROR_DEVICE_LOST;
-            if (!is_turn(FaultKind::lost_device)) return VK_SUCCESS;
+            if (!is_turn(FaultKind::lost_device, call)) return VK_SUCCESS;
             report_ = {true, call, VK_ERROR_DEVICE_LOST};
             lost_.insert(device);
         }
@@ -129,7 +129,8 @@ public:
     }
 
 private:
-    bool is_turn(FaultKind kind) {
+    bool is_turn(FaultKind kind, const char* call) {
+        if (fault_.function && std::strcmp(fault_.function, call) != 0) return false;
         return is_armed_ && fault_.kind == kind && count_++ == fault_.call;
     }
 
@@ -398,8 +399,6 @@ RIMLINE_QUEUE_CALL(vkQueueSubmit2, faults().device_of(queue),
                    (VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos, VkFence fence),
                    (queue, count, infos, fence))
 RIMLINE_QUEUE_CALL(vkQueueWaitIdle, faults().device_of(queue), (VkQueue queue), (queue))
-RIMLINE_QUEUE_CALL(vkQueuePresentKHR, faults().device_of(queue),
-                   (VkQueue queue, const VkPresentInfoKHR* info), (queue, info))
 RIMLINE_QUEUE_CALL(vkDeviceWaitIdle, device, (VkDevice device), (device))
 RIMLINE_QUEUE_CALL(vkWaitSemaphores, device,
                    (VkDevice device, const VkSemaphoreWaitInfo* info, std::uint64_t timeout),
@@ -416,7 +415,29 @@ RIMLINE_QUEUE_CALL(vkGetQueryPoolResults, device,
                    (VkDevice device, VkQueryPool pool, std::uint32_t first, std::uint32_t count,
                     std::size_t size, void* data, VkDeviceSize stride, VkQueryResultFlags flags),
                    (device, pool, first, count, size, data, stride, flags))
-RIMLINE_QUEUE_CALL(vkAcquireNextImageKHR, device,
-                   (VkDevice device, VkSwapchainKHR swapchain, std::uint64_t timeout,
-                    VkSemaphore semaphore, VkFence fence, std::uint32_t* index),
-                   (device, swapchain, timeout, semaphore, fence, index))
+#define RIMLINE_SHOWING VK_ERROR_OUT_OF_DATE_KHR, VK_ERROR_SURFACE_LOST_KHR
+
+// Showing pictures has answers of its own. One that is suboptimal was acquired; what is presented is
+// taken, and its semaphore waited for, but for want of memory.
+RIMLINE_HOOK VkResult vkAcquireNextImageKHR(VkDevice device, VkSwapchainKHR swapchain,
+                                            std::uint64_t timeout, VkSemaphore semaphore,
+                                            VkFence fence, std::uint32_t* index) {
+    VkResult fault = faults().before_queue("vkAcquireNextImageKHR", device);
+    if (fault == VK_SUCCESS)
+        fault = faults().before("vkAcquireNextImageKHR",
+                                {RIMLINE_SHOWING, VK_SUBOPTIMAL_KHR, RIMLINE_NO_MEMORY});
+    if (fault < 0) return fault;
+    const VkResult result =
+        RIMLINE_NEXT(vkAcquireNextImageKHR)(device, swapchain, timeout, semaphore, fence, index);
+    return result == VK_SUCCESS ? fault : result;
+}
+RIMLINE_HOOK VkResult vkQueuePresentKHR(VkQueue queue, const VkPresentInfoKHR* info) {
+    VkResult fault = faults().before_queue("vkQueuePresentKHR", faults().device_of(queue));
+    if (fault == VK_SUCCESS)
+        fault = faults().before("vkQueuePresentKHR",
+                                {RIMLINE_SHOWING, VK_SUBOPTIMAL_KHR, RIMLINE_NO_MEMORY});
+    for (const VkResult not_taken : {VK_ERROR_DEVICE_LOST, RIMLINE_NO_MEMORY})
+        if (fault == not_taken) return fault;
+    const VkResult result = RIMLINE_NEXT(vkQueuePresentKHR)(queue, info);
+    return fault == VK_SUCCESS ? result : fault;
+}

@@ -27,6 +27,8 @@ struct Fault {
     FaultKind kind = FaultKind::failure;
     std::uint64_t call = 0;
     std::uint64_t result = 0;
+    /// Where there is one, only calls of this function are counted and fail.
+    const char* function = nullptr;
 };
 
 /// What became of an armed fault.
