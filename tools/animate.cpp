@@ -137,8 +137,9 @@ public:
         const Motion motion = make_motion(mesh, up, reach, wave);
         Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
         check_size(first, mesh);
-        first.instances.push_back(
-            {.octree = octree ? &*octree : nullptr, .material = scene_.material(picture_)});
+        first.instances.push_back({.octree = octree ? &*octree : nullptr,
+                                   .name = model_.model,
+                                   .material = scene_.material(picture_)});
         std::optional<Ground> ground;
         if (scene_.ground) {
             ground.emplace(mesh, up, wave ? wave->amplitude : 0.0);
@@ -148,20 +149,28 @@ public:
         Animation animation(std::move(first), mesh, motion);
         const std::uint32_t frame_count =
             motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
-        const std::vector<FrameReport> frames = about_model(model_.model, [&] {
+        const Drawn drawn = about_model(model_.model, [&] {
             Renderer renderer(device.context());
             Progress progress(context, "drawing frames");
-            return draw_frames(animation, frame_count, renderer, picture_.size, sequence,
-                               progress.call());
+            return Drawn{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
+                                               sequence, progress.call()),
+                         .stream_bytes = renderer.stream_bytes(),
+                         .tracker_bytes = renderer.tracker_bytes()};
         });
         if (context.json)
-            print_result(device, instance, frames);
+            print_result(device, instance, drawn);
         else
-            print_summary(device, instance, frames);
+            print_summary(device, instance, drawn.frames);
         return ExitStatus::success;
     }
 
 private:
+    struct Drawn {
+        std::vector<FrameReport> frames;
+        // What silhouettes took on the GPU, and trackers reserved on the CPU.
+        std::uint64_t stream_bytes = 0, tracker_bytes = 0;
+    };
+
     void check_usage() const {
         if (picture_.eye && path_.is_moving())
             throw UsageError(
@@ -237,12 +246,12 @@ private:
     }
 
     void print_result(const Device& device, const VulkanInstance& instance,
-                      const std::vector<FrameReport>& reports) const {
+                      const Drawn& drawn) const {
         nlohmann::ordered_json messages = nullptr;
         if (const auto count = instance.validation_message_count()) messages = *count;
         nlohmann::ordered_json frames = nlohmann::ordered_json::array();
         Totals totals;
-        for (const FrameReport& report : reports) {
+        for (const FrameReport& report : drawn.frames) {
             frames.push_back(to_json(report.camera, report.shadow_edges, report.bytes_streamed,
                                      report.bytes_full, report.frame_ms));
             totals.add(report);
@@ -252,6 +261,8 @@ private:
                     totals.frame_ms);
         sums["max_us"] = totals.max_us;
         sums["max_frame_ms"] = totals.max_frame_ms;
+        sums["stream_memory_bytes"] = drawn.stream_bytes;
+        sums["tracker_memory_bytes"] = drawn.tracker_bytes;
         print_json({{"model", model_.model},
                     {"path", picture_.eye ? "still" : path_.path},
                     {"device", device.facts().name},

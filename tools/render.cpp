@@ -80,7 +80,7 @@ public:
 
         write_png(output, picture);
         if (context.json)
-            print_result(device, instance, renderer.report());
+            print_result(device, instance, renderer);
         else
             print_summary(device, instance, renderer.report());
         return ExitStatus::success;
@@ -115,7 +115,8 @@ private:
     }
 
     void print_result(const Device& device, const VulkanInstance& instance,
-                      const FrameReport& report) const {
+                      const Renderer& renderer) const {
+        const FrameReport& report = renderer.report();
         nlohmann::ordered_json messages = nullptr;
         if (const auto count = instance.validation_message_count()) messages = *count;
         print_json({{"model", model_.model},
@@ -128,6 +129,9 @@ private:
                     {"shadows", shadows_of(report)},
                     {"bytes_streamed", report.bytes_streamed},
                     {"bytes_full", report.bytes_full},
+                    {"bytes_uploaded", report.bytes_uploaded},
+                    {"stream_memory_bytes", renderer.stream_bytes()},
+                    {"tracker_memory_bytes", renderer.tracker_bytes()},
                     {"frame_ms", report.frame_ms},
                     {"output", output_}});
     }

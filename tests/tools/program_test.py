@@ -572,7 +572,8 @@ def png_size(path):
 
 
 def check_render(result, output, size):
-    assert all(is_count(result[k]) for k in ("silhouette", "shadow_edges", "bytes_streamed", "bytes_full"))
+    assert all(is_count(result[k]) for k in ("silhouette", "shadow_edges", "bytes_streamed", "bytes_full", "bytes_uploaded",
+                                                "stream_memory_bytes", "tracker_memory_bytes"))
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
     assert result["output"] == output and png_size(output) == size
 

@@ -2,6 +2,8 @@
 
 #include "tools/view/window.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -184,6 +186,39 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
                                .pWaitSemaphoreInfos = &wait};
     CHECK(vkQueueSubmit2(device.context().queue, 1, &submit, VK_NULL_HANDLE) == VK_SUCCESS);
     vkDeviceWaitIdle(device.context().device);
+}
+
+// As a window manager takes a minimised window off the screen, and puts it back.
+void show_window(const Window& window, bool is_shown) {
+    if (is_shown)
+        glfwShowWindow(window.handle());
+    else
+        glfwHideWindow(window.handle());
+    for (int attempt = 0; attempt < 400 && window.is_shown() != is_shown; ++attempt)
+        glfwWaitEventsTimeout(0.01);
+    REQUIRE(window.is_shown() == is_shown);
+}
+
+TEST_CASE("a window that is not shown draws nothing, and then the same picture again") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const Picture before = shown.capture();
+    show_window(shown.window, false);
+    CHECK(shown.window.size_px().width == 0);
+    for (int turn = 0; turn < 10; ++turn) CHECK_FALSE(shown.loop->turn(true));
+    show_window(shown.window, true);
+    CHECK(difference(before, shown.capture()) == 0);
+}
+
+TEST_CASE("a window that is not shown rests, whatever it has yet to draw") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    CHECK(shown.loop->turn(false));  // Coarse, and to be drawn finely soon.
+    show_window(shown.window, false);
+    for (int turn = 0; turn < 4; ++turn) shown.loop->turn(false);
+    const auto begun = std::chrono::steady_clock::now();
+    for (int turn = 0; turn < 3; ++turn) CHECK_FALSE(shown.loop->turn(false));
+    CHECK(std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(500));
 }
 
 TEST_CASE("the panel lies over the picture and leaves the rest of it as it is") {

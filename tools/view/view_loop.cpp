@@ -176,6 +176,8 @@ bool ViewLoop::draw() {
 }
 
 double ViewLoop::waiting_time() const {
+    // What is due waits until there is a window to draw it in; that comes with an event.
+    if (!window_.is_shown()) return k_idle_s;
     if (frames_due_ > 0 || moving_) return 0.0;
     if (is_coarse_) return std::max(k_rest_s - (now_s() - last_change_s_), 1e-3);
     return k_idle_s;

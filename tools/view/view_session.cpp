@@ -115,6 +115,7 @@ Scene ViewSession::scene() const {
                 .crease_angle_deg = look.crease_angle_deg};
     scene.lights = lights;
     scene.instances.push_back({.octree = &model_->octree(),
+                               .name = model_->name(),
                                .material = {.color = look.color.value_or(
                                                 default_surface_color(look.style, look.background)),
                                             .line_color = look.line_color}});

@@ -89,8 +89,13 @@ WindowSurface Window::make_surface(VkInstance instance) const {
     return {instance, surface};
 }
 
+bool Window::is_shown() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE &&
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE;
+}
+
 VkExtent2D Window::size_px() const {
-    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) return {0, 0};
+    if (!is_shown()) return {0, 0};
     int width = 0;
     int height = 0;
     glfwGetFramebufferSize(window_, &width, &height);

@@ -30,8 +30,9 @@ public:
     /// Throws Error{no_device}.
     WindowSurface make_surface(VkInstance instance) const;
 
-    /// Of what is shown, in pixels; zero while minimised.
+    /// Of what is shown, in pixels; zero while minimised or hidden.
     VkExtent2D size_px() const;
+    bool is_shown() const;
     /// Of the content in screen units, which the mouse is measured in.
     glm::dvec2 size() const;
     void set_size(int width, int height);

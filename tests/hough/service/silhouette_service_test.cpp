@@ -296,6 +296,24 @@ TEST_CASE("a removed tracker's id is refused, also when another tracker has its 
     CHECK(snapshot.sequence == 0);
 }
 
+TEST_CASE(
+    "what a tracker has reserved is told, moves do not change it, and it stays within bounds") {
+    const Model model("knot", 20'000);
+    SilhouetteService service({.workers = 1});
+    const TrackerId id = service.add(model.octree, place(0));
+    const std::uint64_t reserved = service.size_bytes(id);
+    CHECK(reserved == SilhouetteTracker(model.octree, place(1)).size_bytes());
+    CHECK(reserved <= 40u * model.mesh.edge_count() + 20u * model.mesh.face_count());
+    for (std::uint32_t i = 1; i < 5; ++i) {
+        service.post(id, place(i));
+        CHECK(service.size_bytes(id) == reserved);
+    }
+    service.wait_idle();
+    CHECK(service.size_bytes(id) == reserved);
+    service.remove(id);
+    CHECK(service.size_bytes(id) == 0);
+}
+
 TEST_CASE("a new tracker does not go where its predecessor was sent last") {
     const Model model("torus", 1000);
     SilhouetteService service({.workers = 1, .max_pending = 1});
