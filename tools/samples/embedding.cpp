@@ -51,7 +51,10 @@ void run() {
     const Mesh mesh(make_built_in_shape("knot", 20'000));
     const HoughOctree octree(mesh);
     Scene scene{.camera = {.eye = {0, 1, 5}}};
-    scene.instances.push_back({.octree = &octree, .name = "knot"});
+    scene.instances.push_back(
+        {.octree = &octree,
+         .name = "knot",
+         .material = {.color = {0.9f, 0.8f, 0.6f}, .line_color = glm::vec3(0.1f, 0.0f, 0.3f)}});
     scene.lights.push_back({.vector = {1, 2, 1}});
     Renderer renderer(context);
     for (int frame = 0; frame < 5; ++frame) {
