@@ -139,8 +139,7 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .dash_period = (scene.dash_px + scene.dash_gap_px) * float(targets.scale()),
             .dash_length = scene.dash_px * float(targets.scale()),
             .frozen_lines = scene.silhouette_camera ? 1u : 0u,
-            .guard = targets.guard(),
-            .padding = 0};
+            .guard = targets.guard()};
 }
 
 gpu::InstanceData instance_data(const Scene& scene, const SceneInstance& instance,

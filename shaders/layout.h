@@ -128,7 +128,6 @@ struct FrameData {
     uint
         frozen_lines;  // 1: the silhouette is another point's, and runs over surfaces as creases do.
     float guard;  // How many times as wide and high as the picture the viewport is; a power of 2.
-    uint padding;
 };
 
 // As the enumerators of Style (engine/scene.h); a specialization constant of surface.frag.
@@ -218,7 +217,7 @@ static_assert(sizeof(LineEnds) == 8);
 static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
-static_assert(sizeof(FrameData) == 4 * 26);
+static_assert(sizeof(FrameData) == 4 * 24);
 static_assert(sizeof(InstanceData) == 10 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 32);
