@@ -8,6 +8,7 @@
 #include "silhouette/hough/baselines/brute_force_tracker.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/hough/spread_viewpoints.h"
 #include "tools/bench_fresh_tracker.h"
 #include "tools/bench_points.h"
 #include "tools/frame_check.h"

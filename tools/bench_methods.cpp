@@ -8,6 +8,7 @@
 
 #include "silhouette/hough/baselines/brute_force_packed.h"
 #include "silhouette/hough/baselines/silhouette_method.h"
+#include "silhouette/hough/spread_viewpoints.h"
 #include "tools/bench_hough.h"
 #include "tools/bench_points.h"
 #include "tools/bench_report.h"

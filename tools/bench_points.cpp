@@ -1,8 +1,5 @@
 #include "tools/bench_points.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "silhouette/hough/orbit.h"
 #include "tools/track_path.h"
 
@@ -12,33 +9,11 @@ namespace {
 
 constexpr double k_orbit_radius = 2.0;
 
-glm::dvec3 spread_direction(std::uint32_t i, std::uint32_t count) {
-    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    const double z = 1.0 - (2.0 * i + 1.0) / count;
-    const double across = std::sqrt(1.0 - z * z);
-    return {across * std::cos(golden_angle * i), across * std::sin(golden_angle * i), z};
-}
-
 glm::vec3 up_of(const Mesh& mesh) {
     return mesh.up() == UpAxis::z ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
 }
 
 }  // namespace
-
-std::vector<HomogeneousPoint> spread_viewpoints(const Mesh& mesh, std::uint32_t count) {
-    std::vector<HomogeneousPoint> points;
-    for (std::uint32_t i = 0; i < count; ++i)
-        points.push_back(HomogeneousPoint::viewpoint(
-            glm::vec3(mesh.center() + (1.0 + i % 3) * mesh.radius() * spread_direction(i, count))));
-    return points;
-}
-
-std::vector<HomogeneousPoint> spread_directions(std::uint32_t count) {
-    std::vector<HomogeneousPoint> points;
-    for (std::uint32_t i = 0; i < count; ++i)
-        points.push_back(HomogeneousPoint::direction(glm::vec3(spread_direction(i, count))));
-    return points;
-}
 
 std::vector<HomogeneousPoint> half_degree_orbit(const Mesh& mesh, std::uint32_t frames) {
     return orbit_path(mesh, up_of(mesh), k_orbit_radius, k_orbit_step_degrees, frames + 1);

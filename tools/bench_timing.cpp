@@ -38,11 +38,7 @@ void run_round(const Contender& contender, std::span<const HomogeneousPoint> poi
     if (contender.prepare) contender.prepare();
     for (std::size_t i = 0, k = 0; i < points.size(); i += contender.every, ++k) {
         context.checkpoint();
-        const double thread_start_us = thread_us();
-        const Clock::time_point start = Clock::now();
-        contender.step(points[i]);
-        const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-        const double us = std::min(took.count(), thread_us() - thread_start_us);
+        const double us = time_step_us([&] { contender.step(points[i]); });
         if (!is_warm_up) {
             times.us[k] = std::min(times.us[k], us);
             continue;
@@ -54,6 +50,14 @@ void run_round(const Contender& contender, std::span<const HomogeneousPoint> poi
 }
 
 }  // namespace
+
+double time_step_us(const std::function<void()>& step) {
+    const double thread_start_us = thread_us();
+    const Clock::time_point start = Clock::now();
+    step();
+    const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+    return std::min(took.count(), thread_us() - thread_start_us);
+}
 
 std::vector<Times> time_in_turn(std::span<const Contender> contenders,
                                 std::span<const HomogeneousPoint> points, std::uint32_t rounds,

@@ -58,6 +58,9 @@ struct Times {
     TraversalCounters mean_work() const;
 };
 
+/// Of one call, as said above. What it does, it does on this thread.
+double time_step_us(const std::function<void()>& step);
+
 /// `rounds` after the one that warms up. `doing` is shown as progress. `points` must not be empty.
 std::vector<Times> time_in_turn(std::span<const Contender> contenders,
                                 std::span<const HomogeneousPoint> points, std::uint32_t rounds,

@@ -60,6 +60,8 @@ void print_json(const nlohmann::ordered_json& object);
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_silhouette_command();
 std::unique_ptr<Command> make_track_command();
+std::unique_ptr<Command> make_origins_command();
+std::unique_ptr<Command> make_field_command();
 std::unique_ptr<Command> make_bench_command();
 std::unique_ptr<Command> make_render_command();
 std::unique_ptr<Command> make_animate_command();

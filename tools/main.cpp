@@ -55,6 +55,8 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     commands.push_back(rimline::tools::make_views_command());
     commands.push_back(rimline::tools::make_path_command());
     commands.push_back(rimline::tools::make_light_command());
+    commands.push_back(rimline::tools::make_origins_command());
+    commands.push_back(rimline::tools::make_field_command());
     commands.push_back(rimline::tools::make_bench_command());
     commands.push_back(rimline::tools::make_view_command());
     commands.push_back(rimline::tools::make_devices_command());

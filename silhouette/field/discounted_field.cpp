@@ -1,39 +1,121 @@
 #include "silhouette/field/discounted_field.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "silhouette/field/field_sums.h"
 #include "silhouette/field/many_values.h"
 
 namespace rimline {
 
+namespace {
+
+using kernels::DiscountNode;
+
+constexpr DiscountNode nothing() {
+    DiscountNode node{};
+    node.least.fill(std::numeric_limits<float>::infinity());
+    node.greatest.fill(-std::numeric_limits<float>::infinity());
+    return node;
+}
+
+}  // namespace
+
 DiscountedField::DiscountedField(const TangentialField& field) : field_(&field) {}
+DiscountedField::~DiscountedField() = default;
+DiscountedField::DiscountedField(DiscountedField&&) noexcept = default;
+DiscountedField& DiscountedField::operator=(DiscountedField&&) noexcept = default;
 
 void DiscountedField::discount(const glm::dvec3& chosen) {
     RIMLINE_CHECK(std::isfinite(chosen.x) && std::isfinite(chosen.y) && std::isfinite(chosen.z));
-    const bool is_first = previous_.empty();
-    previous_.resize(field_->planes_.size());
-    for (std::size_t i = 0; i < previous_.size(); ++i) {
-        const double vote = field_->function_.value(field_->planes_[i].distance(chosen));
-        previous_[i] = is_first ? vote : std::max(previous_[i], vote);
+    const TangentialField::Sums& sums = *field_->sums_;
+    previous_.resize(sums.planes.size(), -std::numeric_limits<double>::infinity());
+    if (!discount_) discount_ = std::make_unique<kernels::Discount>();
+    discount_->previous.assign(sums.clusters.planes().d.size(), 0.0f);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, previous_.size(), 4096),
+                      [&](const tbb::blocked_range<std::size_t>& part) {
+                          for (std::size_t i = part.begin(); i < part.end(); ++i) {
+                              const double distance = sums.planes[i].distance(chosen);
+                              previous_[i] =
+                                  std::max(previous_[i], field_->function_.value(distance));
+                              discount_->previous[i] = static_cast<float>(previous_[i]);
+                          }
+                      });
+
+    // Clusters of leaves, then clusters of clusters.
+    const auto levels = sums.clusters.levels();
+    discount_->levels.assign(levels.size(), {});
+    std::vector<double> cluster_sums;
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        std::vector<DiscountNode>& nodes = discount_->levels[level];
+        nodes.assign(levels[level].size(), nothing());
+        const std::size_t span = level == 0 ? k_leaf_planes : k_cluster_fan;
+        const std::size_t parts = level == 0 ? previous_.size() : cluster_sums.size();
+        std::vector<double> node_sums((parts + span - 1) / span, 0.0);
+        for (std::size_t i = 0; i < parts; ++i) {
+            const std::size_t c = i / span;
+            DiscountNode& node = nodes[c / k_cluster_fan];
+            const std::size_t lane = c % k_cluster_fan;
+            float least, greatest;
+            if (level == 0) {
+                least = greatest = discount_->previous[i];
+                node_sums[c] += sums.planes[i].weight * previous_[i];
+            } else {
+                const DiscountNode& below = discount_->levels[level - 1][i / k_cluster_fan];
+                least = below.least[i % k_cluster_fan];
+                greatest = below.greatest[i % k_cluster_fan];
+                node_sums[c] += cluster_sums[i];
+            }
+            node.least[lane] = std::min(node.least[lane], least);
+            node.greatest[lane] = std::max(node.greatest[lane], greatest);
+        }
+        for (std::size_t c = 0; c < node_sums.size(); ++c)
+            nodes[c / k_cluster_fan].sum[c % k_cluster_fan] = static_cast<float>(node_sums[c]);
+        cluster_sums = std::move(node_sums);
     }
 }
 
 double DiscountedField::value(const glm::dvec3& point) const {
-    if (previous_.empty()) return field_->value(point);
-    RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
-    double sum = 0.0;
-    for (std::size_t i = 0; i < previous_.size(); ++i) {
-        const auto& plane = field_->planes_[i];
-        sum += plane.weight *
-               std::max(0.0, field_->function_.value(plane.distance(point)) - previous_[i]);
-    }
-    return sum;
+    TangentialField::Work work;
+    return value(point, work);
+}
+
+double DiscountedField::value(const glm::dvec3& point, TangentialField::Work& work) const {
+    kernels::FieldScratch scratch = field_->sums_->make_scratch();
+    kernels::FieldWork looked_at;
+    const double result = value_with(scratch, point, looked_at);
+    work.clusters += looked_at.clusters;
+    work.planes += looked_at.planes;
+    return result;
 }
 
 void DiscountedField::values(std::span<const glm::dvec3> points, std::span<double> out,
                              const LongCall& call) const {
-    many_values(points, out, call, [this](const glm::dvec3& point) { return value(point); });
+    many_values(points, out, call, [this] {
+        return [this, scratch = field_->sums_->make_scratch(), work = kernels::FieldWork()](
+                   const glm::dvec3& point) mutable { return value_with(scratch, point, work); };
+    });
+}
+
+double DiscountedField::value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
+                                   kernels::FieldWork& work) const {
+    if (!discount_) return field_->value_with(scratch, point, work);
+    RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
+    const TangentialField::Sums& sums = *field_->sums_;
+    if (TangentialField::Sums::is_near(point))
+        return sums.sum(discount_.get(), point, scratch, work);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < previous_.size(); ++i) {
+        const auto& plane = sums.planes[i];
+        sum += plane.weight *
+               std::max(0.0, field_->function_.value(plane.distance(point)) - previous_[i]);
+    }
+    work.planes += previous_.size();
+    return sum;
 }
 
 double DiscountedField::error_bound() const noexcept { return field_->error_bound(); }

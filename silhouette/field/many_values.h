@@ -13,10 +13,11 @@
 
 namespace rimline {
 
-/// out[i] = value(points[i]). Reports progress after every 256 points.
-template <typename Value>
+/// out[i] = value(points[i]), with a value = make_value() for each run of points, which may have room of
+/// its own to work in. Reports progress after every 256 points.
+template <typename MakeValue>
 void many_values(std::span<const glm::dvec3> points, std::span<double> out, const LongCall& call,
-                 Value&& value) {
+                 MakeValue&& make_value) {
     RIMLINE_CHECK(points.size() == out.size());
     constexpr std::size_t k_batch = 256;
     const auto done = [&](std::size_t count) {
@@ -26,8 +27,9 @@ void many_values(std::span<const glm::dvec3> points, std::span<double> out, cons
     for (std::size_t begin = 0; begin < points.size(); begin += k_batch) {
         call.checkpoint(done(begin));
         const std::size_t end = std::min(begin + k_batch, points.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end),
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 16),
                           [&](const tbb::blocked_range<std::size_t>& part) {
+                              auto value = make_value();
                               for (std::size_t i = part.begin(); i < part.end(); ++i)
                                   out[i] = value(points[i]);
                           });

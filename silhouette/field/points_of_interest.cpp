@@ -13,6 +13,7 @@ namespace rimline {
 namespace {
 
 constexpr std::uint32_t k_most_rounds = 200;  // Of a climb, each of 26 samples: usual are 15.
+constexpr std::size_t k_most_fine_climbs = 2;
 
 double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
     return 2.0 * domain.outer_radius / (lattice - 1);
@@ -78,6 +79,7 @@ public:
                         climb.best = {points[next], votes[next]};
                 if (climb.best.votes == before) climb.width *= 0.5;
             }
+            prune();
         }
         std::vector<Sample> peaks;
         for (const Climb& climb : climbs_) peaks.push_back(climb.best);
@@ -89,6 +91,15 @@ private:
         Sample best;
         double width;
     };
+    // When all patterns are small against where they began, hardly one overtakes another.
+    void prune() {
+        if (climbs_.size() <= k_most_fine_climbs) return;
+        for (const Climb& climb : climbs_)
+            if (climb.width > 0.125 * width_) return;
+        std::ranges::stable_sort(climbs_, std::greater(),
+                                 [](const Climb& climb) { return climb.best.votes; });
+        climbs_.erase(climbs_.begin() + k_most_fine_climbs, climbs_.end());
+    }
     bool is_allowed(const glm::dvec3& point) const {
         return !ball_ || glm::distance(point, ball_->first) <= ball_->second;
     }

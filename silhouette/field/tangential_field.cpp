@@ -2,41 +2,88 @@
 
 #include <cmath>
 
+#include "silhouette/field/field_sums.h"
 #include "silhouette/field/many_values.h"
 
 namespace rimline {
+
+namespace {
+
+// With fewer, summing them all is faster.
+constexpr std::size_t k_least_clustered = 1024;
+
+bool is_finite(const glm::dvec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+}  // namespace
 
 TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunction& function,
                                  const FieldOptions& options)
     : frame_(planes.frame()), function_(function) {
     RIMLINE_CHECK(options.tolerance >= 0.0);
-    planes_.reserve(planes.size());
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        const double weight = options.weight == FieldOptions::Weight::area ? planes.area(i) : 1.0;
-        planes_.push_back({planes.normal(i), planes.offset(i), weight});
-        total_weight_ += weight;
-    }
+    std::vector<double> weights(planes.size(), 1.0);
+    if (options.weight == FieldOptions::Weight::area)
+        for (std::size_t i = 0; i < planes.size(); ++i) weights[i] = planes.area(i);
+    for (const double weight : weights) total_weight_ += weight;
     greatest_value_ = total_weight_ * function_.greatest_magnitude();
-    error_bound_ = greatest_value_ * 0x1p-50;
+
+    auto sums = std::make_unique<Sums>(
+        Sums{PlaneClusters(planes, weights), kernels::FunctionTable(function_), {}, 0.0});
+    sums->planes.reserve(planes.size());
+    for (const std::uint32_t i : sums->clusters.order())
+        sums->planes.push_back({planes.normal(i), planes.offset(i), weights[i]});
+    if (planes.size() >= k_least_clustered) sums->budget = options.tolerance * greatest_value_;
+    error_bound_ = sums->budget + sums->function.rounding_share * total_weight_;
+    sums_ = std::move(sums);
 }
 
+TangentialField::~TangentialField() = default;
+TangentialField::TangentialField(TangentialField&&) noexcept = default;
+TangentialField& TangentialField::operator=(TangentialField&&) noexcept = default;
+
+std::size_t TangentialField::plane_count() const noexcept { return sums_->planes.size(); }
+
+std::string_view TangentialField::instruction_set() { return kernels::field_instruction_set(); }
+
 double TangentialField::value(const glm::dvec3& point) const {
-    RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
-    double sum = 0.0;
-    for (const WeightedPlane& plane : planes_)
-        sum += plane.weight * function_.value(plane.distance(point));
-    return sum;
+    Work work;
+    return value(point, work);
+}
+
+double TangentialField::value(const glm::dvec3& point, Work& work) const {
+    double result = 0.0;
+    kernels::FieldScratch scratch = sums_->make_scratch();
+    kernels::FieldWork looked_at;
+    result = value_with(scratch, point, looked_at);
+    work.clusters += looked_at.clusters;
+    work.planes += looked_at.planes;
+    return result;
 }
 
 void TangentialField::values(std::span<const glm::dvec3> points, std::span<double> out,
                              const LongCall& call) const {
-    many_values(points, out, call, [this](const glm::dvec3& point) { return value(point); });
+    many_values(points, out, call, [this] {
+        return [this, scratch = sums_->make_scratch(), work = kernels::FieldWork()](
+                   const glm::dvec3& point) mutable { return value_with(scratch, point, work); };
+    });
+}
+
+double TangentialField::value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
+                                   kernels::FieldWork& work) const {
+    RIMLINE_CHECK(is_finite(point));
+    if (Sums::is_near(point)) return sums_->sum(nullptr, point, scratch, work);
+    double sum = 0.0;
+    for (const Sums::ExactPlane& plane : sums_->planes)
+        sum += plane.weight * function_.value(plane.distance(point));
+    work.planes += sums_->planes.size();
+    return sum;
 }
 
 glm::dvec3 TangentialField::gradient(const glm::dvec3& point) const {
-    RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
+    RIMLINE_CHECK(is_finite(point));
     glm::dvec3 sum(0.0);
-    for (const WeightedPlane& plane : planes_)
+    for (const Sums::ExactPlane& plane : sums_->planes)
         sum += plane.normal * (plane.weight * function_.slope(plane.distance(point)));
     return sum;
 }

@@ -5,32 +5,14 @@
 #define HWY_DISABLED_TARGETS \
     (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
 
-#ifndef RIMLINE_BLOCK_KERNELS_TABLE
-#define RIMLINE_BLOCK_KERNELS_TABLE
-namespace rimline::kernels {
-
-// The numbers of the set bits, in order, then zeros.
-using SetBits = std::array<std::array<std::uint8_t, k_node_width>, 1u << k_node_width>;
-constexpr SetBits make_set_bits() {
-    SetBits table{};
-    for (std::size_t bits = 0; bits < table.size(); ++bits) {
-        std::size_t count = 0;
-        for (std::uint8_t i = 0; i < k_node_width; ++i)
-            if (bits >> i & 1u) table[bits][count++] = i;
-    }
-    return table;
-}
-alignas(64) inline constexpr SetBits k_set_bits = make_set_bits();
-
-}  // namespace rimline::kernels
-#endif
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "silhouette/hough/block_kernels.cpp"
 #include <hwy/foreach_target.h>
 // Before all else that is compiled once for each target.
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
+
+#include "silhouette/squeezed_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rimline::kernels::HWY_NAMESPACE {
@@ -47,14 +29,6 @@ constexpr std::uint32_t k_prefetch_ahead = 5;
 HWY_INLINE void prefetch(const void* data, std::size_t size) {
     for (std::size_t offset = 0; offset < size; offset += 64)
         hwy::Prefetch(static_cast<const std::uint8_t*>(data) + offset);
-}
-
-// Bit i is lane i.
-template <class D, class M>
-HWY_INLINE std::uint32_t lanes_of(D d, M mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, mask, bits);
-    return bits[0];
 }
 
 // V and R of eight boxes, from `lane` on (box_tree.h).
@@ -113,24 +87,12 @@ HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 
-// Which lanes stay when those not in `lanes` are squeezed out. Highway's own Compress would do, but gcc 12
-// copies its table to the stack at every call, which took two thirds of all the time spent here.
-HWY_INLINE hn::Vec<Unsigneds> compressed_lanes(std::uint32_t lanes) {
-    const hn::Rebind<std::uint8_t, Unsigneds> d8;
-    return hn::PromoteTo(Unsigneds(), hn::LoadU(d8, k_set_bits[lanes].data()));
-}
-
-template <class D>
-HWY_INLINE hn::Vec<D> compressed(D d, hn::Vec<D> vector, hn::Vec<Unsigneds> lanes) {
-    return hn::TableLookupLanes(vector, hn::IndicesFromVec(d, lanes));
-}
-
 // Appends the children of node `n` that `lanes` from `lane` on name.
 HWY_INLINE std::uint32_t append_children(std::uint32_t n, std::size_t lane, std::uint32_t lanes,
                                          std::uint32_t* out, std::uint32_t end) {
     const Unsigneds du;
     const auto base = static_cast<std::uint32_t>(n * k_node_width + lane);
-    hn::StoreU(hn::Add(compressed_lanes(lanes), hn::Set(du, base)), du, out + end);
+    hn::StoreU(hn::Add(squeezed_lanes(du, lanes), hn::Set(du, base)), du, out + end);
     return end + static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{lanes}));
 }
 
@@ -139,9 +101,9 @@ HWY_INLINE std::uint32_t append_blocks(std::uint32_t n, std::size_t lane, std::u
                                        const Thresholds& t, std::uint32_t end,
                                        BlockScratch& scratch) {
     const Ints di;
-    const auto kept = compressed_lanes(lanes);
-    hn::StoreU(compressed(di, t.threshold, kept), di, scratch.threshold.data() + end);
-    hn::StoreU(compressed(di, t.margin, kept), di, scratch.margin.data() + end);
+    const auto kept = squeezed_lanes(Unsigneds(), lanes);
+    hn::StoreU(squeezed(di, t.threshold, kept), di, scratch.threshold.data() + end);
+    hn::StoreU(squeezed(di, t.margin, kept), di, scratch.margin.data() + end);
     return append_children(n, lane, lanes, scratch.block.data(), end);
 }
 
@@ -358,7 +320,7 @@ EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
             const std::uint32_t lanes =
                 scratch.found_lanes[j] >> lane & ((1u << hn::Lanes(du)) - 1);
             const auto ids = hn::LoadU(du, reinterpret_cast<const std::uint32_t*>(from + lane));
-            hn::StoreU(compressed(du, ids, compressed_lanes(lanes)), du,
+            hn::StoreU(squeezed(du, ids, squeezed_lanes(du, lanes)), du,
                        reinterpret_cast<std::uint32_t*>(edges));
             edges += hwy::PopCount(std::uint64_t{lanes});
         }

@@ -18,7 +18,8 @@ import tempfile
 import time
 
 PROGRAM = os.path.abspath(sys.argv[1])
-COMMANDS = ("render", "animate", "info", "silhouette", "track", "views", "path", "light", "bench", "view", "devices")
+COMMANDS = ("render", "animate", "info", "silhouette", "track", "views", "path", "light", "origins",
+            "field", "bench", "view", "devices")
 
 
 def run(*arguments, **options):
@@ -551,6 +552,65 @@ def test_bench_refuses_options_that_it_would_not_heed():
     assert "--methods: not together with --growth" in fail(2, *suite, "--methods", "--growth")
     assert "has no size from 5 to 6 faces" in fail(
         2, "bench", "hough", "shape:knot", "--growth", "--least-faces", "5", "--most-faces", "6")
+
+
+ONE_FACE = "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+
+
+def test_field_tells_what_one_plane_votes():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "plane.off")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(ONE_FACE)
+        found = succeed("field", path, "--function", "origins", "--at", "0,0,0")
+        assert found["planes"] == 1 and abs(found["values"][0]) < 1e-5
+        peak = 0.86 * found["radius"]
+        found = succeed("field", path, "--function", "origins", "--at", f"0,0,{peak}",
+                        "--at", f"5,0,{-peak}", "--at", f"0,0,{2 * peak}")
+        assert [round(v, 4) for v in found["values"]] == [1, 1, 0]
+        found = succeed("field", path, "--function", "origins", "--discount", f"0,0,{peak}",
+                        "--at", f"0,0,{peak}")
+        assert found["values"][0] < 1e-4
+
+
+def test_field_draws_slices_whole_or_not_at_all():
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "slice.png")
+        found = succeed("field", "shape:knot:2000", "--function", "views", "--slice", "z=0.1", "-o",
+                        output, "--resolution", "64")
+        assert found["values"] == [] and found["slice"]["least"] < found["slice"]["greatest"]
+        width, height = png_size(output)
+        assert width > height > 64
+        os.remove(output)
+        line = fail(1, "field", "shape:knot:2000", "--slice", "z=7", "-o", output)
+        assert "does not meet" in line
+        assert os.listdir(folder) == []
+    for arguments in (["--slice", "w=1", "-o", "a.png"], ["--slice", "z=", "-o", "a.png"],
+                      ["--slice", "z=0"], ["-o", "a.png"], [], ["--function", "nothing"]):
+        fail(2, "field", "shape:box", *arguments)
+
+
+def test_origins_are_given_or_chosen():
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "groups.png")
+        found = succeed("origins", "shape:knot:4000", "-k", "3", "-o", output)
+        assert png_size(output) == (1400, 700)
+    assert len(found["origins"]) == 3 and all(map(is_vector, found["origins"]))
+    assert sum(found["groups"]) == 4000 or sum(found["groups"]) > 3000
+    assert is_count(found["sfo_edges"]) and found["box_checks"] > 0 and found["ms"] > 0
+    chosen = succeed("origins", "shape:torus:4000", "--most", "2", "--viewpoints", "60")
+    assert [t["origins"] for t in chosen["trials"]] == [0, 1, 2]
+    assert chosen["work"] == min(t["work"] for t in chosen["trials"])
+    fail(2, "origins", "shape:box", "-k", "2", "--most", "3")
+    fail(2, "origins", "shape:box", "-k", "0")
+
+
+def test_bench_fields_checks_and_then_measures():
+    found = succeed("bench", "fields", "shape:knot:20000", "--rounds", "1", "--check")
+    result = found["fields"][0]
+    assert all(row["error"] <= row["bound"] for row in result["lattice"])
+    assert result["brute_ms"] > 0 and found["targets"][0]["value"] > 0
+    fail(2, "bench", "fields", "--growth")
 
 
 def have_device():

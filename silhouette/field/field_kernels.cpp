@@ -1,0 +1,466 @@
+#include "silhouette/field/field_kernels.h"
+
+// Vectors are members of structs here, which registers of unknown size cannot be.
+#define HWY_DISABLED_TARGETS \
+    (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "silhouette/field/field_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Before all else that is compiled once for each target.
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+#include "silhouette/squeezed_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rimline::kernels::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Eight lanes, or as many as there are, several times.
+using Floats = hn::CappedTag<float, k_cluster_fan>;
+using Ints = hn::RebindToSigned<Floats>;
+using Unsigneds = hn::RebindToUnsigned<Floats>;
+using V = hn::Vec<Floats>;
+
+// Float sums that are moved to a double before they grow long.
+class Sum {
+public:
+    HWY_INLINE Sum() : part_(hn::Zero(Floats())) {}
+    HWY_INLINE void add(V v) { part_ = hn::Add(part_, v); }
+    HWY_INLINE void flush() {
+        const Floats d;
+        HWY_ALIGN float lanes[k_cluster_fan];
+        hn::Store(part_, d, lanes);
+        for (std::size_t i = 0; i < hn::Lanes(d); ++i) total_ += double{lanes[i]};
+        part_ = hn::Zero(d);
+    }
+    HWY_INLINE double total() {
+        flush();
+        return total_;
+    }
+
+private:
+    V part_;
+    double total_ = 0.0;
+};
+
+// Of the piece that a distance lies in.
+struct Cubic {
+    V start, c0, c1, c2, c3;
+};
+
+// Pieces found by going through the knots.
+class PiecesByKnot {
+public:
+    explicit PiecesByKnot(const FunctionTable& table) : table_(table) {}
+    HWY_INLINE Cubic at(V s) const {
+        const Floats d;
+        Cubic cubic{hn::Set(d, table_.start[0]), hn::Set(d, table_.c0[0]), hn::Zero(d), hn::Zero(d),
+                    hn::Zero(d)};
+        for (std::size_t k = 0; k < table_.knot_count; ++k) {
+            const auto beyond = hn::Ge(s, hn::Set(d, table_.knot[k]));
+            cubic.start = hn::IfThenElse(beyond, hn::Set(d, table_.start[k + 1]), cubic.start);
+            cubic.c0 = hn::IfThenElse(beyond, hn::Set(d, table_.c0[k + 1]), cubic.c0);
+            cubic.c1 = hn::IfThenElse(beyond, hn::Set(d, table_.c1[k + 1]), cubic.c1);
+            cubic.c2 = hn::IfThenElse(beyond, hn::Set(d, table_.c2[k + 1]), cubic.c2);
+            cubic.c3 = hn::IfThenElse(beyond, hn::Set(d, table_.c3[k + 1]), cubic.c3);
+        }
+        return cubic;
+    }
+
+private:
+    const FunctionTable& table_;
+};
+
+// Few enough pieces for a register each: looked up by number.
+class PiecesInRegisters {
+public:
+    static bool fits(const FunctionTable& table) {
+        return hn::Lanes(Floats()) >= 8 && table.knot_count + 1 <= hn::Lanes(Floats());
+    }
+    HWY_INLINE explicit PiecesInRegisters(const FunctionTable& table)
+        : start_(hn::LoadU(Floats(), table.start.data())),
+          c0_(hn::LoadU(Floats(), table.c0.data())),
+          c1_(hn::LoadU(Floats(), table.c1.data())),
+          c2_(hn::LoadU(Floats(), table.c2.data())),
+          c3_(hn::LoadU(Floats(), table.c3.data())),
+          table_(table) {}
+    HWY_INLINE Cubic at(V s) const {
+        const Floats d;
+        const Ints di;
+        auto number = hn::Zero(di);
+        for (std::size_t k = 0; k < table_.knot_count; ++k)  // A mask's lanes are 0 or -1.
+            number = hn::Sub(
+                number, hn::BitCast(di, hn::VecFromMask(d, hn::Ge(s, hn::Set(d, table_.knot[k])))));
+        const auto at = hn::IndicesFromVec(d, number);
+        return {hn::TableLookupLanes(start_, at), hn::TableLookupLanes(c0_, at),
+                hn::TableLookupLanes(c1_, at), hn::TableLookupLanes(c2_, at),
+                hn::TableLookupLanes(c3_, at)};
+    }
+
+private:
+    V start_, c0_, c1_, c2_, c3_;
+    const FunctionTable& table_;
+};
+
+struct Point {
+    V x, y, z;
+    HWY_INLINE explicit Point(const glm::dvec3& p)
+        : x(hn::Set(Floats(), static_cast<float>(p.x))),
+          y(hn::Set(Floats(), static_cast<float>(p.y))),
+          z(hn::Set(Floats(), static_cast<float>(p.z))) {}
+};
+
+// What the planes from `first` to `last`, whole vectors, vote.
+template <class Pieces>
+HWY_INLINE void add_planes(const LeafPlanes& planes, const Pieces& pieces, const float* previous,
+                           const Point& p, std::size_t first, std::size_t last, Sum& sum) {
+    const Floats d;
+    for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
+        const V s = hn::MulAdd(
+            hn::LoadU(d, &planes.nz[i]), p.z,
+            hn::MulAdd(hn::LoadU(d, &planes.ny[i]), p.y,
+                       hn::MulSub(hn::LoadU(d, &planes.nx[i]), p.x, hn::LoadU(d, &planes.d[i]))));
+        const Cubic f = pieces.at(s);
+        const V t = hn::Sub(s, f.start);
+        V vote = hn::MulAdd(hn::MulAdd(hn::MulAdd(f.c3, t, f.c2), t, f.c1), t, f.c0);
+        if (previous != nullptr)
+            vote = hn::Max(hn::Sub(vote, hn::LoadU(d, previous + i)), hn::Zero(d));
+        sum.add(hn::Mul(vote, hn::LoadU(d, &planes.weight[i])));
+    }
+}
+
+template <class Pieces>
+double SumPlanesWith(const PlaneClusters& clusters, const FunctionTable& function,
+                     const Discount* discount, const glm::dvec3& point) {
+    const Point p(point);
+    const Pieces pieces(function);
+    const float* const previous = discount == nullptr ? nullptr : discount->previous.data();
+    Sum sum;
+    constexpr std::size_t k_run = 4 * k_leaf_planes;
+    const std::size_t count = clusters.planes().d.size();
+    for (std::size_t i = 0; i < count; i += k_run) {
+        add_planes(clusters.planes(), pieces, previous, p, i, HWY_MIN(i + k_run, count), sum);
+        sum.flush();
+    }
+    return sum.total();
+}
+
+double SumPlanes(const PlaneClusters& clusters, const FunctionTable& function,
+                 const Discount* discount, const glm::dvec3& point) {
+    return PiecesInRegisters::fits(function)
+               ? SumPlanesWith<PiecesInRegisters>(clusters, function, discount, point)
+               : SumPlanesWith<PiecesByKnot>(clusters, function, discount, point);
+}
+
+// q = (p, -1), its products, and what bounds them.
+struct Query {
+    explicit Query(const glm::dvec3& p) {
+        const double q[4] = {p.x, p.y, p.z, -1.0};
+        std::size_t pair = 0;
+        std::size_t triple = 0;
+        double square = 0.0;
+        for (std::size_t a = 0; a < 4; ++a) {
+            q1[a] = static_cast<float>(q[a]);
+            magnitude[a] = HWY_MAX(q1[a], -q1[a]);
+            square += q[a] * q[a];
+            for (std::size_t b = a; b < 4; ++b) {
+                q2[pair++] = static_cast<float>(q[a] * q[b]);
+                for (std::size_t c = b; c < 4; ++c)
+                    q3[triple++] = static_cast<float>(q[a] * q[b] * q[c]);
+            }
+        }
+        norm_square = static_cast<float>(square);
+        // Of a mean distance, in float.
+        margin = 0x1p-21f * (magnitude[0] + magnitude[1] + magnitude[2] + 1.0f);
+    }
+    float q1[4], magnitude[4], q2[10], q3[20];
+    float norm_square, margin;
+};
+
+// Nodes lie far apart, and a large mesh's do not fit in the nearer caches.
+constexpr std::uint32_t k_prefetch_ahead = 2;
+
+template <class T>
+HWY_INLINE void prefetch(const T* data) {
+    for (std::size_t offset = 0; offset < sizeof(T); offset += 64)
+        hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(data) + offset);
+}
+
+// The clusters of a node from a lane on: their sums and by how much these may err, both for a weight of 1.
+struct Estimate {
+    V value, error, greatest_vote, least_vote;
+};
+
+template <bool discounted, class Pieces>
+HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Query& q,
+                             const FunctionTable& function, const Pieces& pieces) {
+    const Floats d;
+    const auto at = [&](const ClusterNode::Lanes& lanes)
+                        HWY_ATTR { return hn::Load(d, &lanes[lane]); };
+    V s = hn::Zero(d);
+    V box = hn::Zero(d);
+    for (std::size_t a = 0; a < 4; ++a) {
+        s = hn::MulAdd(at(node.mean[a]), hn::Set(d, q.q1[a]), s);
+        box = hn::MulAdd(at(node.extent[a]), hn::Set(d, q.magnitude[a]), box);
+    }
+    V variance = hn::Zero(d);
+    for (std::size_t j = 0; j < 10; ++j)
+        variance = hn::MulAdd(at(node.covariance[j]), hn::Set(d, q.q2[j]), variance);
+    variance = hn::Max(variance, hn::Zero(d));
+    const V slack = hn::Mul(at(node.epsilon), hn::Set(d, q.norm_square));
+    const V ellipsoid = hn::Sqrt(hn::Mul(at(node.kappa_square), hn::Add(variance, slack)));
+    const V radius =
+        hn::MulAdd(hn::Min(box, ellipsoid), hn::Set(d, 1.0f + 0x1p-10f), hn::Set(d, q.margin));
+
+    const Cubic f = pieces.at(s);
+    const V t = hn::Sub(s, f.start);
+    const V at_mean = hn::MulAdd(hn::MulAdd(hn::MulAdd(f.c3, t, f.c2), t, f.c1), t, f.c0);
+    const V bend = hn::MulAdd(hn::Mul(hn::Set(d, 3.0f), f.c3), t, f.c2);
+    Estimate result;
+    result.value = hn::MulAdd(bend, variance, at_mean);
+    if (!hn::AllTrue(d, hn::Eq(f.c3, hn::Zero(d)))) {
+        V third = hn::Zero(d);
+#pragma GCC unroll 20
+        for (std::size_t j = 0; j < 20; ++j)
+            third = hn::MulAdd(at(node.third[j]), hn::Set(d, q.q3[j]), third);
+        result.value = hn::MulAdd(f.c3, third, result.value);
+    }
+
+    V error = hn::Zero(d);
+    for (std::size_t k = 0; k < function.knot_count; ++k) {
+        const V beyond = hn::Max(hn::Sub(radius, hn::Abs(hn::Sub(s, hn::Set(d, function.knot[k])))),
+                                 hn::Zero(d));
+        error = hn::MulAdd(
+            hn::Mul(beyond, beyond),
+            hn::MulAdd(hn::Set(d, function.jump3[k]), beyond, hn::Set(d, function.jump2[k])),
+            error);
+    }
+    // Where a variance rounds to nothing, part of the slack stands for it.
+    const V share =
+        hn::Div(hn::MulAdd(slack, hn::Set(d, 0x1p-12f), variance), hn::Mul(radius, radius));
+    result.error = hn::Mul(error, hn::Min(share, hn::Set(d, 1.0f)));
+
+    if constexpr (discounted) {
+        const V slope = hn::MulAdd(hn::Add(bend, f.c2), t, f.c1);  // 3 c3 t² + 2 c2 t + c1
+        const V reach =
+            hn::Mul(radius, hn::MulAdd(hn::Set(d, function.curvature), radius, hn::Abs(slope)));
+        result.greatest_vote = hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.greatest));
+        result.least_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.least));
+    } else {
+        result.greatest_vote = result.least_vote = hn::Zero(d);
+    }
+    return result;
+}
+
+// Clusters whose sums are not exact.
+class Candidates {
+public:
+    HWY_INLINE explicit Candidates(FieldScratch& scratch) : scratch_(scratch) {}
+
+    HWY_INLINE void add(hn::Mask<Floats> mask, std::uint32_t first, V value, V error, V weight) {
+        const Floats d;
+        const Unsigneds du;
+        const std::uint32_t lanes = lanes_of(d, mask);
+        const auto kept = squeezed_lanes(du, lanes);
+        hn::StoreU(squeezed(d, value, kept), d, &scratch_.value[count_]);
+        hn::StoreU(squeezed(d, error, kept), d, &scratch_.error[count_]);
+        hn::StoreU(squeezed(d, weight, kept), d, &scratch_.weight[count_]);
+        hn::StoreU(hn::Add(kept, hn::Set(du, first)), du, &scratch_.clusters[count_]);
+        count_ += hwy::PopCount(std::uint64_t{lanes});
+        weight_.add(hn::IfThenElseZero(mask, weight));
+    }
+    void flush() { weight_.flush(); }
+
+    // Adds the values of those good enough to `sum`, takes their errors from `budget`, and writes the
+    // others to `opened`. Returns the number of those.
+    std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* opened) {
+        const Floats d;
+        const Unsigneds du;
+        const double all = weight_.total();
+        if (count_ == 0) return 0;
+        const V rate = hn::Set(d, static_cast<float>(budget / all * (1.0 - 0x1p-20)));
+        Sum spent;
+        std::uint32_t count = 0;
+        for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
+            const auto in_use = hn::FirstN(d, count_ - i);
+            const V error = hn::LoadU(d, &scratch_.error[i]);
+            const auto good =
+                hn::And(in_use, hn::Le(error, hn::Mul(rate, hn::LoadU(d, &scratch_.weight[i]))));
+            sum.add(hn::IfThenElseZero(good, hn::LoadU(d, &scratch_.value[i])));
+            spent.add(hn::IfThenElseZero(good, error));
+            const std::uint32_t lanes = lanes_of(d, hn::AndNot(good, in_use));
+            hn::StoreU(
+                squeezed(du, hn::LoadU(du, &scratch_.clusters[i]), squeezed_lanes(du, lanes)), du,
+                opened + count);
+            count += static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{lanes}));
+            if (i % 256 == 0) {
+                sum.flush();
+                spent.flush();
+            }
+        }
+        budget = HWY_MAX(budget - spent.total() * (1.0 + 0x1p-20), 0.0);
+        return count;
+    }
+
+private:
+    FieldScratch& scratch_;
+    std::size_t count_ = 0;
+    Sum weight_;
+};
+
+template <bool discounted, class Pieces>
+double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& function,
+                       const Discount* discount, const glm::dvec3& point, double budget,
+                       FieldScratch& scratch, FieldWork& work) {
+    const Floats d;
+    const Pieces pieces(function);
+    const Query q(point);
+    const V zero = hn::Zero(d);
+    Sum sum;
+    scratch.nodes[0] = 0;
+    std::uint32_t count = clusters.levels().empty() ? 0 : 1;
+    for (std::size_t level = clusters.levels().size(); level-- > 0 && count > 0;) {
+        const std::vector<ClusterNode>& nodes = clusters.levels()[level];
+        Candidates candidates(scratch);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (i + k_prefetch_ahead < count) prefetch(&nodes[scratch.nodes[i + k_prefetch_ahead]]);
+            const std::uint32_t n = scratch.nodes[i];
+            for (std::size_t lane = 0; lane < k_cluster_fan; lane += hn::Lanes(d)) {
+                const V weight = hn::Load(d, &nodes[n].weight[lane]);
+                const Estimate e = estimate<discounted>(nodes[n], lane, q, function, pieces);
+                const auto some = hn::Gt(weight, zero);
+                V value = hn::Mul(e.value, weight);
+                V error = hn::Mul(e.error, weight);
+                if constexpr (discounted) {
+                    const DiscountNode& previous = discount->levels[level][n];
+                    const V most = hn::Sub(e.greatest_vote, hn::Load(d, &previous.least[lane]));
+                    const auto all_above =
+                        hn::Ge(e.least_vote, hn::Load(d, &previous.greatest[lane]));
+                    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Max(most, zero), weight));
+                    value = hn::IfThenElse(all_above,
+                                           hn::Sub(value, hn::Load(d, &previous.sum[lane])), half);
+                    error = hn::IfThenElse(all_above, error, half);
+                }
+                const auto inexact = hn::And(hn::Gt(error, zero), some);
+                sum.add(hn::IfThenElseZero(hn::AndNot(inexact, some), value));
+                if (!hn::AllFalse(d, inexact))
+                    candidates.add(inexact, static_cast<std::uint32_t>(n * k_cluster_fan + lane),
+                                   value, error, weight);
+            }
+            if (i % 16 == 15) {
+                sum.flush();
+                candidates.flush();
+            }
+        }
+        work.clusters += std::uint64_t{count} * k_cluster_fan;
+        sum.flush();
+        count = candidates.settle(budget, sum, scratch.next.data());
+        scratch.nodes.swap(scratch.next);
+    }
+
+    const Point p(point);
+    const float* const previous = discounted ? discount->previous.data() : nullptr;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::size_t first = scratch.nodes[i] * k_leaf_planes;
+        add_planes(clusters.planes(), pieces, previous, p, first, first + k_leaf_planes, sum);
+        if (i % 4 == 3) sum.flush();
+    }
+    work.planes += std::uint64_t{count} * k_leaf_planes;
+    return sum.total();
+}
+
+double SumClusters(const PlaneClusters& clusters, const FunctionTable& function,
+                   const Discount* discount, const glm::dvec3& point, double budget,
+                   FieldScratch& scratch, FieldWork& work) {
+    const bool fits = PiecesInRegisters::fits(function);
+    if (discount == nullptr)
+        return fits ? SumClustersWith<false, PiecesInRegisters>(clusters, function, discount, point,
+                                                                budget, scratch, work)
+                    : SumClustersWith<false, PiecesByKnot>(clusters, function, discount, point,
+                                                           budget, scratch, work);
+    return fits ? SumClustersWith<true, PiecesInRegisters>(clusters, function, discount, point,
+                                                           budget, scratch, work)
+                : SumClustersWith<true, PiecesByKnot>(clusters, function, discount, point, budget,
+                                                      scratch, work);
+}
+
+const char* FieldTargetName() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace rimline::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <algorithm>
+#include <cmath>
+
+#include "silhouette/error.h"
+
+namespace rimline::kernels {
+
+HWY_EXPORT(SumPlanes);
+HWY_EXPORT(SumClusters);
+HWY_EXPORT(FieldTargetName);
+
+FunctionTable::FunctionTable(const TangentialFunction& function)
+    : knot_count(static_cast<std::uint32_t>(function.knots().size())) {
+    RIMLINE_CHECK(knot_count <= k_most_knots);
+    const auto to_float = [](double value) { return static_cast<float>(value); };
+    const auto pieces = function.pieces();
+    double bend = 0.0;
+    double terms = function.greatest_magnitude();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const TangentialFunction::Piece& piece = pieces[i];
+        start[i] = to_float(piece.start);
+        c0[i] = to_float(piece.c0);
+        c1[i] = to_float(piece.c1);
+        c2[i] = to_float(piece.c2);
+        c3[i] = to_float(piece.c3);
+        if (!std::isfinite(piece.from) || !std::isfinite(piece.to)) continue;
+        const double h = piece.to - piece.from;
+        bend = std::max(
+            {bend, std::abs(piece.curvature(piece.from)), std::abs(piece.curvature(piece.to))});
+        terms = std::max(terms, std::abs(piece.c0) + std::abs(piece.c1) * h +
+                                    std::abs(piece.c2) * h * h + std::abs(piece.c3) * h * h * h);
+    }
+    for (std::size_t k = 0; k < knot_count; ++k) {
+        const double at = function.knots()[k].distance;
+        knot[k] = to_float(at);
+        jump2[k] = to_float(0.5 * std::abs(pieces[k + 1].curvature(at) - pieces[k].curvature(at)) *
+                            (1 + 0x1p-20));
+        jump3[k] = to_float(std::abs(pieces[k + 1].c3 - pieces[k].c3) * (1 + 0x1p-20));
+    }
+    least = to_float(function.least());
+    greatest = to_float(function.greatest());
+    curvature = to_float(0.5 * bend);
+    // Distances: three roundings of products and the inputs' own. Votes and sums: their terms'.
+    rounding_share = 0x1p-24 * (3.0 * (k_near_radius + 1.0) * function.greatest_slope() +
+                                8.0 * terms + 32.0 * function.greatest_magnitude());
+}
+
+void FieldScratch::reserve(const PlaneClusters& planes) {
+    // Whole vectors are stored, also of the last.
+    const std::size_t most =
+        (planes.leaf_count() + k_cluster_fan) / k_cluster_fan * k_cluster_fan + k_cluster_fan;
+    for (auto* numbers : {&nodes, &next, &clusters}) numbers->resize(most);
+    for (auto* numbers : {&value, &error, &weight}) numbers->resize(most);
+}
+
+double sum_planes(const PlaneClusters& planes, const FunctionTable& function,
+                  const Discount* discount, const glm::dvec3& point) {
+    return HWY_DYNAMIC_DISPATCH(SumPlanes)(planes, function, discount, point);
+}
+
+double sum_clusters(const PlaneClusters& planes, const FunctionTable& function,
+                    const Discount* discount, const glm::dvec3& point, double budget,
+                    FieldScratch& scratch, FieldWork& work) {
+    return HWY_DYNAMIC_DISPATCH(SumClusters)(planes, function, discount, point, budget, scratch,
+                                             work);
+}
+
+std::string_view field_instruction_set() { return HWY_DYNAMIC_DISPATCH(FieldTargetName)(); }
+
+}  // namespace rimline::kernels
+#endif  // HWY_ONCE

@@ -1,0 +1,49 @@
+#pragma once
+
+// What a field sums: its planes in clusters, in double for points far out, and which way is taken.
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "silhouette/field/field_kernels.h"
+#include "silhouette/field/plane_clusters.h"
+#include "silhouette/field/tangential_field.h"
+
+namespace rimline {
+
+struct TangentialField::Sums {
+    struct ExactPlane {
+        glm::dvec3 normal;
+        double offset;
+        double weight;
+        double distance(const glm::dvec3& p) const noexcept {
+            return (normal.x * p.x + normal.y * p.y + normal.z * p.z) - offset;
+        }
+    };
+
+    PlaneClusters clusters;
+    kernels::FunctionTable function;
+    std::vector<ExactPlane> planes;  // In leaf order.
+    double budget = 0.0;             // 0: all planes.
+
+    static bool is_near(const glm::dvec3& point) {
+        return glm::dot(point, point) <= kernels::k_near_radius * kernels::k_near_radius;
+    }
+    kernels::FieldScratch make_scratch() const {
+        kernels::FieldScratch scratch;
+        if (budget > 0.0) scratch.reserve(clusters);
+        return scratch;
+    }
+    /// Of a near point.
+    double sum(const kernels::Discount* discount, const glm::dvec3& point,
+               kernels::FieldScratch& scratch, kernels::FieldWork& work) const {
+        if (budget > 0.0)
+            return kernels::sum_clusters(clusters, function, discount, point, budget, scratch,
+                                         work);
+        work.planes += planes.size();
+        return kernels::sum_planes(clusters, function, discount, point);
+    }
+};
+
+}  // namespace rimline
