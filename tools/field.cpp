@@ -126,9 +126,9 @@ public:
             names += "  " + line + std::string(named.what) + "\n";
         }
         app.add_option("--function", function_, "What a plane votes, see below")
-            ->type_name("NAME")
             ->check(CLI::IsMember(choices))
-            ->capture_default_str();
+            ->type_name("NAME")
+            ->option_text("NAME [origins]");
         app.add_option("--weight", weight_, "Planes count alike, or by their faces' area")
             ->type_name("count|area")
             ->check(CLI::IsMember({"count", "area"}))
@@ -185,27 +185,38 @@ public:
             {"greatest_value", field.greatest_value()},
             {"error_bound", votes.error_bound()},
         };
-        if (!context.json)
-            std::printf("%s: %zu planes, %s; values are right to %.3g\n", model_.model.c_str(),
-                        field.plane_count(), function_.c_str(), votes.error_bound());
-        tell(field.frame(), votes, object, context);
+        tell(field.frame(), votes, object);
         if (slice_) draw_slice(named, votes, *file, object, context);
-        if (context.json) print_json(object);
+        if (context.json)
+            print_json(object);
+        else
+            print(object, field.plane_count(), votes.error_bound());
         return ExitStatus::success;
     }
 
 private:
-    void tell(const UnitFrame& frame, const DiscountedField& votes, nlohmann::ordered_json& object,
-              const Context& context) const {
+    void tell(const UnitFrame& frame, const DiscountedField& votes,
+              nlohmann::ordered_json& object) const {
         std::vector<glm::dvec3> points;
         for (const glm::vec3& at : at_) points.push_back(frame.from_model(glm::dvec3(at)));
         std::vector<double> values(points.size());
-        votes.values(points, values, {context.stop, {}});
+        votes.values(points, values);
         object["values"] = values;
-        if (context.json) return;
-        for (std::size_t i = 0; i < values.size(); ++i)
+    }
+
+    // Not before everything is done: what fails leaves standard output empty.
+    void print(const nlohmann::ordered_json& object, std::size_t planes, double error_bound) const {
+        std::printf("%s: %zu planes, %s; values are right to %.3g\n", model_.model.c_str(), planes,
+                    function_.c_str(), error_bound);
+        for (std::size_t i = 0; i < at_.size(); ++i)
             std::printf("  %.9g,%.9g,%.9g  %.9g\n", double{at_[i].x}, double{at_[i].y},
-                        double{at_[i].z}, values[i]);
+                        double{at_[i].z}, object["values"][i].get<double>());
+        if (!slice_) return;
+        const auto& slice = object["slice"];
+        const auto at = slice["greatest_at"].get<std::array<double, 3>>();
+        std::printf("  %s: from %.6g to %.6g, at %.6g,%.6g,%.6g\n", output_.c_str(),
+                    slice["least"].get<double>(), slice["greatest"].get<double>(), at[0], at[1],
+                    at[2]);
     }
 
     void draw_slice(const NamedFunction& named, const DiscountedField& votes, OutputFile& file,
@@ -235,9 +246,6 @@ private:
                            {"greatest", greatest},
                            {"greatest_at", list(at)},
                            {"output", output_}};
-        if (!context.json)
-            std::printf("  %s: from %.6g to %.6g, at %.6g,%.6g,%.6g\n", output_.c_str(), least,
-                        greatest, at.x, at.y, at.z);
     }
 
     ModelArgument model_;

@@ -59,6 +59,9 @@ public:
     /// No climb leaves this ball.
     void stay_within(const glm::dvec3& center, double radius) { ball_ = {center, radius}; }
 
+    /// Only the best are to be followed to the end.
+    void prune_when_fine() { prunes_ = true; }
+
     template <typename Values>
     std::vector<Sample> to_peaks(Values&& values) {
         for (std::uint32_t round = 0; round < k_most_rounds; ++round) {
@@ -79,7 +82,7 @@ public:
                         climb.best = {points[next], votes[next]};
                 if (climb.best.votes == before) climb.width *= 0.5;
             }
-            prune();
+            if (prunes_) prune();
         }
         std::vector<Sample> peaks;
         for (const Climb& climb : climbs_) peaks.push_back(climb.best);
@@ -107,6 +110,7 @@ private:
     SearchDomain domain_;
     double width_;
     double tolerance_;
+    bool prunes_ = false;
     std::optional<std::pair<glm::dvec3, double>> ball_;
     std::vector<Climb> climbs_;
 };
@@ -220,6 +224,8 @@ private:
                  {call.stop, [&](double done) { call.checkpoint(0.5 * done); }});
         const LongCall silent{call.stop, {}};
         Climbs climbs(domain_, 0.5 * spacing_of(domain_, options_.lattice), options_.tolerance);
+        // With weights, any of the peaks may win.
+        if (!options_.weigh) climbs.prune_when_fine();
         for (const Sample& top : lattice_.tops(votes, options_.climbs)) climbs.start(top);
         const std::vector<Sample> peaks =
             climbs.to_peaks([&](std::span<const glm::dvec3> points, std::span<double> out) {

@@ -5,7 +5,8 @@
 //
 // The domain is sampled on a lattice. From the best samples that are greater than their neighbours, a
 // pattern of 27 points climbs to the peak, halving its width whenever its middle is the best, down to the
-// tolerance (of the best two, when all have come down to an eighth). Lattice samples and peaks are the candidates; the best is the point.
+// tolerance (without weights only the best two, once all have come down to an eighth). Lattice samples
+// and peaks are the candidates; the best is the point.
 //
 //   Weights. A candidate's score is its votes times a weight in [0, 1] (4.5.3: how much of the silhouette
 //   is visible) that may be dear to find. As votes bound scores, candidates are weighed in falling order

@@ -8,8 +8,8 @@
 // unit coordinates (unit_planes.h).
 //
 // Planes that lie close together are summed together (plane_clusters.h) where that costs no more than the
-// tolerance, with a bound that holds everywhere (field_kernels.h). What errors come out is a thirtieth of
-// the tolerance or less on our models: bounds add up, errors cancel. docs/field.md has the figures.
+// tolerance, with a bound that holds everywhere (field_kernels.h). What errors come out is less: on igea a
+// fortieth of the tolerance, since bounds add up and errors cancel. docs/field.md has the figures.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
