@@ -14,6 +14,7 @@ install(DIRECTORY silhouette DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
         EXCLUDE
     REGEX "/hough/(block_kernels|octree_order|reserved_bytes|v_sphere)\\.h$" EXCLUDE
     REGEX "/field/(field_kernels|field_sums|many_values|plane_clusters)\\.h$" EXCLUDE
+    REGEX "/squeezed_lanes-inl\\.h$" EXCLUDE
     REGEX "/hough/literal$" EXCLUDE
     REGEX "/hough/service/latest_value\\.h$" EXCLUDE
     REGEX "/hough/baselines/(alias_table|brute_force_methods|cone_tree|dual_tree|edge_[a-z]+|followed_silhouette|gauss_map|instruction_set|octree_methods|packed_tree|plane_[a-z]+|quadric_tree|randomised|scaled_direction)\\.h$"
