@@ -1,0 +1,40 @@
+#pragma once
+
+// A ring of neighbours around a point while it is being found: places in the point's neighbour list in
+// cyclic order, and which sectors are gaps. An Umbrella, packed.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "silhouette/points/neighbour_lists.h"
+#include "silhouette/points/point_surface.h"
+
+namespace rimline {
+
+struct Fan {
+    std::uint64_t gaps = 0;
+    std::uint8_t size = 0;
+    std::array<std::uint8_t, k_most_neighbours> ring;
+
+    std::size_t next(std::size_t j) const noexcept { return j + 1 == size ? 0 : j + 1; }
+    std::size_t previous(std::size_t j) const noexcept { return (j == 0 ? size : j) - 1u; }
+    bool is_gap(std::size_t sector) const noexcept { return (gaps >> sector & 1u) != 0; }
+    /// Has a triangle.
+    bool is_umbrella() const noexcept {
+        return size >= 2 && gaps != (std::uint64_t{1} << size) - 1;
+    }
+};
+
+/// What a method finds, points numbered as OrderedPoints has them.
+struct FoundUmbrellas {
+    std::vector<std::uint32_t> umbrella_begin;  ///< One more than there are points.
+    std::vector<Fan> fans;
+    std::vector<glm::dvec3> normals;  ///< Of each fan.
+    std::vector<double> scales;       ///< Of each point, as are the rest.
+    std::vector<PointLabel> labels;
+    std::vector<UndecidedReason> reasons;
+};
+
+}  // namespace rimline

@@ -1,0 +1,143 @@
+#include "silhouette/points/neighbour_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <nanoflann.hpp>
+
+#include "silhouette/points/each_point.h"
+
+namespace rimline {
+
+namespace {
+
+// As nanoflann reads points.
+struct PointSource {
+    std::span<const glm::dvec3> points;
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+        return points[i][static_cast<glm::length_t>(axis)];
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box&) const {
+        return false;
+    }
+};
+
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<
+    nanoflann::L2_Simple_Adaptor<double, PointSource, double, std::uint32_t>, PointSource, 3,
+    std::uint32_t>;
+
+struct Near {
+    double square;
+    std::uint32_t number;
+    bool operator<(const Near& other) const {
+        return square != other.square ? square < other.square : number < other.number;
+    }
+};
+
+// The nearest so far, ascending, for nanoflann, whose own set drops ties in the order it meets them.
+class NearestSet {
+public:
+    NearestSet(std::uint32_t self, std::uint32_t k) : self_(self), k_(k) {}
+    std::size_t size() const { return count_; }
+    bool full() const { return count_ == k_; }
+    // Beyond it nothing is offered; what lies just there must be.
+    double worstDist() const { return limit_; }
+    bool addPoint(double square, std::uint32_t number) {
+        const Near near{square, number};
+        if (number == self_ || (full() && !(near < near_[k_ - 1]))) return true;
+        std::uint32_t i = full() ? k_ - 1 : count_++;
+        for (; i > 0 && near < near_[i - 1]; --i) near_[i] = near_[i - 1];
+        near_[i] = near;
+        if (full())
+            limit_ = std::nextafter(near_[k_ - 1].square, std::numeric_limits<double>::infinity());
+        return true;
+    }
+    const Near& operator[](std::uint32_t i) const { return near_[i]; }
+
+private:
+    std::uint32_t self_, k_;
+    std::uint32_t count_ = 0;
+    double limit_ = std::numeric_limits<double>::max();
+    std::array<Near, k_most_neighbours> near_;
+};
+
+}  // namespace
+
+NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t k,
+                               const LongCall& call) {
+    const auto count = static_cast<std::uint32_t>(points.size());
+    k_ = count == 0 ? 0 : std::min(k, count - 1);
+    RIMLINE_CHECK(k <= k_most_neighbours);
+    begin_.assign(std::size_t{count} + 1, 0);
+    is_mutual_.assign(count, 0);
+    if (k_ == 0) return;
+
+    const PointSource source{points};
+    const Tree tree(3, source, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+    std::vector<std::uint32_t> nearest(std::size_t{count} * k_);
+    std::vector<Near> farthest(count);
+    each_point(count, {call, 0.0, 0.9}, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t i = first; i < last; ++i) {
+            NearestSet set(i, k_);
+            tree.findNeighbors(set, &points[i].x, nanoflann::SearchParams());
+            for (std::uint32_t j = 0; j < k_; ++j) nearest[std::size_t{i} * k_ + j] = set[j].number;
+            farthest[i] = set[k_ - 1];
+        }
+    });
+
+    // i among the k nearest of j is i no farther than the farthest of them.
+    const auto square = [&](std::uint32_t i, std::uint32_t j) {
+        const glm::dvec3 d = points[i] - points[j];
+        return glm::dot(d, d);
+    };
+    const auto counts = [&](std::uint32_t j, std::uint32_t i) {
+        return !(farthest[j] < Near{square(i, j), i});
+    };
+    std::vector<std::uint64_t> end(count, 0);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t n = 0; n < k_; ++n) {
+            const std::uint32_t j = nearest[std::size_t{i} * k_ + n];
+            if (counts(j, i))
+                is_mutual_[i] = 1;
+            else
+                ++end[j];
+        }
+    std::uint64_t total = 0;
+    std::vector<std::uint64_t> all_begin(std::size_t{count} + 1, 0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        all_begin[i] = total;
+        total += end[i];
+        end[i] = all_begin[i];
+    }
+    all_begin[count] = total;
+    std::vector<std::uint32_t> others(total);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t n = 0; n < k_; ++n) {
+            const std::uint32_t j = nearest[std::size_t{i} * k_ + n];
+            if (!counts(j, i)) others[end[j]++] = i;
+        }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint64_t more =
+            std::min<std::uint64_t>(k_most_neighbours - k_, all_begin[i + 1] - all_begin[i]);
+        begin_[i + 1] = begin_[i] + k_ + more;
+    }
+    lists_.resize(begin_[count]);
+    each_point(count, {call, 0.9, 1.0}, [&](std::uint32_t first, std::uint32_t last) {
+        std::vector<Near> more;
+        for (std::uint32_t i = first; i < last; ++i) {
+            std::uint32_t* out = lists_.data() + begin_[i];
+            for (std::uint32_t n = 0; n < k_; ++n) *out++ = nearest[std::size_t{i} * k_ + n];
+            more.clear();
+            for (std::uint64_t j = all_begin[i]; j < all_begin[i + 1]; ++j)
+                more.push_back({square(i, others[j]), others[j]});
+            std::sort(more.begin(), more.end());
+            for (std::size_t j = 0; out < lists_.data() + begin_[i + 1]; ++j)
+                *out++ = more[j].number;
+        }
+    });
+}
+
+}  // namespace rimline

@@ -1,0 +1,56 @@
+#pragma once
+
+// One point's neighbours as seen from it, and what umbrellas are made from: planes through it, stars.
+//
+// A star is the point's one-ring in the Delaunay triangulation of its neighbours unrolled into a plane:
+// each keeps its distance and takes the direction of its projection. By the inversion x -> x / |x|²,
+// circles through the point become lines, and empty ones the edges of the convex hull of the images: the
+// star is that hull, found in one turn around the point. An edge at distance h from the origin is a
+// circle of radius 1 / (2 h); where the hull leaves the origin outside, the sector spans more than π.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "silhouette/points/fan.h"
+
+namespace rimline {
+
+class Neighbourhood {
+public:
+    /// Both must outlive it. list: NeighbourLists::of(point).
+    void look_from(std::span<const glm::dvec3> points, std::uint32_t point,
+                   std::span<const std::uint32_t> list);
+
+    std::uint32_t size() const noexcept { return size_; }
+    std::uint32_t number(std::size_t place) const noexcept { return list_[place]; }
+    const glm::dvec3& edge(std::size_t place) const noexcept { return edges_[place]; }
+    double length(std::size_t place) const noexcept { return lengths_[place]; }
+
+    /// All edges lie on one line.
+    bool is_collinear() const noexcept;
+    /// Of the plane that fits the point and its `count` nearest best. Of length 1, or zero.
+    glm::dvec3 fitted_normal(std::uint32_t count) const noexcept;
+    /// The star of those neighbours whose edges make at most the angle with the plane; gaps are the sectors
+    /// of π and more.
+    Fan star(const glm::dvec3& normal, double sine_of_angle) const noexcept;
+    /// Of the triangle with the ring's j-th point and the next.
+    double circumradius(const Fan& fan, std::size_t j) const noexcept;
+    glm::dvec3 cross(const Fan& fan, std::size_t j) const noexcept;
+    /// The mean of the triangles' normals by their angles at the point. Of length 1, or zero.
+    glm::dvec3 normal(const Fan& fan) const noexcept;
+    /// The median circumradius of its triangles, the lower one of two; 0 where there is none.
+    double scale(const Fan& fan) const noexcept;
+
+private:
+    std::span<const std::uint32_t> list_;
+    std::uint32_t size_ = 0;
+    std::array<glm::dvec3, k_most_neighbours> edges_;
+    std::array<double, k_most_neighbours> lengths_;
+};
+
+/// Takes out of the ring what lies between two gaps, and makes one gap of them.
+void merge_gaps(Fan& fan) noexcept;
+
+}  // namespace rimline

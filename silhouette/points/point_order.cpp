@@ -1,0 +1,94 @@
+#include "silhouette/points/point_order.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "silhouette/error.h"
+
+namespace rimline {
+
+namespace {
+
+glm::dvec3 scaled(const glm::dvec3& p, int exponent) {
+    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+}
+
+double largest(const glm::dvec3& p) { return std::max({p.x, p.y, p.z}); }
+
+bool is_less(const glm::dvec3& a, const glm::dvec3& b) {
+    if (a.x != b.x) return a.x < b.x;
+    if (a.y != b.y) return a.y < b.y;
+    return a.z < b.z;
+}
+
+// Bits 0, 3, 6, .. of the result.
+std::uint64_t spread(std::uint64_t x) {
+    x = (x | x << 32) & 0x001f00000000ffffu;
+    x = (x | x << 16) & 0x001f0000ff0000ffu;
+    x = (x | x << 8) & 0x100f00f00f00f00fu;
+    x = (x | x << 4) & 0x10c30c30c30c30c3u;
+    return (x | x << 2) & 0x1249249249249249u;
+}
+
+std::uint64_t morton_code(const glm::dvec3& p) {
+    const auto cell = [](double x) { return static_cast<std::uint64_t>((x + 1.0) * 0x1p20); };
+    return spread(cell(p.x)) | spread(cell(p.y)) << 1 | spread(cell(p.z)) << 2;
+}
+
+}  // namespace
+
+OrderedPoints order_points(std::span<const glm::dvec3> positions) {
+    OrderedPoints ordered;
+    if (positions.empty()) return ordered;
+    // Twice, so that no sum overflows: by the greatest coordinate, then by the longest side.
+    double greatest = 0.0;
+    for (const glm::dvec3& p : positions) {
+        RIMLINE_CHECK(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+        greatest = std::max(greatest, largest(glm::abs(p)));
+    }
+    const int first_exponent = greatest > 0.0 ? -std::ilogb(greatest) - 1 : 0;
+    glm::dvec3 low(1.0);
+    glm::dvec3 high(-1.0);
+    for (const glm::dvec3& p : positions) {
+        low = glm::min(low, scaled(p, first_exponent));
+        high = glm::max(high, scaled(p, first_exponent));
+    }
+    const glm::dvec3 middle = 0.5 * (low + high);
+    const double side = largest(high - low);
+    const int second_exponent = side > 0.0 ? -std::ilogb(side) : 0;
+    ordered.unit = std::ldexp(1.0, -first_exponent - second_exponent);
+
+    struct Entry {
+        std::uint64_t code;
+        std::uint32_t number;
+    };
+    std::vector<glm::dvec3> units(positions.size());
+    std::vector<Entry> entries(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::dvec3 p = scaled(scaled(positions[i], first_exponent) - middle, second_exponent);
+        units[i] = glm::round(p * 0x1p50) * 0x1p-50;
+        entries[i] = {morton_code(units[i]), static_cast<std::uint32_t>(i)};
+    }
+    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+        if (a.code != b.code) return a.code < b.code;
+        const glm::dvec3& p = units[a.number];
+        const glm::dvec3& q = units[b.number];
+        if (p != q) return is_less(p, q);
+        if (positions[a.number] != positions[b.number])
+            return is_less(positions[a.number], positions[b.number]);
+        return a.number < b.number;
+    });
+    ordered.positions.reserve(entries.size());
+    ordered.numbers.reserve(entries.size());
+    for (const Entry& entry : entries) {
+        if (!ordered.positions.empty() && ordered.positions.back() == units[entry.number]) continue;
+        ordered.positions.push_back(units[entry.number]);
+        ordered.numbers.push_back(entry.number);
+    }
+    return ordered;
+}
+
+}  // namespace rimline

@@ -1,0 +1,91 @@
+#include "silhouette/points/point_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "silhouette/points/neighbour_lists.h"
+#include "silhouette/points/point_order.h"
+#include "silhouette/points/robust_umbrellas.h"
+
+namespace rimline {
+
+namespace {
+
+// A ring is empty in `begin` of points without umbrella and of those that are not in the order.
+constexpr std::uint32_t k_not_ordered = std::numeric_limits<std::uint32_t>::max();
+
+void check(const PointSurfaceOptions& options) {
+    RIMLINE_CHECK(options.k >= 4 && options.k <= 32);
+    RIMLINE_CHECK(options.gap_ratio > 1.0);
+    RIMLINE_CHECK(options.omega > 0.0 && options.omega < std::numbers::pi / 2);
+    RIMLINE_CHECK(options.omega_t >= 0.0 && options.omega_t <= options.omega);
+    RIMLINE_CHECK(options.phi > 0.0 && options.phi <= std::numbers::pi);
+    RIMLINE_CHECK(options.gamma > 1.0);
+}
+
+// A part of `call`, which it must not outlive.
+LongCall part_of(const LongCall& call, double begin, double end) {
+    LongCall part{call.stop, {}};
+    if (call.progress)
+        part.progress = [&call, begin, end](double done) {
+            call.progress(begin + (end - begin) * done);
+        };
+    return part;
+}
+
+}  // namespace
+
+const char* describe(UndecidedReason reason) noexcept {
+    switch (reason) {
+        case UndecidedReason::none: return "";
+        case UndecidedReason::alone: return "there is no other point";
+        case UndecidedReason::coincident: return "it coincides with another point";
+        case UndecidedReason::isolated: return "none of its neighbours counts it among their own";
+        case UndecidedReason::collinear: return "all its neighbours lie on one line with it";
+        case UndecidedReason::no_normal: return "no plane through it has neighbours around it";
+    }
+    return "";
+}
+
+PointSurface::PointSurface(std::span<const glm::dvec3> positions,
+                           const PointSurfaceOptions& options, const LongCall& call)
+    : positions_(positions.begin(), positions.end()) {
+    check(options);
+    if (positions.size() >= std::size_t{1} << 31)
+        throw Error(ErrorCode::too_large, "2^31 points or more");
+    call.checkpoint(0.0);
+    const OrderedPoints ordered = order_points(positions);
+    const NeighbourLists neighbours(ordered.positions, options.k, part_of(call, 0.1, 0.5));
+    const FoundUmbrellas found =
+        find_robust_umbrellas(ordered.positions, neighbours, options, part_of(call, 0.5, 0.95));
+
+    std::vector<std::uint32_t> place(positions.size(), k_not_ordered);
+    for (std::uint32_t i = 0; i < ordered.numbers.size(); ++i) place[ordered.numbers[i]] = i;
+    labels_.assign(size(), PointLabel::undecided);
+    reasons_.assign(size(), UndecidedReason::coincident);
+    scales_.assign(size(), 0.0);
+    umbrella_begin_.push_back(0);
+    ring_begin_.push_back(0);
+    for (std::uint32_t point = 0; point < size(); ++point) {
+        if (const std::uint32_t i = place[point]; i != k_not_ordered) {
+            labels_[point] = found.labels[i];
+            reasons_[point] = found.reasons[i];
+            scales_[point] = found.scales[i] * ordered.unit;
+            const auto list = neighbours.of(i);
+            for (std::uint32_t u = found.umbrella_begin[i]; u < found.umbrella_begin[i + 1]; ++u) {
+                const Fan& fan = found.fans[u];
+                for (std::size_t j = 0; j < fan.size; ++j)
+                    rings_.push_back(PointId{ordered.numbers[list[fan.ring[j]]]});
+                gaps_.push_back(fan.gaps);
+                normals_.push_back(found.normals[u]);
+                ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
+            }
+        }
+        ++counts_[static_cast<std::size_t>(labels_[point])];
+        umbrella_begin_.push_back(static_cast<std::uint32_t>(gaps_.size()));
+    }
+    call.checkpoint(1.0);
+}
+
+}  // namespace rimline

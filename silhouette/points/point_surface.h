@@ -1,0 +1,143 @@
+#pragma once
+
+// The surface that a set of points was sampled from, as far as each point sees it: its umbrella, a ring
+// of neighbours that surround it on the surface, with a triangle between each two that follow each other
+// (thesis 5.2). Umbrellas of neighbours need not agree; together they are no mesh.
+//
+// A sector of a ring without a triangle is a gap: the surface ends there, or turns so sharply that one
+// umbrella cannot follow. A point may so have several partial umbrellas, one for each smooth patch that
+// meets at it. From them every point has its label: interior, border, feature, or undecided and why.
+//
+// The result is a function of the set of points: the same for any number of threads and, each point
+// keeping its own, for any order of the points; ties are broken by coordinates. Scaling by a power of
+// two scales scale() and changes nothing else. Umbrellas are unoriented: which side is outside is not
+// known.
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "silhouette/error.h"
+#include "silhouette/points/point_ids.h"
+
+namespace rimline {
+
+enum class PointLabel : std::uint8_t {
+    border,     ///< The surface ends here: a gap of one of its umbrellas is left open.
+    interior,   ///< One whole umbrella.
+    feature,    ///< Partial umbrellas that fill each other's gaps: smooth patches meet in a crease.
+    undecided,  ///< No umbrella, and no normal; UndecidedReason says why.
+};
+
+enum class UndecidedReason : std::uint8_t {
+    none,        ///< It is decided.
+    alone,       ///< There is no other point.
+    coincident,  ///< Nearer to another point than 2^-50 of the whole set's extent.
+    isolated,    ///< None of its nearest neighbours counts it among their own.
+    collinear,   ///< All its neighbours lie on one line with it.
+    no_normal,   ///< No direction was found in which two neighbours lie about its plane.
+};
+
+/// "all its neighbours lie on one line with it", and so on; empty for none.
+const char* describe(UndecidedReason reason) noexcept;
+
+struct PointSurfaceOptions {
+    enum class Method : std::uint8_t {
+        robust,  ///< Many normals a point, gaps by the scale of their corners (docs/points.md).
+        thesis,  ///< The passes of thesis 5.2, as written.
+    };
+    Method method = Method::robust;
+
+    /// Neighbours of a point, those nearest to it; 4 to 32. All others where there are no more.
+    std::uint32_t k = 16;
+
+    /// A sector is a gap where the circle through its corners has a radius above gap_ratio times the
+    /// greatest of its corners' scales; above 1. Robust only.
+    double gap_ratio = 2.75;
+
+    // Thesis only, angles in radians.
+    double omega = std::numbers::pi / 6;     ///< Of a neighbour with the plane; in (0, π/2).
+    double omega_t = std::numbers::pi / 18;  ///< Half the marginal band around it; in [0, omega].
+    double phi = std::numbers::pi * 5.0 / 6.0;  ///< A wider sector is a gap; in (0, π].
+    double gamma = 2.0;  ///< Greatest circumradius, in those of the Gabriel triangle; above 1.
+};
+
+/// One umbrella of a point. Sector j lies between ring[j] and the next, the last before the first. A ring
+/// has 2 to 64 points and at least one triangle.
+struct Umbrella {
+    std::span<const PointId> ring;  ///< Counterclockwise, seen from where `normal` points.
+    std::uint64_t gaps = 0;         ///< Bit j: sector j is a gap.
+    glm::dvec3 normal{0.0};  ///< Of length 1; its triangles' mean, by their angles at the point.
+
+    bool is_gap(std::size_t sector) const noexcept { return (gaps >> sector & 1u) != 0; }
+    bool is_closed() const noexcept { return gaps == 0; }
+    std::size_t triangle_count() const noexcept {
+        return ring.size() - static_cast<std::size_t>(std::popcount(gaps));
+    }
+};
+
+class PointSurface {
+public:
+    /// `positions` must be finite; equal ones are undecided but for one (merge them before). O(n log n),
+    /// on all threads. Throws Error{too_large} from 2^31 points, Error{cancelled}.
+    explicit PointSurface(std::span<const glm::dvec3> positions,
+                          const PointSurfaceOptions& options = {}, const LongCall& call = {});
+
+    /// As they were given.
+    std::span<const glm::dvec3> positions() const noexcept { return positions_; }
+    std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions_.size()); }
+
+    PointLabel label(PointId point) const noexcept { return labels_[index(point)]; }
+    UndecidedReason reason(PointId point) const noexcept { return reasons_[index(point)]; }
+    /// How many points have the label.
+    std::uint32_t count(PointLabel label) const noexcept {
+        return counts_[static_cast<std::size_t>(label)];
+    }
+
+    /// Umbrellas are numbered point by point: those of a point are [first, last), the one with most
+    /// triangles first; none where it is undecided. Two partial umbrellas of a point that share a ring
+    /// point at the ends of their gaps meet there, and turn the same way about the point.
+    struct UmbrellaRange {
+        std::uint32_t first, last;
+        std::uint32_t size() const noexcept { return last - first; }
+    };
+    UmbrellaRange umbrellas_of(PointId point) const noexcept {
+        return {umbrella_begin_[index(point)], umbrella_begin_[index(point) + 1]};
+    }
+    std::uint32_t umbrella_count() const noexcept {
+        return static_cast<std::uint32_t>(gaps_.size());
+    }
+    Umbrella umbrella(UmbrellaId umbrella) const noexcept {
+        const std::uint32_t u = index(umbrella);
+        return {std::span(rings_).subspan(ring_begin_[u], ring_begin_[u + 1] - ring_begin_[u]),
+                gaps_[u], normals_[u]};
+    }
+
+    /// Of length 1, of the point's first umbrella; zero where it is undecided. Unoriented.
+    glm::dvec3 normal(PointId point) const noexcept {
+        const UmbrellaRange range = umbrellas_of(point);
+        return range.size() == 0 ? glm::dvec3(0.0) : normals_[range.first];
+    }
+    /// The median circumradius of the point's triangles, in the units of the positions; zero where it is
+    /// undecided.
+    double scale(PointId point) const noexcept { return scales_[index(point)]; }
+
+private:
+    std::vector<glm::dvec3> positions_;
+    std::vector<PointLabel> labels_;
+    std::vector<UndecidedReason> reasons_;
+    std::vector<double> scales_;
+    std::vector<std::uint32_t> umbrella_begin_;
+    // Of each umbrella.
+    std::vector<std::uint32_t> ring_begin_;
+    std::vector<std::uint64_t> gaps_;
+    std::vector<glm::dvec3> normals_;
+    std::vector<PointId> rings_;
+    std::array<std::uint32_t, 4> counts_{};
+};
+
+}  // namespace rimline

@@ -1,0 +1,15 @@
+#pragma once
+
+// Umbrellas as PointSurfaceOptions::Method::robust finds them.
+
+#include <span>
+
+#include "silhouette/points/fan.h"
+
+namespace rimline {
+
+FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
+                                     const NeighbourLists& neighbours,
+                                     const PointSurfaceOptions& options, const LongCall& call);
+
+}  // namespace rimline
