@@ -1,51 +1,17 @@
 #include "silhouette/mesh/mesh.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+
+#include "silhouette/mesh/equal_positions.h"
 
 namespace rimline {
 
 namespace {
 
 constexpr std::size_t k_max_faces = std::size_t{1} << 30;
-
-// A position's bits, with -0 taken as 0, so that equal positions have equal keys.
-struct PositionKey {
-    std::uint32_t x, y, z;
-    bool operator==(const PositionKey&) const = default;
-};
-
-PositionKey key_of(glm::vec3 p) {
-    return {std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
-            std::bit_cast<std::uint32_t>(p.z + 0.0f)};
-}
-
-std::size_t hash_of(const PositionKey& key) {
-    std::uint64_t h = (std::uint64_t{key.x} << 32 | key.y) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 32;
-    h = (h + key.z) * 0xd6e8feb86659fd93u;
-    return static_cast<std::size_t>(h ^ h >> 29);
-}
-
-// For each position, the first index with an equal position. Open addressing at half load.
-std::vector<std::uint32_t> first_equal_position(const std::vector<glm::vec3>& positions) {
-    constexpr std::uint32_t k_free = 0xffffffffu;
-    const std::size_t capacity = std::bit_ceil(positions.size() * 2 + 1);
-    std::vector<std::uint32_t> table(capacity, k_free);
-    std::vector<std::uint32_t> first(positions.size());
-    for (std::uint32_t i = 0; i < positions.size(); ++i) {
-        const PositionKey key = key_of(positions[i]);
-        std::size_t slot = hash_of(key) & (capacity - 1);
-        while (table[slot] != k_free && key_of(positions[table[slot]]) != key)
-            slot = (slot + 1) & (capacity - 1);
-        if (table[slot] == k_free) table[slot] = i;
-        first[i] = table[slot];
-    }
-    return first;
-}
 
 // One side of one triangle.
 struct HalfEdge {
@@ -158,7 +124,7 @@ void Mesh::weld(const MeshSource& source) {
     for (const glm::vec3& p : source.positions)
         RIMLINE_CHECK(std::abs(p.x) <= k_max_coordinate && std::abs(p.y) <= k_max_coordinate &&
                       std::abs(p.z) <= k_max_coordinate);
-    const std::vector<std::uint32_t> first = first_equal_position(source.positions);
+    const std::vector<std::uint32_t> first = first_equal_positions<float>(source.positions);
     constexpr std::uint32_t k_unused = 0xffffffffu;
     std::vector<std::uint32_t> vertex_of(source.positions.size(), k_unused);
     for (const auto& triangle : source.triangles)

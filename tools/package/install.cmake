@@ -10,7 +10,7 @@ install(TARGETS rimline_silhouette EXPORT RimlineTargets)
 install(DIRECTORY silhouette DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
     FILES_MATCHING PATTERN "*.h"
     REGEX "/shapes/(circle|shape_makers|tube)\\.h$" EXCLUDE
-    REGEX "/formats/(byte_scanner|gltf_[a-z]+|obj_scan|ply_header|readers|source_file|text_scanner|tinygltf)\\.h$"
+    REGEX "/formats/(byte_scanner|file_format|gltf_[a-z]+|obj_scan|ply_body|ply_header|readers|source_file|text_scanner|tinygltf)\\.h$"
         EXCLUDE
     REGEX "/hough/(block_kernels|octree_order|reserved_bytes|v_sphere)\\.h$" EXCLUDE
     REGEX "/field/(field_kernels|field_sums|many_values|plane_clusters)\\.h$" EXCLUDE

@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads a model file into a MeshSource: OBJ, PLY, STL, OFF, glTF and GLB, by what is in the file, not
-// only by its name.
+// Reads a model file into a MeshSource: OBJ, PLY, STL, OFF, glTF and GLB, and for their points XYZ and PTS
+// text (point_file.h), by what is in the file, not only by its name.
 //
 // Nothing is guessed and nothing is dropped in silence: a file gives exactly what its bytes say or an
 // Error that names the file and the line or byte, and what is wrong there. No allocation is sized by a

@@ -30,9 +30,13 @@ bool holds(std::span<const std::string_view> words, std::string_view word) {
 
 class Scan {
 public:
-    Scan(const SourceFile& file, const LongCall& call)
+    // With `points`, positions and colours go there, and nothing is handed on.
+    Scan(const SourceFile& file, const LongCall& call, PointSource* points = nullptr,
+         BadPoints bad = BadPoints::refuse)
         : file_(file),
           call_(call),
+          points_(points),
+          bad_(bad),
           scanner_(file.name, text_of(file), {.comment = '#', .continuations = true}) {}
 
     ObjScan run() {
@@ -41,6 +45,10 @@ public:
             read_statement(scanner_.token());
         }
         check_forward_references();
+        if (!colors_.empty()) {
+            colors_.resize(vertices_.count, glm::vec3(0.0f));
+            points_->colors = point_colors(colors_);
+        }
         return std::move(result_);
     }
 
@@ -86,6 +94,29 @@ private:
 
     // x y z, then perhaps a weight, or a colour (with or without alpha).
     void read_vertex() {
+        if (points_)
+            read_exact_position();
+        else
+            read_position();
+        int more = 0;
+        glm::vec3 color(0.0f);
+        for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++more) {
+            const double value = scanner_.number(t, "a vertex's weight or colour");
+            if (more < 3) color[more] = static_cast<float>(value);
+        }
+        if (more != 0 && more != 1 && more != 3 && more != 4)
+            scanner_.fail("a vertex with " + std::to_string(3 + more) +
+                          " numbers; it has 3, 4 (with a weight), 6 or 7 (with a colour)");
+        if (vertices_.count == k_max_file_vertices)
+            throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 vertices");
+        ++vertices_.count;
+        if (!points_ || more < 3) return;
+        // Most files give all vertices a colour or none; those without are black.
+        colors_.resize(vertices_.count, glm::vec3(0.0f));
+        colors_.back() = color;
+    }
+
+    void read_position() {
         glm::vec3 position;
         result_.statements += 'v';
         for (int axis = 0; axis < 3; ++axis) {
@@ -94,16 +125,16 @@ private:
             hand_on(token);
         }
         result_.statements += '\n';
-        int more = 0;
-        for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++more)
-            scanner_.skip_number(t, "a vertex's weight or colour");
-        if (more != 0 && more != 1 && more != 3 && more != 4)
-            scanner_.fail("a vertex with " + std::to_string(3 + more) +
-                          " numbers; it has 3, 4 (with a weight), 6 or 7 (with a colour)");
-        if (vertices_.count == k_max_file_vertices)
-            throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 vertices");
         result_.positions.push_back(position);
-        ++vertices_.count;
+    }
+
+    void read_exact_position() {
+        glm::dvec3 position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = scanner_.number("a vertex's coordinate");
+        if (const std::string why = refusal(vertices_.count, position, bad_); !why.empty())
+            scanner_.fail(why);
+        points_->positions.push_back(position);
     }
 
     void read_numbers(Numbered& kind, int least, int most) {
@@ -118,15 +149,18 @@ private:
     }
 
     void read_face() {
-        result_.statements += 'f';
+        if (!points_) result_.statements += 'f';
         const std::uint64_t corners =
             read_references("a face", 3, [this](std::string_view vertex) { hand_on(vertex); });
-        result_.statements += '\n';
+        if (!points_) result_.statements += '\n';
         ++result_.face_count;
         result_.corner_count += corners;
     }
 
-    void hand_on(std::string_view token) { result_.statements.append(1, ' ').append(token); }
+    void hand_on(std::string_view token) {
+        if (points_) return;
+        result_.statements.append(1, ' ').append(token);
+    }
 
     template <typename TakeVertex>
     std::uint64_t read_references(const char* what, std::uint64_t least, TakeVertex&& take) {
@@ -184,8 +218,11 @@ private:
 
     const SourceFile& file_;
     const LongCall& call_;
+    PointSource* points_;
+    BadPoints bad_;
     TextScanner scanner_;
     ObjScan result_;
+    std::vector<glm::vec3> colors_;  // As they are written; for points only.
     Numbered vertices_{"the vertices", "a vertex's coordinate"};
     Numbered textures_{"the texture coordinates", "a texture coordinate"};
     Numbered normals_{"the normals", "a normal's component"};
@@ -194,5 +231,11 @@ private:
 }  // namespace
 
 ObjScan scan_obj(const SourceFile& file, const LongCall& call) { return Scan(file, call).run(); }
+
+PointRecords read_obj_points(const SourceFile& file, BadPoints bad, const LongCall& call) {
+    PointRecords records;
+    records.has_faces = Scan(file, call, &records.source, bad).run().face_count > 0;
+    return records;
+}
 
 }  // namespace rimline

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/text_scanner.h"
 
 namespace rimline {
@@ -126,10 +127,26 @@ std::optional<std::size_t> PlyElement::find(std::string_view property) const noe
     return std::nullopt;
 }
 
+std::size_t PlyElement::require_value(const SourceFile& file, std::string_view property) const {
+    const std::optional<std::size_t> i = find(property);
+    if (!i || properties[*i].is_list())
+        bad_line(file.name, line,
+                 "element " + excerpt(name) + " has no property " + excerpt(property));
+    return *i;
+}
+
 const PlyElement* PlyHeader::find(std::string_view element) const noexcept {
     for (const PlyElement& e : elements)
         if (e.name == element) return &e;
     return nullptr;
+}
+
+const PlyElement& PlyHeader::vertices(const SourceFile& file) const {
+    const PlyElement* vertices = find("vertex");
+    if (!vertices) bad_line(file.name, body_line - 1, "the header declares no 'vertex'");
+    if (vertices->count > k_max_file_vertices)
+        throw Error(ErrorCode::too_large, file.name + ": more than 2^32 vertices");
+    return *vertices;
 }
 
 PlyHeader read_ply_header(const SourceFile& file) {

@@ -31,6 +31,8 @@ struct PlyElement {
     std::size_t least_binary_size() const noexcept;
     /// The property of that name, or nothing.
     std::optional<std::size_t> find(std::string_view property) const noexcept;
+    /// The property of that name; throws Error{bad_input} where there is none or it is a list.
+    std::size_t require_value(const SourceFile& file, std::string_view property) const;
 };
 
 enum class PlyEncoding : std::uint8_t { ascii, binary_little_endian, binary_big_endian };
@@ -42,6 +44,9 @@ struct PlyHeader {
     std::uint64_t body_line;  ///< The number of the line that begins there.
 
     const PlyElement* find(std::string_view element) const noexcept;
+    /// The element 'vertex'. Throws Error{bad_input} where there is none, Error{too_large} where it has
+    /// more than k_max_file_vertices.
+    const PlyElement& vertices(const SourceFile& file) const;
 };
 
 /// Throws Error{bad_input} with the line of what is wrong, including counts that the bytes after the

@@ -22,7 +22,7 @@ std::string_view without_plus(std::string_view token) noexcept {
     return token;
 }
 
-// Whether a decimal number out of float's range is too small rather than too large: where its first
+// Whether a decimal number out of range is too small rather than too large: where its first
 // digit that counts stands, with the exponent. from_chars reports both as the same error.
 bool is_below_one(std::string_view number) noexcept {
     const std::size_t e = number.find_first_of("eE");
@@ -41,6 +41,22 @@ bool is_below_one(std::string_view number) noexcept {
     return exponent < -place;
 }
 
+template <typename Real>
+std::optional<Real> parse_real(std::string_view token) noexcept {
+    const std::string_view number = without_plus(token);
+    Real value = 0;
+    const auto result = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (result.ptr != number.data() + number.size()) return std::nullopt;
+    if (result.ec == std::errc::result_out_of_range) {
+        const bool negative = number.starts_with('-');
+        const Real magnitude =
+            is_below_one(number) ? Real{0} : std::numeric_limits<Real>::infinity();
+        return negative ? -magnitude : magnitude;
+    }
+    if (result.ec != std::errc{}) return std::nullopt;
+    return value;
+}
+
 // What printf of Microsoft's C library made of NaN and infinity until 2015, cut or filled up with zeros
 // to the precision that was asked for.
 bool is_old_microsoft_nan(std::string_view token) noexcept {
@@ -54,18 +70,11 @@ bool is_old_microsoft_nan(std::string_view token) noexcept {
 }  // namespace
 
 std::optional<float> parse_float(std::string_view token) noexcept {
-    const std::string_view number = without_plus(token);
-    float value = 0.0f;
-    const auto result = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (result.ptr != number.data() + number.size()) return std::nullopt;
-    if (result.ec == std::errc::result_out_of_range) {
-        const bool negative = number.starts_with('-');
-        const float magnitude =
-            is_below_one(number) ? 0.0f : std::numeric_limits<float>::infinity();
-        return negative ? -magnitude : magnitude;
-    }
-    if (result.ec != std::errc{}) return std::nullopt;
-    return value;
+    return parse_real<float>(token);
+}
+
+std::optional<double> parse_double(std::string_view token) noexcept {
+    return parse_real<double>(token);
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view token) noexcept {
@@ -183,10 +192,15 @@ std::int64_t TextScanner::integer(std::string_view token, const char* what) cons
     return *value;
 }
 
-void TextScanner::skip_number(std::string_view token, const char* what) const {
+double TextScanner::number(std::string_view token, const char* what) const {
     if (token.empty()) fail(std::string("the line ends where ") + what + " should follow");
-    if (!parse_float(token) && !is_old_microsoft_nan(token))
-        fail(excerpt(token) + " is not a number; " + what + " should stand here");
+    if (const std::optional<double> value = parse_double(token)) return *value;
+    if (is_old_microsoft_nan(token)) return std::numeric_limits<double>::quiet_NaN();
+    fail(excerpt(token) + " is not a number; " + what + " should stand here");
+}
+
+void TextScanner::skip_number(std::string_view token, const char* what) const {
+    number(token, what);
 }
 
 }  // namespace rimline

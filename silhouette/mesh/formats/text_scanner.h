@@ -47,13 +47,16 @@ public:
     /// The next token of the current line as a number. `what` names it in errors.
     float coordinate(const char* what) { return coordinate(token(), what); }
     std::int64_t integer(const char* what) { return integer(token(), what); }
-    /// A number that is not used: NaN and infinities are let pass, as exporters write them, also in
-    /// the way of Microsoft's C library before 2015: -1.#IND, 1.#QNAN.
+    /// Any number, in double: NaN and infinities too, also in the way of Microsoft's C library before
+    /// 2015: -1.#IND, 1.#QNAN. Too large for a double is an infinity.
+    double number(const char* what) { return number(token(), what); }
+    /// A number that is not used: NaN and infinities are let pass, as exporters write them.
     void skip_number(const char* what) { skip_number(token(), what); }
 
     /// A given token of the current line as a number.
     float coordinate(std::string_view token, const char* what) const;
     std::int64_t integer(std::string_view token, const char* what) const;
+    double number(std::string_view token, const char* what) const;
     void skip_number(std::string_view token, const char* what) const;
 
     std::uint64_t line() const noexcept { return line_; }
@@ -83,6 +86,8 @@ private:
 /// The number that all of `token` spells, correctly rounded; nothing where it spells none. Too small
 /// for a float is zero, too large an infinity; "nan" and "inf" give what they say.
 std::optional<float> parse_float(std::string_view token) noexcept;
+/// The same for doubles.
+std::optional<double> parse_double(std::string_view token) noexcept;
 /// Nothing where `token` is not a whole decimal integer of 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view token) noexcept;
 

@@ -1,0 +1,86 @@
+#include "silhouette/mesh/formats/file_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "silhouette/mesh/formats/byte_scanner.h"
+#include "silhouette/mesh/formats/text_scanner.h"
+
+namespace rimline {
+
+namespace {
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+// Whether the facet count at byte 80 makes exactly this file. No text does: four letters read as a
+// count are over half a billion facets.
+bool is_sized_as_binary_stl(const std::string& bytes) {
+    if (bytes.size() < 84) return false;
+    const double count = load_scalar(bytes.data() + 80, ScalarType::uint32, std::endian::little);
+    return 84.0 + 50.0 * count == static_cast<double>(bytes.size());
+}
+
+bool begins_as_ply(std::string_view bytes) {
+    return bytes.starts_with("ply") &&
+           (bytes.size() == 3 || bytes.find_first_of("\r\n \t", 3) == 3);
+}
+
+bool is_off_word(std::string_view word) {
+    for (const std::string_view prefix : {"ST", "C", "N", "4", "n"})
+        if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+    return word == "OFF";
+}
+
+// By content, and by name where content does not say: a binary STL that is cut short, an OFF that
+// begins with its counts as a point does, an OBJ that begins with anything. Binary STL first: its 80 bytes of header
+// may look like anything, a byte order mark too.
+FileFormat format_of(const SourceFile& file, const std::string& extension) {
+    if (is_sized_as_binary_stl(file.bytes)) return FileFormat::stl_binary;
+    if (file.bytes.starts_with("glTF")) return FileFormat::glb;
+    const std::string_view bytes = file.text();
+    if (begins_as_ply(bytes)) return FileFormat::ply;
+
+    TextScanner scanner(file.name, bytes, {.comment = '#'});
+    const std::string_view word = scanner.word();
+    if (word.starts_with('{')) return FileFormat::gltf;
+    if (is_off_word(word)) return FileFormat::off;
+    constexpr std::array<std::string_view, 9> k_obj_words{"v", "vn", "vt",     "f",     "o",
+                                                          "g", "s",  "mtllib", "usemtl"};
+    if (std::find(k_obj_words.begin(), k_obj_words.end(), word) != k_obj_words.end())
+        return FileFormat::obj;
+    const bool is_text = bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+    const bool is_solid =
+        word.size() == 5 && (word == "solid" || word == "SOLID" || word == "Solid");
+    if (is_solid && is_text) return FileFormat::stl_text;
+    if (extension == ".stl")
+        return is_solid || !is_text ? FileFormat::stl_binary : FileFormat::stl_text;
+    if (extension == ".obj") return FileFormat::obj;
+    if (extension == ".off") return FileFormat::off;
+    if (extension == ".gltf") return FileFormat::gltf;
+    if (extension == ".ply") bad_byte(file.name, 0, "a PLY file begins with a line 'ply'");
+    if (extension == ".glb") bad_byte(file.name, 0, "a GLB file begins with 'glTF'");
+    const bool is_named_text = extension == ".xyz" || extension == ".pts";
+    if (is_named_text || (is_text && parse_double(word))) return FileFormat::point_text;
+    bad_byte(file.name, 0,
+             "the format is not known; it should be OBJ, PLY, STL, OFF, glTF, GLB, XYZ or PTS");
+}
+
+SourceFile read_text_or_bytes(const std::filesystem::path& path, const LongCall& call) {
+    SourceFile file = read_source_file(path, call);
+    // The mark some editors put before UTF-8 text.
+    if (file.bytes.starts_with("\xef\xbb\xbf")) file.text_begin = 3;
+    if (file.text().empty()) bad_file(file.name, "the file is empty");
+    return file;
+}
+
+}  // namespace
+
+KnownFile::KnownFile(const std::filesystem::path& path, const LongCall& call)
+    : file(read_text_or_bytes(path, call)), format(format_of(file, lower_extension(path))) {}
+
+}  // namespace rimline

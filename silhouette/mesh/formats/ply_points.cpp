@@ -1,0 +1,127 @@
+// The points of a PLY: of its element `vertex` x, y, z in double, nx, ny, nz and red, green, blue.
+
+#include <array>
+
+#include "silhouette/mesh/formats/ply_body.h"
+#include "silhouette/mesh/formats/readers.h"
+
+namespace rimline {
+
+namespace {
+
+// What is read, in the order of a record.
+constexpr std::array<const char*, 9> k_names{"x",  "y",   "z",     "nx",  "ny",
+                                             "nz", "red", "green", "blue"};
+constexpr std::size_t k_first_normal = 3;
+constexpr std::size_t k_first_color = 6;
+
+// What makes a colour of this type a share of 255.
+float color_scale(ScalarType type) {
+    if (is_floating(type)) return 255.0f;
+    return type == ScalarType::uint16 ? 255.0f / 65535.0f : 1.0f;
+}
+
+template <typename Body>
+class PlyPointReader {
+public:
+    PlyPointReader(const SourceFile& file, const PlyHeader& header, BadPoints bad,
+                   const LongCall& call)
+        : file_(file), header_(header), bad_(bad), elements_(file, header, call) {}
+
+    PointRecords read() {
+        header_.vertices(file_);
+        for (const PlyElement& element : header_.elements) {
+            if (element.name == "vertex") {
+                read_vertices(element);
+                continue;
+            }
+            if (element.name == "face" || element.name == "tristrips")
+                records_.has_faces = records_.has_faces || element.count > 0;
+            elements_.skip_elements(element);
+        }
+        elements_.body.expect_end();
+        return std::move(records_);
+    }
+
+private:
+    // For each property the place of its value in a record, -1 for those that are stepped over: of
+    // normals and colours all three are kept or none.
+    std::vector<int> slots_of(const PlyElement& element) const {
+        std::vector<int> slots(element.properties.size(), -1);
+        for (std::size_t i = 0; i < k_first_normal; ++i)
+            slots[element.require_value(file_, k_names[i])] = static_cast<int>(i);
+        for (const std::size_t first : {k_first_normal, k_first_color}) {
+            std::array<std::size_t, 3> found{};
+            std::size_t count = 0;
+            for (std::size_t i = first; i < first + 3; ++i)
+                if (const auto p = element.find(k_names[i]); p && !element.properties[*p].is_list())
+                    found[count++] = *p;
+            if (count == 3)
+                for (std::size_t i = 0; i < 3; ++i) slots[found[i]] = static_cast<int>(first + i);
+        }
+        return slots;
+    }
+
+    void read_vertices(const PlyElement& element) {
+        const std::vector<int> slots = slots_of(element);
+        std::array<float, 3> color_scales{};
+        bool has_normals = false;
+        bool has_colors = false;
+        for (std::size_t p = 0; p < slots.size(); ++p) {
+            if (slots[p] < static_cast<int>(k_first_normal)) continue;
+            if (slots[p] < static_cast<int>(k_first_color)) {
+                has_normals = true;
+                continue;
+            }
+            has_colors = true;
+            color_scales[slots[p] - k_first_color] = color_scale(element.properties[p].type);
+        }
+        PointSource& source = records_.source;
+        source.positions.reserve(element.count);
+        if (has_normals) source.normals.reserve(element.count);
+        if (has_colors) source.colors.reserve(element.count);
+        Body& body = elements_.body;
+        std::array<double, k_names.size()> record{};
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            elements_.checkpoint(i);
+            body.begin_element("another vertex");
+            for (std::size_t p = 0; p < slots.size(); ++p) {
+                const PlyProperty& property = element.properties[p];
+                if (slots[p] < 0)
+                    elements_.skip_property(property);
+                else
+                    record[slots[p]] = body.number(property.type, k_names[slots[p]]);
+            }
+            body.end_element("a vertex");
+            const glm::dvec3 position(record[0], record[1], record[2]);
+            if (const std::string why = refusal(i, position, bad_); !why.empty())
+                body.fail_element(why);
+            source.positions.push_back(position);
+            if (has_normals) source.normals.push_back(glm::dvec3(record[3], record[4], record[5]));
+            if (has_colors) {
+                PointColor color;
+                for (std::size_t c = 0; c < 3; ++c)
+                    color[c] =
+                        color_byte(static_cast<float>(record[k_first_color + c]) * color_scales[c]);
+                source.colors.push_back(color);
+            }
+        }
+    }
+
+    const SourceFile& file_;
+    const PlyHeader& header_;
+    BadPoints bad_;
+    PlyElements<Body> elements_;
+    PointRecords records_;
+};
+
+}  // namespace
+
+PointRecords read_ply_points(const SourceFile& file, BadPoints bad, const LongCall& call) {
+    const PlyHeader header = read_ply_header(file);
+    if (header.encoding == PlyEncoding::ascii)
+        return PlyPointReader<PlyTextBody>(file, header, bad, call).read();
+    return PlyPointReader<PlyBinaryBody>(file, header, bad, call).read();
+}
+
+}  // namespace rimline

@@ -1,0 +1,89 @@
+#include "silhouette/mesh/formats/point_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <new>
+
+#include "silhouette/mesh/formats/file_format.h"
+#include "silhouette/mesh/formats/readers.h"
+#include "silhouette/mesh/homogeneous_point.h"
+
+namespace rimline {
+
+namespace {
+
+bool is_finite(const glm::dvec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+PointSource points_of(MeshSource mesh) {
+    PointSource source;
+    source.positions.assign(mesh.positions.begin(), mesh.positions.end());
+    source.triangles = std::move(mesh.triangles);
+    source.up = mesh.up;
+    return source;
+}
+
+PointSource read_points(const KnownFile& known, BadPoints bad, const LongCall& call) {
+    PointRecords records;
+    switch (known.format) {
+        case FileFormat::ply: records = read_ply_points(known.file, bad, call); break;
+        case FileFormat::obj: records = read_obj_points(known.file, bad, call); break;
+        case FileFormat::point_text: records = read_point_text(known.file, bad, call); break;
+        default: return points_of(read_mesh(known, call));
+    }
+    PointSource& source = records.source;
+    // Readers of meshes refuse a file with positions that are not finite, and nothing is true of it.
+    if (records.has_faces && std::ranges::all_of(source.positions, is_finite))
+        source.triangles = read_mesh(known, {call.stop, {}}).triangles;
+    return std::move(source);
+}
+
+}  // namespace
+
+std::string refusal(std::uint64_t number, const glm::dvec3& position, BadPoints bad) {
+    const double largest =
+        std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+    if (is_finite(position) && largest <= static_cast<double>(k_max_coordinate)) return {};
+    if (!is_finite(position) && bad == BadPoints::keep) return {};
+    char text[128];
+    std::snprintf(text, sizeof text, " is %g %g %g", position.x, position.y, position.z);
+    return "point " + std::to_string(number) + text +
+           (is_finite(position) ? ", beyond 2^60 in size; scale the cloud down"
+                                : "; only finite points can be used, others can be dropped");
+}
+
+std::uint8_t color_byte(float value) noexcept {
+    return value > 0.0f ? static_cast<std::uint8_t>(std::min(value, 255.0f) + 0.5f) : 0;
+}
+
+std::vector<PointColor> point_colors(const std::vector<glm::vec3>& numbers) {
+    float largest = 0.0f;
+    for (const glm::vec3& c : numbers)
+        for (int i = 0; i < 3; ++i)
+            if (c[i] > largest) largest = c[i];
+    const float scale = largest > 1.0f ? 1.0f : 255.0f;
+    std::vector<PointColor> colors(numbers.size());
+    for (std::size_t p = 0; p < numbers.size(); ++p)
+        for (int i = 0; i < 3; ++i) colors[p][i] = color_byte(numbers[p][i] * scale);
+    return colors;
+}
+
+PointSource read_point_file(const std::filesystem::path& path, BadPoints bad,
+                            const LongCall& call) {
+    try {
+        call.checkpoint(0.0);
+        const KnownFile known(path, call);
+        PointSource source = read_points(known, bad, call);
+        if (source.positions.empty())
+            bad_file(known.file.name, "no points: there is nothing in it");
+        call.checkpoint(1.0);
+        return source;
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::too_large,
+                    path.string() + ": there is not enough memory to read it");
+    }
+}
+
+}  // namespace rimline

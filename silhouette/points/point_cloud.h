@@ -1,0 +1,71 @@
+#pragma once
+
+// Points without faces, each position once: what umbrellas are built over.
+//
+// Equal positions are one point, the first of them, with its normal and colour. Positions that are not
+// finite are left out. Where the source holds a mesh, its points are the vertices that faces use, and the
+// faces are kept aside: they say what is true of borders and normals, and nothing looks at them to find it.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "silhouette/mesh/point_source.h"
+
+namespace rimline {
+
+class PointCloud {
+public:
+    /// An empty source gives an empty cloud. Triangles' indices must be in range, normals and colours be
+    /// one a position or none, and finite positions within k_max_coordinate. Throws Error{too_large} from
+    /// 2^32 positions on. O(positions + triangles).
+    explicit PointCloud(PointSource source);
+
+    std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions_.size()); }
+    /// Distinct and finite, in the file's order.
+    std::span<const glm::dvec3> positions() const noexcept { return positions_; }
+    /// As the file says, unit or zero; empty where it says nothing.
+    std::span<const glm::vec3> normals() const noexcept { return normals_; }
+    std::span<const PointColor> colors() const noexcept { return colors_; }
+
+    /// The file's number of a point.
+    std::uint32_t file_point(std::uint32_t point) const noexcept { return file_points_[point]; }
+    std::span<const std::uint32_t> file_points() const noexcept { return file_points_; }
+    std::uint32_t file_point_count() const noexcept { return file_point_count_; }
+    /// Positions that an earlier one is equal to.
+    std::uint32_t duplicate_count() const noexcept { return duplicate_count_; }
+    /// Positions that are not finite.
+    std::uint32_t dropped_count() const noexcept { return dropped_count_; }
+    /// Positions of a mesh that no face uses.
+    std::uint32_t unused_count() const noexcept { return unused_count_; }
+
+    /// The faces of a mesh, by points; those with equal corners left out.
+    std::span<const std::array<std::uint32_t, 3>> triangles() const noexcept { return triangles_; }
+    /// The points on edges of one face alone, ascending. Empty where there are no faces.
+    std::vector<std::uint32_t> mesh_border_points() const;
+
+    UpAxis up() const noexcept { return up_; }
+    /// The center of the bounding box, and the greatest distance from there to a point; zero for none.
+    const glm::dvec3& center() const noexcept { return center_; }
+    double radius() const noexcept { return radius_; }
+
+private:
+    void measure();
+
+    std::vector<glm::dvec3> positions_;
+    std::vector<glm::vec3> normals_;
+    std::vector<PointColor> colors_;
+    std::vector<std::uint32_t> file_points_;
+    std::vector<std::array<std::uint32_t, 3>> triangles_;
+    std::uint32_t file_point_count_ = 0;
+    std::uint32_t duplicate_count_ = 0;
+    std::uint32_t dropped_count_ = 0;
+    std::uint32_t unused_count_ = 0;
+    UpAxis up_ = UpAxis::y;
+    glm::dvec3 center_{0.0};
+    double radius_ = 0.0;
+};
+
+}  // namespace rimline
