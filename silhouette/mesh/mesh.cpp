@@ -104,10 +104,10 @@ private:
 
 }  // namespace
 
-Mesh::Mesh(const MeshSource& source) : up_(source.up) {
+Mesh::Mesh(const MeshSource& source, Welding welding) : up_(source.up) {
     if (source.triangles.size() > k_max_faces || source.positions.size() > 0xfffffff0u)
         throw Error(ErrorCode::too_large, "the mesh has more than 2^30 triangles or 2^32 vertices");
-    weld(source);
+    weld(source, welding);
     planes_.reserve(triangles_.size());
     for (const Triangle& t : triangles_) {
         // Equal corners give a zero cross product exactly.
@@ -119,12 +119,18 @@ Mesh::Mesh(const MeshSource& source) : up_(source.up) {
     measure();
 }
 
-void Mesh::weld(const MeshSource& source) {
+void Mesh::weld(const MeshSource& source, Welding welding) {
     file_vertex_count_ = size32(source.positions.size());
     for (const glm::vec3& p : source.positions)
         RIMLINE_CHECK(std::abs(p.x) <= k_max_coordinate && std::abs(p.y) <= k_max_coordinate &&
                       std::abs(p.z) <= k_max_coordinate);
-    const std::vector<std::uint32_t> first = first_equal_positions<float>(source.positions);
+    std::vector<std::uint32_t> first;
+    if (welding == Welding::equal_positions) {
+        first = first_equal_positions<float>(source.positions);
+    } else {
+        first.resize(source.positions.size());
+        std::iota(first.begin(), first.end(), 0u);
+    }
     constexpr std::uint32_t k_unused = 0xffffffffu;
     std::vector<std::uint32_t> vertex_of(source.positions.size(), k_unused);
     for (const auto& triangle : source.triangles)

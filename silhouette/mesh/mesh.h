@@ -3,8 +3,8 @@
 // A triangle mesh as silhouettes need it: welded vertices, a plane for each face, and edges sorted
 // into four classes by how faces meet there.
 //
-// Equal positions are one vertex, so that split vertices (UV seams, STL) make no borders. Vertices
-// that no triangle uses are dropped. Faces keep the file's order, degenerate ones included:
+// Equal positions are one vertex, so that split vertices (UV seams, STL) make no borders, unless it is
+// asked otherwise. Vertices that no triangle uses are dropped. Faces keep the file's order, degenerate ones included:
 //   a triangle with two equal corners has no plane and contributes no edges;
 //   a triangle whose cross product is zero has no plane (its bit is always back) but has edges.
 // Built in O(vertices + faces), the same for the same input on every machine.
@@ -42,11 +42,17 @@ struct Bounds {
     glm::vec3 low, high;
 };
 
+/// Which vertices of a source are one.
+enum class Welding : std::uint8_t {
+    equal_positions,
+    none,  ///< Each index by itself: faces that only touch share nothing.
+};
+
 class Mesh {
 public:
     /// Throws Error{too_large} beyond 2^30 triangles. A source without triangles gives an empty mesh.
     /// Indices must be in range and coordinates as MeshSource says.
-    explicit Mesh(const MeshSource& source);
+    explicit Mesh(const MeshSource& source, Welding welding = Welding::equal_positions);
 
     std::span<const glm::vec3> positions() const noexcept { return positions_; }
     std::span<const Triangle> triangles() const noexcept { return triangles_; }
@@ -79,7 +85,7 @@ public:
         return {class_begin_[c], class_begin_[c + 1]};
     }
 
-    /// The file's number of a vertex: of equal positions, the first in the file.
+    /// The file's number of a vertex: of equal positions that are welded, the first in the file.
     std::uint32_t file_vertex(VertexId vertex) const noexcept {
         return file_vertex_[index(vertex)];
     }
@@ -104,7 +110,7 @@ private:
     static std::uint32_t size32(std::size_t size) noexcept {
         return static_cast<std::uint32_t>(size);
     }
-    void weld(const MeshSource& source);
+    void weld(const MeshSource& source, Welding welding);
     void build_edges();
     void measure();
 
