@@ -62,6 +62,7 @@ std::unique_ptr<Command> make_silhouette_command();
 std::unique_ptr<Command> make_track_command();
 std::unique_ptr<Command> make_origins_command();
 std::unique_ptr<Command> make_field_command();
+std::unique_ptr<Command> make_points_command();
 std::unique_ptr<Command> make_bench_command();
 std::unique_ptr<Command> make_render_command();
 std::unique_ptr<Command> make_animate_command();

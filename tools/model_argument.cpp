@@ -60,6 +60,8 @@ std::string model_description() {
            shape_names();
 }
 
+bool is_built_in_shape(const std::string& model) { return model.starts_with(k_shape_prefix); }
+
 void check_model_name(const std::string& text) {
     if (text.empty())
         throw CLI::ValidationError("MODEL", "expected a file or shape:NAME[:FACES], not ''");

@@ -18,6 +18,9 @@ namespace rimline::tools {
 /// How a help text names what MODEL may be.
 std::string model_description();
 
+/// Whether it is no file's name.
+bool is_built_in_shape(const std::string& model);
+
 /// Throws CLI::ValidationError when `text` is empty, or begins with "shape:" and is no built-in shape.
 /// Whether a file is there shows when it is loaded.
 void check_model_name(const std::string& text);

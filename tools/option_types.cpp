@@ -121,8 +121,8 @@ double parse_in_range(const std::string& option, const std::string& text, double
 
 }  // namespace
 
-glm::vec3 parse_point(const std::string& option, std::string_view text) {
-    glm::vec3 point{};
+glm::dvec3 parse_exact_point(const std::string& option, std::string_view text) {
+    glm::dvec3 point{};
     std::string_view rest = text;
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t comma = rest.find(',');
@@ -133,10 +133,14 @@ glm::vec3 parse_point(const std::string& option, std::string_view text) {
         if (!number) reject(option, "three finite numbers x,y,z", text);
         if (std::abs(*number) > double{k_max_coordinate})
             reject(option, "coordinates of at most 2^60, about 1.15e18", text);
-        point[axis] = static_cast<float>(*number);
+        point[axis] = *number;
         if (axis < 2) rest.remove_prefix(comma + 1);
     }
     return point;
+}
+
+glm::vec3 parse_point(const std::string& option, std::string_view text) {
+    return glm::vec3(parse_exact_point(option, text));
 }
 
 glm::vec3 parse_direction(const std::string& option, std::string_view text) {
@@ -150,6 +154,13 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm
                        const std::string& description) {
     return add_text(app, name, "X,Y,Z", description,
                     [name, &value](const std::string& text) { value = parse_point(name, text); });
+}
+
+CLI::Option* add_exact_point(CLI::App& app, const std::string& name,
+                             std::optional<glm::dvec3>& value, const std::string& description) {
+    return add_text(app, name, "X,Y,Z", description, [name, &value](const std::string& text) {
+        value = parse_exact_point(name, text);
+    });
 }
 
 CLI::Option* add_direction(CLI::App& app, const std::string& name, std::optional<glm::vec3>& value,

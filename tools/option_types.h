@@ -19,11 +19,15 @@ namespace rimline::tools {
 /// Three finite numbers `x,y,z`, each within k_max_coordinate, with blanks around them or not. Throws
 /// CLI::ValidationError.
 glm::vec3 parse_point(const std::string& option, std::string_view text);
+/// The same in double, for clouds far from zero.
+glm::dvec3 parse_exact_point(const std::string& option, std::string_view text);
 /// The same, and not zero: components below k_min_point_component count as zero.
 glm::vec3 parse_direction(const std::string& option, std::string_view text);
 
 CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& value,
                        const std::string& description);
+CLI::Option* add_exact_point(CLI::App& app, const std::string& name,
+                             std::optional<glm::dvec3>& value, const std::string& description);
 CLI::Option* add_direction(CLI::App& app, const std::string& name, std::optional<glm::vec3>& value,
                            const std::string& description);
 /// Options that may be given several times.

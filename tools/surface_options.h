@@ -1,0 +1,28 @@
+#pragma once
+
+// How umbrellas are found, on the command line. Angles are in degrees there.
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "silhouette/points/point_surface.h"
+
+namespace rimline::tools {
+
+class SurfaceOptions {
+public:
+    void add_to(CLI::App& app);
+    /// Throws UsageError for an option of the method that was not chosen.
+    PointSurfaceOptions options() const;
+
+private:
+    std::uint32_t k_ = PointSurfaceOptions{}.k;
+    std::string method_;  // Empty: the one that the other options belong to.
+    std::optional<double> gap_ratio_;
+    std::optional<double> omega_, omega_t_, phi_;  // Degrees.
+    std::optional<double> gamma_;
+};
+
+}  // namespace rimline::tools
