@@ -13,7 +13,7 @@ source "$(dirname "$0")/steps.sh"
 cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libtinygltf-dev libstb-dev
     nlohmann-json3-dev libcli11-dev libhwy-dev libtbb-dev libnanoflann-dev)
 engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libpng-dev libglfw3-dev libimgui-dev
-    fonts-dejavu-core libmeshoptimizer-dev)
+    fonts-dejavu-core libmeshoptimizer-dev libqhull-dev)
 cpu_tests=(ccache doctest-dev python3)
 engine_tests=(libembree-dev vulkan-validationlayers spirv-tools xvfb)
 

@@ -9,6 +9,11 @@ void PictureOptions::add_camera_to(CLI::App& app) {
     add_point(app, "--eye", eye, "Where the camera stands (default: chosen)")->group(k_group);
     add_point(app, "--target", target, "Where it looks (default: the model's center)")
         ->group(k_group);
+    add_lens_to(app);
+}
+
+void PictureOptions::add_lens_to(CLI::App& app) {
+    constexpr const char* k_group = "Camera";
     add_direction(app, "--up", up, "What is up (default: y, or z where the file format says so)")
         ->group(k_group);
     CLI::Option* fov =

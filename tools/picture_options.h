@@ -36,6 +36,8 @@ struct PictureOptions {
     bool validate = false;
 
     void add_camera_to(CLI::App& app);
+    /// The same but for eye and target.
+    void add_lens_to(CLI::App& app);
     void add_lights_to(CLI::App& app);
     void add_image_to(CLI::App& app);
     void add_machine_to(CLI::App& app);

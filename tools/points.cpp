@@ -23,6 +23,8 @@
 #include "tools/model_argument.h"
 #include "tools/option_types.h"
 #include "tools/output_file.h"
+#include "tools/picture_options.h"
+#include "tools/points_picture.h"
 #include "tools/progress.h"
 #include "tools/surface_options.h"
 
@@ -58,6 +60,7 @@ struct Found {
     std::vector<PointEdge> consensus;
     std::size_t arcs = 0;
     std::optional<BorderTruth> truth;
+    std::optional<PointsPictureReport> picture;
     double umbrellas_ms = 0.0;
     double features_ms = 0.0;
     double index_ms = 0.0;
@@ -103,19 +106,34 @@ public:
 
     void add_options(CLI::App& app) override {
         cloud_.add_to(app);
-        add_exact_point(app, "--eye", eye_, "Where the viewer stands")->group("View");
+        add_exact_point(app, "--eye", eye_, "Where the viewer stands (default: chosen, with -o)")
+            ->group("Camera");
+        add_exact_point(app, "--target", target_, "Where it looks (default: the cloud's center)")
+            ->group("Camera");
+        picture_.add_lens_to(app);
         add_exact_point(app, "--from", from_, "Find the silhouette from this point, not the eye")
-            ->group("View");
+            ->group("Camera");
         add_direction(app, "--direction", direction_,
                       "Find it from infinitely far this way, from the cloud towards the viewer")
-            ->group("View");
+            ->group("Camera");
         surface_.add_to(app);
+        app.add_option("-o,--output", output_, "Draw the cloud, as a PNG")
+            ->type_name("FILE.png")
+            ->group("Output");
+        app.add_option_function<std::string>(
+               "--mode", [this](const std::string& text) { set_mode(text); },
+               "drawn, or compare: beside hidden points, normal thresholding and PCA's normals")
+            ->type_name("NAME")
+            ->default_str("drawn")
+            ->group("Output");
         app.add_option("--export", export_,
                        "Write the points with normals, labels, weights and colours")
             ->type_name("FILE.ply")
             ->group("Output");
         app.add_flag("--no-lists", without_lists_, "Leave lists of points out of the JSON")
             ->group("Output");
+        picture_.add_image_to(app);
+        picture_.add_machine_to(app);
         app.footer(
             "Each point's umbrella, the triangles to its neighbours on the surface, says whether "
             "it "
@@ -132,9 +150,17 @@ public:
             "their ends.\n"
             "With --as-points, missed and extra border points are counted against the model's own "
             "borders.\n\n"
+            "A picture has a disc for each point, darker the sharper the surface turns, borders in "
+            "orange, points\n"
+            "that are undecided in red, and consensus edges as ink. --mode compare, from the upper "
+            "left: points that\n"
+            "no hull hides (Katz et al.), alone and as drawn; silhouette points by thresholding as "
+            "many normals\n"
+            "(Zakaria, Seidel), and ours; discs with normals of principal components, and ours.\n\n"
             "Examples:\n"
             "  rimline points scan.ply --eye 2,1,3 --json\n"
-            "  rimline points bunny.obj --as-points --export labels.ply");
+            "  rimline points bunny.obj --as-points --export labels.ply\n"
+            "  rimline points fandisk.obj --as-points --eye 2,1,2 -o fandisk.png");
     }
 
     ExitStatus run(const Context& context) override {
@@ -148,7 +174,9 @@ public:
                 throw UsageError("--export: expected FILE.ply, not '" + export_ + "'");
             file.emplace(export_);
         }
-        const Found found = find(context, options);
+        std::optional<OutputFile> drawing;
+        if (!output_.empty()) drawing.emplace(output_);
+        const Found found = find(context, options, drawing);
         if (file) {
             file->write(
                 format_labels({found.cloud, found.surface, found.weights, found.silhouette}));
@@ -162,9 +190,16 @@ public:
     }
 
 private:
-    bool has_silhouette() const { return eye_ || from_ || direction_; }
+    void set_mode(const std::string& text) {
+        if (text != "drawn" && text != "compare")
+            throw CLI::ValidationError("--mode", "expected drawn or compare, not '" + text + "'");
+        mode_ = text == "compare" ? PointsMode::compare : PointsMode::drawn;
+    }
 
-    Found find(const Context& context, const PointSurfaceOptions& options) const {
+    bool has_silhouette() const { return eye_ || from_ || direction_ || !output_.empty(); }
+
+    Found find(const Context& context, const PointSurfaceOptions& options,
+               std::optional<OutputFile>& drawing) const {
         PointCloud cloud = cloud_.load(context);
         const auto named = [&](auto&& work) { return about_model(cloud_.model, work); };
         Clock::time_point start = Clock::now();
@@ -177,21 +212,40 @@ private:
         Progress feature_progress(context, "weighing features of " + cloud_.model);
         found.weights = feature_weights(found.surface, feature_progress.call());
         found.features_ms = ms_since(start);
-        if (has_silhouette()) named([&] { find_silhouette(context, found); });
+        if (has_silhouette()) named([&] { find_silhouette(context, found, drawing); });
         if (!found.cloud.triangles().empty()) found.truth = compare_borders(found);
         context.checkpoint();
         return found;
     }
 
-    void find_silhouette(const Context& context, Found& found) const {
+    void find_silhouette(const Context& context, Found& found,
+                         std::optional<OutputFile>& drawing) const {
         Clock::time_point start = Clock::now();
         Progress progress(context, "indexing umbrellas of " + cloud_.model);
         const UmbrellaIndex umbrellas(found.surface, progress.call());
         found.index_ms = ms_since(start);
+        std::optional<HomogeneousPoint> point;
+        if (direction_) point = umbrellas.direction(glm::dvec3(*direction_));
+        if (from_) point = umbrellas.viewpoint(*from_);
+        if (drawing) {
+            context.checkpoint();
+            found.picture = draw_points({.name = cloud_.model,
+                                         .cloud = found.cloud,
+                                         .surface = found.surface,
+                                         .umbrellas = umbrellas,
+                                         .weights = found.weights,
+                                         .k = surface_.options().k,
+                                         .mode = mode_,
+                                         .eye = eye_,
+                                         .target = target_,
+                                         .silhouette_point = point,
+                                         .options = picture_},
+                                        *drawing);
+            point = found.picture->silhouette_point;
+        }
+        if (!point) point = umbrellas.viewpoint(*eye_);
         start = Clock::now();
-        const HomogeneousPoint point = direction_ ? umbrellas.direction(glm::dvec3(*direction_))
-                                                  : umbrellas.viewpoint(from_ ? *from_ : *eye_);
-        const PointSilhouette silhouette(umbrellas, point);
+        const PointSilhouette silhouette(umbrellas, *point);
         found.silhouette = silhouette.points();
         found.consensus = silhouette.consensus_edges();
         found.arcs = chain(found.consensus).size();
@@ -238,6 +292,15 @@ private:
                                {"extra_percent", percent(truth->extra)}};
         }
         if (!export_.empty()) result["export"] = export_;
+        if (const std::optional<PointsPictureReport>& picture = found.picture) {
+            nlohmann::ordered_json messages = nullptr;
+            if (picture->validation_messages) messages = *picture->validation_messages;
+            result["output"] = output_;
+            result["device"] = picture->device;
+            result["driver"] = picture->driver;
+            result["validation_messages"] = std::move(messages);
+            result["picture_ms"] = picture->ms;
+        }
         if (!without_lists_) add_lists(found, result);
         print_json(result);
     }
@@ -287,14 +350,22 @@ private:
         if (has_silhouette())
             std::printf(", index %.1f, silhouette %.2f", found.index_ms, found.silhouette_ms);
         std::printf("\n");
-        if (!export_.empty()) std::printf("  written to  %s\n", export_.c_str());
+        if (found.picture)
+            std::printf("  picture     %.1f ms on %s\n", found.picture->ms,
+                        found.picture->device.c_str());
+        for (const std::string& written : {export_, output_})
+            if (!written.empty()) std::printf("  written to  %s\n", written.c_str());
     }
 
     CloudArgument cloud_;
     std::optional<glm::dvec3> eye_;
+    std::optional<glm::dvec3> target_;
     std::optional<glm::dvec3> from_;
     std::optional<glm::vec3> direction_;
     SurfaceOptions surface_;
+    PictureOptions picture_;
+    PointsMode mode_ = PointsMode::drawn;
+    std::string output_;
     std::string export_;
     bool without_lists_ = false;
 };

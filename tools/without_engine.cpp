@@ -4,6 +4,7 @@
 #include "tools/bench_engine_request.h"
 #include "tools/bench_views_request.h"
 #include "tools/command.h"
+#include "tools/points_picture.h"
 
 namespace rimline::tools {
 
@@ -52,6 +53,12 @@ ExitStatus run_bench_engine(const EngineBenchRequest&, const Context&) {
 ExitStatus run_bench_views(const ViewsBenchRequest&, const Context&) {
     throw Error(ErrorCode::no_device,
                 "bench views: this rimline was built without the engine; configure it with "
+                "-DRIMLINE_ENGINE=ON and build again");
+}
+
+PointsPictureReport draw_points(const PointsPicture&, OutputFile&) {
+    throw Error(ErrorCode::no_device,
+                "points -o: this rimline was built without the engine; configure it with "
                 "-DRIMLINE_ENGINE=ON and build again");
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "silhouette/points/each_point.h"
+#include "silhouette/points/umbrella_triangles.h"
 
 namespace rimline {
 
@@ -35,7 +36,7 @@ glm::dvec3 nearest_normal(const PointSurface& surface, PointId point, const glm:
 
 struct Triangle {
     std::array<PointId, 2> corners;  // Beside the point itself.
-    std::uint32_t umbrella;
+    UmbrellaId umbrella;
     PointId corner(bool second) const { return corners[second ? 1 : 0]; }
 };
 
@@ -45,14 +46,9 @@ public:
 
     double weight(PointId point) {
         triangles_.clear();
-        const PointSurface::UmbrellaRange range = surface_.umbrellas_of(point);
-        for (std::uint32_t u = range.first; u < range.last; ++u) {
-            const Umbrella umbrella = surface_.umbrella(UmbrellaId{u});
-            for (std::size_t j = 0; j < umbrella.ring.size(); ++j)
-                if (!umbrella.is_gap(j))
-                    triangles_.push_back(
-                        {{umbrella.ring[j], umbrella.ring[(j + 1) % umbrella.ring.size()]}, u});
-        }
+        for_each_triangle(surface_, point, [&](PointId from, PointId to, UmbrellaId umbrella) {
+            triangles_.push_back({{from, to}, umbrella});
+        });
         double most = 0.0;
         // Two triangles that share a corner lie on either side of an edge.
         for (std::size_t i = 0; i < triangles_.size(); ++i)
@@ -71,8 +67,7 @@ public:
 private:
     double angle(const Triangle& a, PointId r, const Triangle& b, PointId s) const {
         const auto normal = [&](const Triangle& triangle, PointId point) {
-            return nearest_normal(surface_, point,
-                                  surface_.umbrella(UmbrellaId{triangle.umbrella}).normal);
+            return nearest_normal(surface_, point, surface_.umbrella(triangle.umbrella).normal);
         };
         return r == s ? 0.0 : angle_between_lines(normal(a, r), normal(b, s));
     }

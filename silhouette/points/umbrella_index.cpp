@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/error.h"
+#include "silhouette/points/umbrella_triangles.h"
 
 namespace rimline {
 
@@ -50,8 +51,7 @@ MeshSource UmbrellaIndex::make_patches(const PointSurface& surface) {
         const PointId point{p};
         const auto first = static_cast<std::uint32_t>(point_of_.size());
         patch_begin_.push_back(first);
-        const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
-        if (range.size() == 0) continue;
+        if (surface.umbrellas_of(point).size() == 0) continue;
         const auto vertex_of = [&](PointId q) {
             const auto found = std::find(point_of_.begin() + first, point_of_.end(), q);
             const auto vertex = static_cast<std::uint32_t>(found - point_of_.begin());
@@ -64,15 +64,10 @@ MeshSource UmbrellaIndex::make_patches(const PointSurface& surface) {
             return vertex;
         };
         vertex_of(point);
-        for (std::uint32_t u = range.first; u < range.last; ++u) {
-            const Umbrella umbrella = surface.umbrella(UmbrellaId{u});
-            for (std::size_t j = 0; j < umbrella.ring.size(); ++j) {
-                if (umbrella.is_gap(j)) continue;
-                const std::uint32_t from = vertex_of(umbrella.ring[j]);
-                const std::uint32_t to = vertex_of(umbrella.ring[(j + 1) % umbrella.ring.size()]);
-                source.triangles.push_back({first, from, to});
-            }
-        }
+        for_each_triangle(surface, point, [&](PointId from, PointId to, UmbrellaId) {
+            const std::uint32_t first_corner = vertex_of(from);
+            source.triangles.push_back({first, first_corner, vertex_of(to)});
+        });
     }
     patch_begin_.push_back(static_cast<std::uint32_t>(point_of_.size()));
     return source;

@@ -48,6 +48,9 @@ public:
         return glm::vec3((position - center_) * scale_);
     }
 
+    /// A length there over the same length in positions; a power of two.
+    double scale() const noexcept { return scale_; }
+
     const Mesh& mesh() const noexcept { return mesh_; }
     const HoughOctree& octree() const noexcept { return octree_; }
     std::uint32_t point_count() const noexcept { return point_count_; }

@@ -134,7 +134,7 @@ def test_wrong_usage_exits_2():
             ["points", box, "--as-points", "--gap-ratio", "2", "--omega", "30"],
             ["points", box, "--as-points", "--method", "robust", "--gamma", "2"],
             ["points", box, "--as-points", "--omega", "20", "--omega-t", "25"],
-            ["points", box, "--as-points", "--export", "labels.obj"],
+            ["points", box, "--as-points", "--export", "labels.obj"], ["points", box, "--as-points", "--mode", "all"],
             ["bench"], ["bench", "nothing"], ["bench", "hough", box, "--rounds", "0"]):
         line = fail(2, *arguments)
         assert "--help" in line, line
@@ -1225,6 +1225,43 @@ def test_points_are_exported_with_normals_labels_and_weights():
         # What was written is a cloud again, with normals and colours.
         assert succeed("points", path)["points"] == found["points"]
         fail(1, "points", "shape:box", "--as-points", "--export", os.path.join(d, "none", "a.ply"))
+
+
+def test_points_draw_clouds():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for options in ([], ["--eye", "3,2,4"], ["--eye", "3,2,4", "--target", "0,0.2,0", "--fov", "60"],
+                        ["--ortho", "3"], ["--direction", "1,0,0", "--background", "#102030"], ["--up", "1,0,0"],
+                        ["--from", "0,3,0", "--mode", "compare"]):
+            found = succeed("points", "shape:terrain:2000", "--as-points", "-o", output, "--size", "96x64", *options)
+            check_points(found)
+            assert found["output"] == output and found["device"] and found["picture_ms"] > 0
+            sheet = (2 * 96 + 3 * 8, 3 * 64 + 4 * 8) if "compare" in options else (96, 64)
+            assert png_size(output) == sheet, options
+        # The silhouette that is told is the one that is drawn: of the eye.
+        told = succeed("points", "shape:knot:4000", "--as-points", "--eye", "3,2,4", "--no-lists")
+        drawn = succeed("points", "shape:knot:4000", "--as-points", "--eye", "3,2,4", "--no-lists", "-o", output,
+                        "--size", "96x64")
+        for key in ("silhouette_points", "consensus_edge_count", "arcs"):
+            assert told[key] == drawn[key] > 0
+        cloud = os.path.join(folder, "a.xyz")
+        open(cloud, "w").write("1 2 3\n")
+        assert "nothing to draw" in fail(1, "points", cloud, "-o", output)
+        fail(1, "points", cloud, "-o", os.path.join(folder, "none", "a.png"))
+
+
+def test_points_draw_silently_under_validation():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        result = run("points", "shape:terrain:2000", "--as-points", "-o", output, "--size", "64x64", "--json",
+                     "--mode", "compare", "--validate")
+        if result.returncode == 1 and "vulkan-validationlayers" in result.stderr:
+            print("SKIPPED: " + result.stderr.strip())
+            sys.exit(77)
+        assert result.returncode == 0, result.stderr
+        assert json.loads(result.stdout)["validation_messages"] == 0
 
 
 if __name__ == "__main__":

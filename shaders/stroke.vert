@@ -1,0 +1,36 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "splat.glsl"
+
+// The rectangle on the screen around a line and its round ends, with the depth of its ends.
+
+layout(location = 0) out vec2 pixel;
+layout(location = 1) flat out vec4 ends;  // Of the line, in pixels.
+layout(location = 2) flat out float radius;
+layout(location = 3) flat out vec3 color;
+
+vec2 pixel_of(vec4 clip) { return clip.xy / clip.w * cloud.guard * cloud.half_extent; }
+
+void main() {
+    const StrokeRecord stroke = cloud.strokes.at[gl_InstanceIndex];
+    const vec4 from = clip_from_world(stroke.from);
+    const vec4 to = clip_from_world(stroke.to);
+    radius = stroke.radius * cloud.scale;
+    color = linear_from_srgb(unpackUnorm4x8(stroke.color).rgb);
+    // Lines are short: what reaches behind the camera's near plane is left out whole.
+    if (from.w <= 0.0 || to.w <= 0.0 || from.z > from.w || to.z > to.w) {
+        pixel = vec2(0.0);
+        ends = vec4(0.0);
+        gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
+        return;
+    }
+    ends = vec4(pixel_of(from), pixel_of(to));
+    const vec2 line = ends.zw - ends.xy;
+    const vec2 along = dot(line, line) > 1e-12 ? normalize(line) : vec2(1.0, 0.0);
+    const vec2 corner = corner_of(gl_VertexIndex);
+    const float reach = radius + 1.0;
+    pixel = (corner.x < 0.0 ? ends.xy : ends.zw) +
+            reach * (corner.x * along + corner.y * vec2(-along.y, along.x));
+    const float depth = corner.x < 0.0 ? from.z / from.w : to.z / to.w;
+    gl_Position = vec4(pixel / (cloud.guard * cloud.half_extent), depth, 1.0);
+}

@@ -1,0 +1,28 @@
+#include "silhouette/points/pca_normals.h"
+
+#include "silhouette/points/each_point.h"
+#include "silhouette/points/neighbour_lists.h"
+#include "silhouette/points/neighbourhood.h"
+#include "silhouette/points/point_order.h"
+
+namespace rimline {
+
+std::vector<glm::dvec3> pca_normals(std::span<const glm::dvec3> positions, std::uint32_t k,
+                                    const LongCall& call) {
+    RIMLINE_CHECK(k >= 4 && k <= 32);
+    const OrderedPoints ordered = order_points(positions);
+    const NeighbourLists neighbours(ordered.positions, k, {call.stop, {}});
+    std::vector<glm::dvec3> normals(positions.size(), glm::dvec3(0.0));
+    const auto count = static_cast<std::uint32_t>(ordered.positions.size());
+    each_point(count, {call}, [&](std::uint32_t first, std::uint32_t last) {
+        Neighbourhood neighbourhood;
+        for (std::uint32_t i = first; i < last; ++i) {
+            neighbourhood.look_from(ordered.positions, i, neighbours.of(i));
+            if (neighbourhood.is_collinear()) continue;
+            normals[ordered.numbers[i]] = neighbourhood.fitted_normal(neighbours.nearest_count());
+        }
+    });
+    return normals;
+}
+
+}  // namespace rimline

@@ -1,0 +1,17 @@
+#pragma once
+
+// How wide the discs of a point cloud are, so that together they cover its surface.
+
+#include <vector>
+
+#include "silhouette/points/point_surface.h"
+
+namespace rimline::tools {
+
+/// In the units of the positions. Discs at its corners cover a triangle when they are as wide as the circle
+/// through them, or where that is wider than that, as an equilateral triangle's of its longest side; a point's
+/// is as wide as its widest triangle wants, up to twice the median. Points without umbrellas have the median
+/// over all points; zero where no point has one.
+std::vector<double> disc_radii(const PointSurface& surface);
+
+}  // namespace rimline::tools
