@@ -11,9 +11,9 @@
 #include "engine/vulkan_instance.h"
 #include "silhouette/points/pca_normals.h"
 #include "silhouette/points/point_silhouette.h"
-#include "tools/bent_faces.h"
 #include "tools/command.h"
 #include "tools/contact_sheet.h"
+#include "tools/disc_pieces.h"
 #include "tools/disc_radii.h"
 #include "tools/hidden_points.h"
 #include "tools/label_output.h"
@@ -111,21 +111,12 @@ private:
         return mixed(own_color(p), k_feature, picture_.weights[p]);
     }
 
-    // The discs of a point: one, or where its triangles lie in up to three faces one for each, cut where
-    // the others begin.
     void add_discs_of(SplatScene& scene, std::uint32_t p, const PointColor& color) const {
-        const std::vector<BentFace> faces = bent_faces(picture_.surface, PointId{p});
-        if (faces.size() < 2) {
-            scene.splats.push_back(disc(p, picture_.surface.normal(PointId{p}), color));
-            return;
-        }
-        for (std::size_t f = 0; f < faces.size(); ++f) {
-            gpu::SplatRecord record = disc(p, faces[f].normal, color);
-            for (std::size_t other = 0, cut = 0; other < faces.size(); ++other) {
-                if (other == f) continue;
-                const double side = glm::dot(faces[f].middle, faces[other].normal);
-                record.cuts[cut++] = glm::vec3(faces[other].normal * (side < 0.0 ? -1.0 : 1.0));
-            }
+        for (const DiscPiece& piece : disc_pieces(picture_.surface, PointId{p})) {
+            gpu::SplatRecord record = disc(p, piece.normal, color);
+            for (std::size_t c = 0; c < 2; ++c)
+                if (piece.cuts[c] != glm::dvec3(0.0))
+                    record.cuts[c] = glm::vec3(glm::normalize(piece.cuts[c]));
             scene.splats.push_back(record);
         }
     }

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "tests/points/sample_clouds.h"
-#include "tools/bent_faces.h"
+#include "tools/disc_pieces.h"
 #include "tools/disc_radii.h"
 #include "tools/hidden_points.h"
 
@@ -84,7 +84,7 @@ TEST_CASE("points without umbrellas have the discs that points usually have") {
     CHECK(disc_radii(surface).back() == doctest::Approx(std::sqrt(0.5) / 16.0));
 }
 
-TEST_CASE("a flat point has one face and a fold's edge two, each with its triangles before it") {
+TEST_CASE("a flat point has one disc and a fold's edge two, each cut where the other begins") {
     const int n = 6;
     const std::vector<glm::dvec3> points = make_fold(n);
     const PointSurface surface(points);
@@ -92,15 +92,51 @@ TEST_CASE("a flat point has one face and a fold's edge two, each with its triang
         const glm::dvec3& at = points[p];
         if (at.y < 2.0 || at.y > 2 * n - 2.0) continue;
         CAPTURE(p);
-        const std::vector<BentFace> faces = bent_faces(surface, PointId{p});
-        if (at.x <= -2.0 || at.z >= 2.0) CHECK(faces.size() == 1);
-        if (at.x != 0.0 || at.z != 0.0) continue;
-        REQUIRE(faces.size() == 2);
-        for (const BentFace& face : faces) {
-            const bool is_flat = std::abs(face.normal.z) > 0.5;
-            CHECK(std::abs(is_flat ? face.normal.z : face.normal.x) > 1.0 - 1e-9);
-            CHECK((is_flat ? face.middle.x : -face.middle.z) < -0.5);
+        const std::vector<DiscPiece> pieces = disc_pieces(surface, PointId{p});
+        const bool is_inside = at.x > -n + 0.5 && at.z < n - 0.5;
+        if (is_inside && (at.x <= -2.0 || at.z >= 2.0)) {
+            REQUIRE(pieces.size() == 1);
+            CHECK(pieces[0].cuts[0] == glm::dvec3(0.0));
         }
-        CHECK(std::abs(glm::dot(faces[0].normal, faces[1].normal)) < 1e-9);
+        if (at.x != 0.0 || at.z != 0.0) continue;
+        REQUIRE(pieces.size() == 2);
+        for (const DiscPiece& piece : pieces) {
+            // The face z = 0 lies where x is negative, the face x = 0 where z is positive.
+            const bool is_flat = std::abs(piece.normal.z) > 0.5;
+            CHECK(std::abs(is_flat ? piece.normal.z : piece.normal.x) > 1.0 - 1e-9);
+            CHECK((is_flat ? -piece.cuts[0].x : piece.cuts[0].z) > 1.0 - 1e-9);
+            CHECK(piece.cuts[1] == glm::dvec3(0.0));
+        }
     }
+}
+
+TEST_CASE("a patch's discs end at its border") {
+    const int n = 12;
+    const tests::Patch patch = tests::make_patch(n, 0.0, 1);
+    const PointSurface surface(patch.points);
+    for (std::uint32_t p = 0; p < patch.points.size(); ++p) {
+        const glm::dvec3& at = patch.points[p];
+        const std::vector<DiscPiece> pieces = disc_pieces(surface, PointId{p});
+        REQUIRE(pieces.size() == 1);
+        const auto keeps = [&](const glm::dvec3& step) {
+            for (const glm::dvec3& cut : pieces[0].cuts)
+                if (glm::dot(cut, step) < -1e-12) return false;
+            return true;
+        };
+        CAPTURE(p);
+        for (int turn = 0; turn < 16; ++turn) {
+            const double angle = (turn + 0.5) * std::numbers::pi / 8.0;
+            const glm::dvec3 step(0.01 * std::cos(angle), 0.01 * std::sin(angle), 0.0);
+            const glm::dvec3 to = at + step;
+            CHECK(keeps(step) == (to.x >= 0.0 && to.x <= 1.0 && to.y >= 0.0 && to.y <= 1.0));
+        }
+    }
+}
+
+TEST_CASE("a point without an umbrella has a disc without a normal") {
+    const std::vector<DiscPiece> pieces =
+        disc_pieces(PointSurface(std::vector<glm::dvec3>{{1, 2, 3}}), PointId{0});
+    REQUIRE(pieces.size() == 1);
+    CHECK(pieces[0].normal == glm::dvec3(0.0));
+    CHECK(pieces[0].cuts[0] == glm::dvec3(0.0));
 }
