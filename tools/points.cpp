@@ -24,6 +24,7 @@
 #include "tools/option_types.h"
 #include "tools/output_file.h"
 #include "tools/picture_options.h"
+#include "tools/point_turn.h"
 #include "tools/points_picture.h"
 #include "tools/progress.h"
 #include "tools/surface_options.h"
@@ -61,6 +62,7 @@ struct Found {
     std::size_t arcs = 0;
     std::optional<BorderTruth> truth;
     std::optional<PointsPictureReport> picture;
+    std::optional<PointTurn> turn;
     double umbrellas_ms = 0.0;
     double features_ms = 0.0;
     double index_ms = 0.0;
@@ -116,6 +118,14 @@ public:
         add_direction(app, "--direction", direction_,
                       "Find it from infinitely far this way, from the cloud towards the viewer")
             ->group("Camera");
+        add_count(app, "--turn", turn_frames_, 1, 1'000'000,
+                  "Follow the silhouette for so many frames around the cloud, and time that")
+            ->default_str("")
+            ->group("Turn");
+        add_number(app, "--step", turn_step_deg_, -180.0, 180.0, "Degrees a frame")->group("Turn");
+        app.add_flag("--verify", verify_,
+                     "Compare every frame with finding it afresh; exit 3 if one differs")
+            ->group("Turn");
         surface_.add_to(app);
         app.add_option("-o,--output", output_, "Draw the cloud, as a PNG")
             ->type_name("FILE.png")
@@ -160,12 +170,14 @@ public:
             "Examples:\n"
             "  rimline points scan.ply --eye 2,1,3 --json\n"
             "  rimline points bunny.obj --as-points --export labels.ply\n"
+            "  rimline points horse.ply --as-points --turn 720 --verify\n"
             "  rimline points fandisk.obj --as-points --eye 2,1,2 -o fandisk.png");
     }
 
     ExitStatus run(const Context& context) override {
         if (from_ && direction_) throw UsageError("--from and --direction: give one of them");
         const PointSurfaceOptions options = surface_.options();
+        if (verify_ && turn_frames_ == 0) throw UsageError("--verify: belongs to --turn");
         if (options.method == PointSurfaceOptions::Method::thesis)
             throw UsageError("--method thesis: is not to be had yet");
         std::optional<OutputFile> file;
@@ -186,7 +198,8 @@ public:
             print_result(found);
         else
             print_summary(found);
-        return ExitStatus::success;
+        return found.turn && found.turn->differences > 0 ? ExitStatus::check_failed
+                                                         : ExitStatus::success;
     }
 
 private:
@@ -197,6 +210,7 @@ private:
     }
 
     bool has_silhouette() const { return eye_ || from_ || direction_ || !output_.empty(); }
+    bool needs_index() const { return has_silhouette() || turn_frames_ > 0; }
 
     Found find(const Context& context, const PointSurfaceOptions& options,
                std::optional<OutputFile>& drawing) const {
@@ -212,7 +226,7 @@ private:
         Progress feature_progress(context, "weighing features of " + cloud_.model);
         found.weights = feature_weights(found.surface, feature_progress.call());
         found.features_ms = ms_since(start);
-        if (has_silhouette()) named([&] { find_silhouette(context, found, drawing); });
+        if (needs_index()) named([&] { find_silhouette(context, found, drawing); });
         if (!found.cloud.triangles().empty()) found.truth = compare_borders(found);
         context.checkpoint();
         return found;
@@ -243,6 +257,8 @@ private:
                                         *drawing);
             point = found.picture->silhouette_point;
         }
+        if (turn_frames_ > 0) found.turn = turn(context, found, umbrellas);
+        if (!has_silhouette()) return;
         if (!point) point = umbrellas.viewpoint(*eye_);
         start = Clock::now();
         const PointSilhouette silhouette(umbrellas, *point);
@@ -250,6 +266,14 @@ private:
         found.consensus = silhouette.consensus_edges();
         found.arcs = chain(found.consensus).size();
         found.silhouette_ms = ms_since(start);
+    }
+
+    PointTurn turn(const Context& context, const Found& found,
+                   const UmbrellaIndex& umbrellas) const {
+        glm::dvec3 up(0.0, 1.0, 0.0);
+        if (found.cloud.up() == UpAxis::z) up = {0.0, 0.0, 1.0};
+        if (picture_.up) up = glm::dvec3(*picture_.up);
+        return turn_around(umbrellas, up, turn_frames_, turn_step_deg_, verify_, context);
     }
 
     void print_result(const Found& found) const {
@@ -290,6 +314,13 @@ private:
                                {"extra", truth->extra},
                                {"missed_percent", percent(truth->missed)},
                                {"extra_percent", percent(truth->extra)}};
+        }
+        if (const std::optional<PointTurn>& turn = found.turn) {
+            result["turn"] = {
+                {"frames", turn->frames},       {"step", turn->step_deg},
+                {"median_us", turn->median_us}, {"p99_us", turn->p99_us},
+                {"worst_us", turn->worst_us},   {"changed_points", turn->changed_points}};
+            if (verify_) result["verified"] = turn->differences == 0;
         }
         if (!export_.empty()) result["export"] = export_;
         if (const std::optional<PointsPictureReport>& picture = found.picture) {
@@ -350,6 +381,13 @@ private:
         if (has_silhouette())
             std::printf(", index %.1f, silhouette %.2f", found.index_ms, found.silhouette_ms);
         std::printf("\n");
+        if (const std::optional<PointTurn>& turn = found.turn) {
+            std::printf("  turn        %u frames by %g degrees: %.0f us a frame, 99%% below %.0f\n",
+                        turn->frames, turn->step_deg, turn->median_us, turn->p99_us);
+            if (verify_)
+                std::printf("              %u of them differ from finding it afresh\n",
+                            turn->differences);
+        }
         if (found.picture)
             std::printf("  picture     %.1f ms on %s\n", found.picture->ms,
                         found.picture->device.c_str());
@@ -362,6 +400,9 @@ private:
     std::optional<glm::dvec3> target_;
     std::optional<glm::dvec3> from_;
     std::optional<glm::vec3> direction_;
+    std::uint32_t turn_frames_ = 0;
+    double turn_step_deg_ = 0.5;
+    bool verify_ = false;
     SurfaceOptions surface_;
     PictureOptions picture_;
     PointsMode mode_ = PointsMode::drawn;

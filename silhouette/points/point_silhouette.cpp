@@ -15,6 +15,7 @@ PointSilhouette::PointSilhouette(const UmbrellaIndex& umbrellas, const Homogeneo
       tracker_(umbrellas.octree(), point),
       spoke_counts_(umbrellas.point_count(), 0),
       is_on_(umbrellas.mesh().vertex_count(), 0),
+      consensus_slots_(umbrellas.mesh().vertex_count()),
       was_on_(umbrellas.point_count(), k_untouched) {
     count_spokes(tracker_.silhouette(), 1);
     for (const PointId p : touched_) was_on_[index(p)] = k_untouched;
@@ -36,7 +37,32 @@ void PointSilhouette::count_spokes(std::span<const EdgeId> edges, int step) {
         }
         count = static_cast<std::uint8_t>(count + step);
         is_on_[spoke] = step > 0;
+        const std::uint32_t twin = umbrellas_->twin(spoke);
+        if (twin == UmbrellaIndex::k_no_spoke || is_on_[twin] == 0) continue;
+        if (step > 0)
+            join_consensus(spoke, twin);
+        else
+            leave_consensus(spoke, twin);
     }
+}
+
+void PointSilhouette::join_consensus(std::uint32_t spoke, std::uint32_t twin) {
+    const std::uint32_t lesser = std::min(spoke, twin);
+    const PointId a = umbrellas_->owner(spoke);
+    const PointId b = umbrellas_->target(spoke);
+    consensus_slots_[lesser] = static_cast<std::uint32_t>(consensus_.size());
+    consensus_.push_back({std::min(a, b), std::max(a, b)});
+    consensus_spokes_.push_back(lesser);
+}
+
+void PointSilhouette::leave_consensus(std::uint32_t spoke, std::uint32_t twin) {
+    // The last takes its place.
+    const std::uint32_t slot = consensus_slots_[std::min(spoke, twin)];
+    consensus_[slot] = consensus_.back();
+    consensus_spokes_[slot] = consensus_spokes_.back();
+    consensus_slots_[consensus_spokes_[slot]] = slot;
+    consensus_.pop_back();
+    consensus_spokes_.pop_back();
 }
 
 PointSilhouette::Change PointSilhouette::move_to(const HomogeneousPoint& point) {
@@ -66,16 +92,7 @@ std::vector<PointId> PointSilhouette::points() const {
 }
 
 std::vector<PointEdge> PointSilhouette::consensus_edges() const {
-    std::vector<PointEdge> edges;
-    for (const EdgeId edge : tracker_.silhouette()) {
-        if (!umbrellas_->is_spoke(edge)) continue;
-        const std::uint32_t spoke = umbrellas_->spoke_of(edge);
-        const PointId from = umbrellas_->owner(spoke);
-        const PointId to = umbrellas_->target(spoke);
-        const std::uint32_t twin = umbrellas_->twin(spoke);
-        if (from < to && twin != UmbrellaIndex::k_no_spoke && is_on_[twin] != 0)
-            edges.push_back({from, to});
-    }
+    std::vector<PointEdge> edges = consensus_;
     std::ranges::sort(edges);
     return edges;
 }

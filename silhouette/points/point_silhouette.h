@@ -4,7 +4,7 @@
 // agree on (thesis 5.3).
 //
 // A tracker follows the patches of all points (umbrella_index.h); its change sets say which spokes joined
-// and left, and counting them by point says which points did.
+// and left; counting them by point says which points did, and looking at their twins which consensus edges.
 
 #include <array>
 #include <cstdint>
@@ -43,17 +43,26 @@ public:
     std::uint32_t size() const noexcept { return size_; }
     /// Ascending. O(points).
     std::vector<PointId> points() const;
-    /// The edges that are on the silhouette in the patches of both their points, ascending. O(silhouette).
+    /// The edges that are on the silhouette in the patches of both their points, each once, in no order.
+    /// Valid until the next move.
+    std::span<const PointEdge> consensus() const noexcept { return consensus_; }
+    /// The same, ascending. O(edges log edges).
     std::vector<PointEdge> consensus_edges() const;
 
 private:
     void count_spokes(std::span<const EdgeId> edges, int step);
+    void join_consensus(std::uint32_t spoke, std::uint32_t twin);
+    void leave_consensus(std::uint32_t spoke, std::uint32_t twin);
 
     const UmbrellaIndex* umbrellas_;
     SilhouetteTracker tracker_;
     std::vector<std::uint8_t> spoke_counts_;  // Of each point, its spokes on the silhouette.
     std::vector<std::uint8_t> is_on_;         // Of each spoke.
     std::uint32_t size_ = 0;
+    std::vector<PointEdge> consensus_;
+    std::vector<std::uint32_t>
+        consensus_spokes_;  // Of each edge there, the lesser of its two spokes.
+    std::vector<std::uint32_t> consensus_slots_;  // Of each such spoke, where its edge is.
     std::vector<std::uint8_t> was_on_;  // Of each point touched in a move; 0xff for all others.
     std::vector<PointId> touched_;
     std::vector<PointId> added_;

@@ -135,6 +135,7 @@ def test_wrong_usage_exits_2():
             ["points", box, "--as-points", "--method", "robust", "--gamma", "2"],
             ["points", box, "--as-points", "--omega", "20", "--omega-t", "25"],
             ["points", box, "--as-points", "--export", "labels.obj"], ["points", box, "--as-points", "--mode", "all"],
+            ["points", box, "--as-points", "--verify"], ["points", box, "--as-points", "--turn", "0"],
             ["bench"], ["bench", "nothing"], ["bench", "hough", box, "--rounds", "0"]):
         line = fail(2, *arguments)
         assert "--help" in line, line
@@ -1225,6 +1226,19 @@ def test_points_are_exported_with_normals_labels_and_weights():
         # What was written is a cloud again, with normals and colours.
         assert succeed("points", path)["points"] == found["points"]
         fail(1, "points", "shape:box", "--as-points", "--export", os.path.join(d, "none", "a.ply"))
+
+
+def test_points_follow_a_turn_around_a_cloud():
+    found = succeed("points", "shape:knot:4000", "--as-points", "--turn", "60", "--step", "2", "--verify", "--no-lists")
+    turn = found["turn"]
+    assert found["verified"] is True and turn["frames"] == 60 and turn["step"] == 2
+    assert 0 < turn["median_us"] <= turn["p99_us"] <= turn["worst_us"]
+    assert turn["changed_points"] > 0 and found["silhouette_points"] == 0
+    assert "verified" not in succeed("points", "shape:box:600", "--as-points", "--turn", "3", "--no-lists")
+    with tempfile.TemporaryDirectory() as d:
+        path = os.path.join(d, "a.xyz")
+        open(path, "w").write("1 2 3\n")
+        assert succeed("points", path, "--turn", "5", "--verify")["verified"] is True
 
 
 def test_points_draw_clouds():
