@@ -21,20 +21,31 @@ struct Fan {
     std::size_t next(std::size_t j) const noexcept { return j + 1 == size ? 0 : j + 1; }
     std::size_t previous(std::size_t j) const noexcept { return (j == 0 ? size : j) - 1u; }
     bool is_gap(std::size_t sector) const noexcept { return (gaps >> sector & 1u) != 0; }
+    void open(std::size_t sector) noexcept { gaps |= std::uint64_t{1} << sector; }
     /// Has a triangle.
     bool is_umbrella() const noexcept {
         return size >= 2 && gaps != (std::uint64_t{1} << size) - 1;
     }
 };
 
+/// Takes out of the ring what lies between two gaps, and makes one gap of them.
+void merge_gaps(Fan& fan) noexcept;
+/// The same umbrella, turning the other way.
+void reverse(Fan& fan) noexcept;
+
 /// What a method finds, points numbered as OrderedPoints has them.
 struct FoundUmbrellas {
-    std::vector<std::uint32_t> umbrella_begin;  ///< One more than there are points.
-    std::vector<Fan> fans;
+    struct Supplement {
+        std::uint32_t point;
+        Fan fan;
+        glm::dvec3 normal;
+    };
+    std::vector<Fan> fans;  ///< Of each point its first; of no umbrella where it has none.
     std::vector<glm::dvec3> normals;  ///< Of each fan.
-    std::vector<double> scales;       ///< Of each point, as are the rest.
+    std::vector<double> scales;       ///< Of each point.
     std::vector<PointLabel> labels;
     std::vector<UndecidedReason> reasons;
+    std::vector<Supplement> supplements;  ///< Further ones, by point.
 };
 
 }  // namespace rimline

@@ -93,7 +93,8 @@ glm::dvec3 Neighbourhood::fitted_normal(std::uint32_t count) const noexcept {
     return longest > 0.0 ? best / std::sqrt(longest) : glm::dvec3(0.0);
 }
 
-Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle) const noexcept {
+Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle,
+                        std::uint64_t among) const noexcept {
     const glm::dvec3 u = any_perpendicular(normal);
     const glm::dvec3 v = glm::cross(normal, u);
     std::array<Image, k_most_neighbours> images;
@@ -101,6 +102,7 @@ Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle) const no
     std::size_t nearest = 0;
     for (std::uint32_t i = 0; i < size_; ++i) {
         const glm::dvec3& d = edges_[i];
+        if ((among >> i & 1u) == 0) continue;
         if (std::abs(glm::dot(d, normal)) > sine_of_angle * lengths_[i]) continue;
         const double x = glm::dot(d, u), y = glm::dot(d, v);
         const double projected = std::sqrt(x * x + y * y);
@@ -147,6 +149,19 @@ glm::dvec3 Neighbourhood::cross(const Fan& fan, std::size_t j) const noexcept {
     return glm::cross(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]);
 }
 
+double Neighbourhood::angle(const Fan& fan, std::size_t j) const noexcept {
+    return std::atan2(glm::length(cross(fan, j)),
+                      glm::dot(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]));
+}
+
+double Neighbourhood::deviation(const Fan& fan, std::size_t j,
+                                const glm::dvec3& normal) const noexcept {
+    const glm::dvec3 product = cross(fan, j);
+    const double length = glm::length(product);
+    if (!(length > 0.0)) return std::numbers::pi / 2;
+    return std::acos(std::clamp(glm::dot(product, normal) / length, -1.0, 1.0));
+}
+
 double Neighbourhood::circumradius(const Fan& fan, std::size_t j) const noexcept {
     const std::size_t a = fan.ring[j], b = fan.ring[fan.next(j)];
     const double twice_area = glm::length(cross(fan, j));
@@ -178,18 +193,6 @@ double Neighbourhood::scale(const Fan& fan) const noexcept {
     std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(middle),
                      radii.begin() + static_cast<std::ptrdiff_t>(count));
     return radii[middle];
-}
-
-void merge_gaps(Fan& fan) noexcept {
-    std::uint8_t size = 0;
-    std::uint64_t gaps = 0;
-    for (std::size_t j = 0; j < fan.size; ++j) {
-        if (fan.is_gap(j) && fan.is_gap(fan.previous(j))) continue;
-        gaps |= std::uint64_t{fan.is_gap(j)} << size;
-        fan.ring[size++] = fan.ring[j];
-    }
-    fan.size = size;
-    fan.gaps = gaps;
 }
 
 }  // namespace rimline

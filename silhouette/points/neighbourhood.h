@@ -32,12 +32,17 @@ public:
     bool is_collinear() const noexcept;
     /// Of the plane that fits the point and its `count` nearest best. Of length 1, or zero.
     glm::dvec3 fitted_normal(std::uint32_t count) const noexcept;
-    /// The star of those neighbours whose edges make at most the angle with the plane; gaps are the sectors
-    /// of π and more.
-    Fan star(const glm::dvec3& normal, double sine_of_angle) const noexcept;
+    /// The star of those neighbours `among` the list (bit i: place i) whose edges make at most the angle with
+    /// the plane; gaps are the sectors of π and more.
+    Fan star(const glm::dvec3& normal, double sine_of_angle,
+             std::uint64_t among = ~std::uint64_t{0}) const noexcept;
     /// Of the triangle with the ring's j-th point and the next.
     double circumradius(const Fan& fan, std::size_t j) const noexcept;
     glm::dvec3 cross(const Fan& fan, std::size_t j) const noexcept;
+    /// Of the edges to the ring's j-th point and the next, in radians.
+    double angle(const Fan& fan, std::size_t j) const noexcept;
+    /// Of that triangle's normal with another, of length 1, in radians.
+    double deviation(const Fan& fan, std::size_t j, const glm::dvec3& normal) const noexcept;
     /// The mean of the triangles' normals by their angles at the point. Of length 1, or zero.
     glm::dvec3 normal(const Fan& fan) const noexcept;
     /// The median circumradius of its triangles, the lower one of two; 0 where there is none.
@@ -49,8 +54,5 @@ private:
     std::array<glm::dvec3, k_most_neighbours> edges_;
     std::array<double, k_most_neighbours> lengths_;
 };
-
-/// Takes out of the ring what lies between two gaps, and makes one gap of them.
-void merge_gaps(Fan& fan) noexcept;
 
 }  // namespace rimline

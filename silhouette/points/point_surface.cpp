@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "silhouette/points/each_point.h"
 #include "silhouette/points/neighbour_lists.h"
 #include "silhouette/points/point_order.h"
 #include "silhouette/points/robust_umbrellas.h"
@@ -24,16 +25,6 @@ void check(const PointSurfaceOptions& options) {
     RIMLINE_CHECK(options.gamma > 1.0);
 }
 
-// A part of `call`, which it must not outlive.
-LongCall part_of(const LongCall& call, double begin, double end) {
-    LongCall part{call.stop, {}};
-    if (call.progress)
-        part.progress = [&call, begin, end](double done) {
-            call.progress(begin + (end - begin) * done);
-        };
-    return part;
-}
-
 }  // namespace
 
 const char* describe(UndecidedReason reason) noexcept {
@@ -44,6 +35,8 @@ const char* describe(UndecidedReason reason) noexcept {
         case UndecidedReason::isolated: return "none of its neighbours counts it among their own";
         case UndecidedReason::collinear: return "all its neighbours lie on one line with it";
         case UndecidedReason::no_normal: return "no plane through it has neighbours around it";
+        case UndecidedReason::unconfirmed_border:
+            return "it sees a border that its neighbours do not see";
     }
     return "";
 }
@@ -67,20 +60,25 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     scales_.assign(size(), 0.0);
     umbrella_begin_.push_back(0);
     ring_begin_.push_back(0);
+    const auto add = [&](std::uint32_t i, const Fan& fan, const glm::dvec3& normal) {
+        const auto list = neighbours.of(i);
+        for (std::size_t j = 0; j < fan.size; ++j)
+            rings_.push_back(PointId{ordered.numbers[list[fan.ring[j]]]});
+        gaps_.push_back(fan.gaps);
+        normals_.push_back(normal);
+        ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
+    };
     for (std::uint32_t point = 0; point < size(); ++point) {
         if (const std::uint32_t i = place[point]; i != k_not_ordered) {
             labels_[point] = found.labels[i];
             reasons_[point] = found.reasons[i];
-            scales_[point] = found.scales[i] * ordered.unit;
-            const auto list = neighbours.of(i);
-            for (std::uint32_t u = found.umbrella_begin[i]; u < found.umbrella_begin[i + 1]; ++u) {
-                const Fan& fan = found.fans[u];
-                for (std::size_t j = 0; j < fan.size; ++j)
-                    rings_.push_back(PointId{ordered.numbers[list[fan.ring[j]]]});
-                gaps_.push_back(fan.gaps);
-                normals_.push_back(found.normals[u]);
-                ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
+            if (found.fans[i].size > 0) {
+                scales_[point] = found.scales[i] * ordered.unit;
+                add(i, found.fans[i], found.normals[i]);
             }
+            const auto further = std::ranges::equal_range(found.supplements, i, {},
+                                                          &FoundUmbrellas::Supplement::point);
+            for (const auto& supplement : further) add(i, supplement.fan, supplement.normal);
         }
         ++counts_[static_cast<std::size_t>(labels_[point])];
         umbrella_begin_.push_back(static_cast<std::uint32_t>(gaps_.size()));

@@ -28,9 +28,9 @@ namespace rimline {
 
 enum class PointLabel : std::uint8_t {
     border,     ///< The surface ends here: a gap of one of its umbrellas is left open.
-    interior,   ///< One whole umbrella.
+    interior,   ///< One umbrella, without gaps.
     feature,    ///< Partial umbrellas that fill each other's gaps: smooth patches meet in a crease.
-    undecided,  ///< No umbrella, and no normal; UndecidedReason says why.
+    undecided,  ///< UndecidedReason says why.
 };
 
 enum class UndecidedReason : std::uint8_t {
@@ -39,7 +39,10 @@ enum class UndecidedReason : std::uint8_t {
     coincident,  ///< Nearer to another point than 2^-50 of the whole set's extent.
     isolated,    ///< None of its nearest neighbours counts it among their own.
     collinear,   ///< All its neighbours lie on one line with it.
-    no_normal,   ///< No direction was found in which two neighbours lie about its plane.
+    no_normal,   ///< No plane was found about which two neighbours lie.
+    /// It has a partial umbrella whose gap continues in none of its neighbours. Only it has an umbrella, and
+    /// so a normal and a scale, among the undecided.
+    unconfirmed_border,
 };
 
 /// "all its neighbours lie on one line with it", and so on; empty for none.
@@ -55,8 +58,9 @@ struct PointSurfaceOptions {
     /// Neighbours of a point, those nearest to it; 4 to 32. All others where there are no more.
     std::uint32_t k = 16;
 
-    /// A sector is a gap where the circle through its corners has a radius above gap_ratio times the
-    /// greatest of its corners' scales; above 1. Robust only.
+    /// A sector may be a gap where the circle through its corners has a radius above gap_ratio times the
+    /// greatest of its corners' scales, less where its triangle turns away (Stars::excess in
+    /// star_choice.h); above 1. Robust only.
     double gap_ratio = 2.75;
 
     // Thesis only, angles in radians.
@@ -98,9 +102,9 @@ public:
         return counts_[static_cast<std::size_t>(label)];
     }
 
-    /// Umbrellas are numbered point by point: those of a point are [first, last), the one with most
-    /// triangles first; none where it is undecided. Two partial umbrellas of a point that share a ring
-    /// point at the ends of their gaps meet there, and turn the same way about the point.
+    /// Umbrellas are numbered point by point: those of a point are [first, last), the one that its normal
+    /// comes from first. Undecided points have none, but for unconfirmed_border. Partial umbrellas of one
+    /// point that end at the same ring points meet there, and turn the same way about the point.
     struct UmbrellaRange {
         std::uint32_t first, last;
         std::uint32_t size() const noexcept { return last - first; }
@@ -117,13 +121,13 @@ public:
                 gaps_[u], normals_[u]};
     }
 
-    /// Of length 1, of the point's first umbrella; zero where it is undecided. Unoriented.
+    /// Of length 1, of the point's first umbrella; zero where it has none. Unoriented.
     glm::dvec3 normal(PointId point) const noexcept {
         const UmbrellaRange range = umbrellas_of(point);
         return range.size() == 0 ? glm::dvec3(0.0) : normals_[range.first];
     }
-    /// The median circumradius of the point's triangles, in the units of the positions; zero where it is
-    /// undecided.
+    /// The median circumradius of the point's triangles, in the units of the positions; zero where it has
+    /// no umbrella.
     double scale(PointId point) const noexcept { return scales_[index(point)]; }
 
 private:

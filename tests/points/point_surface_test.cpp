@@ -23,10 +23,14 @@ void check_sound(const PointSurface& surface) {
         const auto range = surface.umbrellas_of(point);
         const PointLabel label = surface.label(point);
         ++counts[static_cast<std::size_t>(label)];
-        REQUIRE((label == PointLabel::undecided) == (range.size() == 0));
+        const bool is_empty = label == PointLabel::undecided &&
+                              surface.reason(point) != UndecidedReason::unconfirmed_border;
+        REQUIRE(is_empty == (range.size() == 0));
+        REQUIRE(is_empty == (surface.normal(point) == glm::dvec3(0.0)));
         REQUIRE((label == PointLabel::undecided) ==
                 (surface.reason(point) != UndecidedReason::none));
-        REQUIRE((label == PointLabel::undecided) == (surface.scale(point) == 0.0));
+        REQUIRE(is_empty == (surface.scale(point) == 0.0));
+        if (label == PointLabel::feature) REQUIRE(range.size() >= 2);
         REQUIRE(std::isfinite(surface.scale(point)));
         for (std::uint32_t u = range.first; u < range.last; ++u) {
             const Umbrella umbrella = surface.umbrella(UmbrellaId{u});
@@ -218,9 +222,9 @@ TEST_CASE("too few points to have a surface are undecided, each with its reason"
     std::vector<glm::dvec3> line;
     for (int i = 0; i < 40; ++i) line.push_back(glm::dvec3(1, 2, 3) * (i * i * 0.1));
     CHECK(reason_of_all(line) == UndecidedReason::collinear);
-    for (const auto reason :
-         {UndecidedReason::alone, UndecidedReason::coincident, UndecidedReason::isolated,
-          UndecidedReason::collinear, UndecidedReason::no_normal})
+    for (const auto reason : {UndecidedReason::alone, UndecidedReason::coincident,
+                              UndecidedReason::isolated, UndecidedReason::collinear,
+                              UndecidedReason::no_normal, UndecidedReason::unconfirmed_border})
         CHECK(std::string(describe(reason)).size() > 10);
 }
 

@@ -1,0 +1,49 @@
+#pragma once
+
+// Which gaps are borders of the surface.
+//
+// One point cannot tell: a hole of the sampling looks like the end of the surface. But a border is a closed
+// curve. From each of its points it goes on to the two that end the gap, and they lead back. Chains of
+// such points are found, mended, and kept where they close (thesis 5.2.5, taken globally):
+//
+//   gaps        sectors whose excess (Stars::excess) is above gap_ratio; points with one are open.
+//   round       an open point names the ends of its gap. A closed point that two open ones name, from
+//               directions at least 70 degrees apart, opens between them (the thesis's first case). One
+//               that is named by an open point opens a sector beside it whose excess is above 2. A
+//               triangle that stands outside, on the line between two open points that are each other's
+//               next, is taken off where its angle at the closed third, times 1 + 2 d / π for a
+//               deviation of d from what remains, is above 150 degrees. An open point whose gap ends one
+//               triangle short of the point that names it gives that triangle up (the second case).
+//               Six rounds at most; each sees the state before it.
+//   creases     an open point may have a second partial umbrella between the same ends (supplement.h):
+//               there two smooth patches meet, and no surface ends. Runs of twelve such points and more are
+//               creases, and so are 35% of a chain, 70% where it closes.
+//   verdict     points that name each other are one chain. A chain is a border where fewer than 12% of its
+//               points are loose, linked to fewer than two others; from 5 points on.
+//
+// Sampled surfaces without borders have hundreds of gaps, in chains of a few points with two loose ends;
+// real borders hardly ever have one (docs/points.md).
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "silhouette/points/star_choice.h"
+
+namespace rimline {
+
+struct OpenPoint {
+    enum class Verdict : std::uint8_t { border, crease, none };
+    std::uint32_t point;
+    Fan fan;         ///< With its gaps.
+    Fan supplement;  ///< Of a crease, the other umbrella; else none.
+    Verdict verdict = Verdict::none;
+};
+
+/// By point. Others have no gap.
+std::vector<OpenPoint> trace_borders(std::span<const glm::dvec3> points,
+                                     const NeighbourLists& neighbours, const Stars& stars,
+                                     double gap_ratio, const LongCall& call);
+
+}  // namespace rimline

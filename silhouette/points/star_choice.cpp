@@ -1,0 +1,196 @@
+#include "silhouette/points/star_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "silhouette/points/each_point.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr double k_degree = std::numbers::pi / 180.0;
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
+constexpr double k_greatest_deviation = 85.0 * k_degree;
+constexpr double k_sine_of_candidates = 0.766;         // 50 degrees.
+constexpr double k_clean_deviation = 15.0 * k_degree;  // Mean, of a star that needs no other.
+constexpr double k_gap_cost = 1.0;
+constexpr std::uint32_t k_fits[] = {k_most_neighbours, 8, 5};  // Capped by k.
+constexpr int k_rounds = 2;
+constexpr std::uint32_t k_asked = 8;         // Neighbours for their normals.
+constexpr double k_cosine_of_same = 0.9962;  // 5 degrees: too near to a normal that was tried.
+
+double excess_of(double circumradius, double deviation, double scale) {
+    if (deviation > k_greatest_deviation) return k_infinity;
+    return circumradius * (1.0 + 2.0 / std::numbers::pi * deviation) / scale;
+}
+
+struct Choice {
+    Fan fan;
+    glm::dvec3 normal{0.0};
+    double cost = k_infinity;
+    bool is_clean = false;
+};
+
+// Of all points.
+class Chooser {
+public:
+    Chooser(std::span<const glm::dvec3> points, const NeighbourLists& neighbours, double gap_ratio)
+        : points_(points), neighbours_(neighbours), gap_ratio_(gap_ratio) {
+        stars_.fans.resize(points.size());
+        stars_.normals.assign(points.size(), glm::dvec3(0.0));
+        stars_.scales.assign(points.size(), 0.0);
+        stars_.reasons.assign(points.size(), UndecidedReason::none);
+        is_clean_.assign(points.size(), 0);
+    }
+
+    void fit(const CallPart& part) {
+        each_point(static_cast<std::uint32_t>(points_.size()), part,
+                   [&](std::uint32_t first, std::uint32_t last) {
+                       Neighbourhood around;
+                       for (std::uint32_t i = first; i < last; ++i) fit(i, around);
+                   });
+    }
+
+    // Every point sees the normals and scales that its neighbours had before the round.
+    void ask_neighbours(const CallPart& part) {
+        std::vector<std::uint32_t> asking;
+        for (std::uint32_t i = 0; i < points_.size(); ++i)
+            if (!is_clean_[i] && stars_.reasons[i] == UndecidedReason::none) asking.push_back(i);
+        std::vector<Choice> choices(asking.size());
+        each_point(static_cast<std::uint32_t>(asking.size()), part,
+                   [&](std::uint32_t first, std::uint32_t last) {
+                       Neighbourhood around;
+                       for (std::uint32_t n = first; n < last; ++n)
+                           choices[n] = ask_neighbours(asking[n], around);
+                   });
+        for (std::size_t n = 0; n < asking.size(); ++n) {
+            Neighbourhood around;
+            around.look_from(points_, asking[n], neighbours_.of(asking[n]));
+            take(asking[n], choices[n], around);
+        }
+    }
+
+    Stars stars() { return std::move(stars_); }
+
+private:
+    // scale(j): the greatest of the scales of sector j's corners.
+    template <typename Scale>
+    Choice judge(const Neighbourhood& around, const Fan& fan, Scale&& scale) const {
+        Choice choice{fan};
+        if (!fan.is_umbrella()) return choice;
+        choice.normal = around.normal(fan);
+        double sum = 0.0;
+        double total = 0.0;
+        int gaps = 0;
+        for (std::size_t j = 0; j < choice.fan.size; ++j) {
+            const double deviation =
+                choice.fan.is_gap(j) ? k_infinity : around.deviation(choice.fan, j, choice.normal);
+            if (excess_of(around.circumradius(choice.fan, j), deviation, scale(j)) > gap_ratio_) {
+                ++gaps;
+                continue;
+            }
+            const double angle = around.angle(choice.fan, j);
+            sum += angle * deviation;
+            total += angle;
+        }
+        if (!(total > 0.0)) return choice;
+        choice.cost = sum / total + k_gap_cost * gaps;
+        choice.is_clean = gaps == 0 && sum / total < k_clean_deviation;
+        return choice;
+    }
+
+    // Before its neighbours have scales, a star's own is all there is.
+    Choice judge_alone(const Neighbourhood& around, const Fan& fan) const {
+        return judge(around, fan, [own = around.scale(fan)](std::size_t) { return own; });
+    }
+    Choice judge_among(std::uint32_t point, const Neighbourhood& around, const Fan& fan) const {
+        return judge(around, fan, [&](std::size_t j) {
+            return std::max({stars_.scales[point], stars_.scales[around.number(fan.ring[j])],
+                             stars_.scales[around.number(fan.ring[fan.next(j)])]});
+        });
+    }
+
+    void take(std::uint32_t point, const Choice& choice, const Neighbourhood& around) {
+        stars_.fans[point] = choice.fan;
+        stars_.normals[point] = choice.normal;
+        stars_.scales[point] = around.scale(choice.fan);
+    }
+
+    void fit(std::uint32_t point, Neighbourhood& around) {
+        UndecidedReason& reason = stars_.reasons[point];
+        const auto list = neighbours_.of(point);
+        if (!neighbours_.is_mutual(point)) {
+            reason = list.empty() ? UndecidedReason::alone : UndecidedReason::isolated;
+            return;
+        }
+        around.look_from(points_, point, list);
+        Choice best;
+        for (const std::uint32_t fit : k_fits) {
+            const glm::dvec3 plane =
+                around.fitted_normal(std::min(fit, neighbours_.nearest_count()));
+            if (plane == glm::dvec3(0.0)) continue;
+            const Choice choice = judge_alone(around, around.star(plane, k_sine_of_candidates));
+            if (choice.cost < best.cost) best = choice;
+            if (best.is_clean) break;
+        }
+        is_clean_[point] = best.is_clean;
+        if (best.cost < k_infinity)
+            take(point, best, around);
+        else
+            reason =
+                around.is_collinear() ? UndecidedReason::collinear : UndecidedReason::no_normal;
+    }
+
+    Choice ask_neighbours(std::uint32_t point, Neighbourhood& around) const {
+        around.look_from(points_, point, neighbours_.of(point));
+        std::array<glm::dvec3, k_asked + 1> tried;
+        std::size_t count = 0;
+        Choice best = judge_among(point, around, stars_.fans[point]);
+        const auto ask = [&](const glm::dvec3& plane) {
+            if (plane == glm::dvec3(0.0)) return;
+            for (std::size_t t = 0; t < count; ++t)
+                if (std::abs(glm::dot(tried[t], plane)) > k_cosine_of_same) return;
+            tried[count++] = plane;
+            const Choice choice =
+                judge_among(point, around, around.star(plane, k_sine_of_candidates));
+            if (choice.cost < best.cost) best = choice;
+        };
+        ask(stars_.normals[point]);
+        for (std::uint32_t n = 0; n < std::min(around.size(), k_asked); ++n)
+            ask(stars_.normals[around.number(n)]);
+        return best;
+    }
+
+    std::span<const glm::dvec3> points_;
+    const NeighbourLists& neighbours_;
+    double gap_ratio_;
+    Stars stars_;
+    std::vector<std::uint8_t> is_clean_;
+};
+
+}  // namespace
+
+double Stars::excess(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
+                     std::size_t sector) const {
+    if (fan.is_gap(sector)) return k_infinity;
+    const double scale = std::max({scales[point], scales[around.number(fan.ring[sector])],
+                                   scales[around.number(fan.ring[fan.next(sector)])]});
+    return excess_of(around.circumradius(fan, sector),
+                     around.deviation(fan, sector, normals[point]), scale);
+}
+
+Stars choose_stars(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
+                   double gap_ratio, const LongCall& call) {
+    Chooser chooser(points, neighbours, gap_ratio);
+    chooser.fit({call, 0.0, 0.6});
+    for (int round = 0; round < k_rounds; ++round)
+        chooser.ask_neighbours(
+            {call, 0.6 + 0.4 * round / k_rounds, 0.6 + 0.4 * (round + 1) / k_rounds});
+    return chooser.stars();
+}
+
+}  // namespace rimline

@@ -1,0 +1,198 @@
+// Surfaces whose borders, creases and normals are known: what PointSurface has to find there.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "silhouette/points/point_surface.h"
+#include "tests/points/sample_clouds.h"
+
+namespace rimline {
+namespace {
+
+constexpr double k_degree = std::numbers::pi / 180.0;
+
+double angle_of_lines(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), std::abs(glm::dot(a, b)));
+}
+
+TEST_CASE("two close sheets keep apart inside and at four spacings along their borders") {
+    for (const double distance : {4.0, 3.0, 2.0, 1.5}) {
+        CAPTURE(distance);
+        constexpr std::uint32_t k_n = 30;
+        const tests::Patch patch = tests::make_patch(k_n, 0.2, 5);
+        std::vector<glm::dvec3> points = patch.points;
+        for (const glm::dvec3& p : tests::make_patch(k_n, 0.2, 6).points)
+            points.push_back(p + glm::dvec3(0.0, 0.0, distance / (k_n - 1)));
+        const PointSurface surface(points);
+        for (std::uint32_t i = 0; i < surface.size(); ++i) {
+            CAPTURE(i);
+            const bool is_border = patch.is_border[i % (k_n * k_n)];
+            const bool is_found = surface.label(PointId{i}) == PointLabel::border;
+            // Nearer, the opening between the rims is narrower than what a triangle may span.
+            if (!is_border || distance >= 4.0) CHECK(is_found == is_border);
+            if (is_border) continue;
+            CHECK(angle_of_lines(surface.normal(PointId{i}), {0, 0, 1}) < 1e-6);
+            const Umbrella umbrella =
+                surface.umbrella(UmbrellaId{surface.umbrellas_of(PointId{i}).first});
+            for (const PointId q : umbrella.ring) CHECK((index(q) < k_n * k_n) == (i < k_n * k_n));
+        }
+    }
+}
+
+// Two half planes that meet at the angle in the y axis; the points of the crease come first. Rows of the
+// halves are shifted against each other.
+std::vector<glm::dvec3> make_wedge(double angle_rad, int across, int along) {
+    std::vector<glm::dvec3> points;
+    for (int y = 0; y <= along; ++y) points.push_back({0.0, y, 0.0});
+    for (const double side : {-1.0, 1.0})
+        for (int x = 1; x <= across; ++x)
+            for (int y = 0; y <= along; ++y) {
+                const double shift = y > 0 && y < along ? 0.13 * (x % 3) * side : 0.0;
+                points.push_back(
+                    {x * std::cos(angle_rad / 2), y + shift, side * x * std::sin(angle_rad / 2)});
+            }
+    return points;
+}
+
+TEST_CASE("sharp edges are no borders and leave the normals of both sides alone") {
+    for (const double degrees : {150.0, 120.0, 90.0, 60.0, 45.0}) {
+        CAPTURE(degrees);
+        constexpr int k_along = 30;
+        const auto points = make_wedge(degrees * k_degree, 12, k_along);
+        const PointSurface surface(points);
+        std::uint32_t on_crease = 0;
+        for (int y = 2; y <= k_along - 2; ++y)
+            on_crease +=
+                surface.label(PointId{static_cast<std::uint32_t>(y)}) == PointLabel::border;
+        double worst = 0.0;
+        std::uint32_t inside = 0;
+        for (std::uint32_t i = k_along + 1; i < surface.size(); ++i) {
+            const double x = std::hypot(points[i].x, points[i].z);
+            if (x > 10.5 || points[i].y < 1.5 || points[i].y > k_along - 1.5) continue;
+            inside += surface.label(PointId{i}) != PointLabel::interior;
+            const double side = points[i].z > 0.0 ? 1.0 : -1.0;
+            const glm::dvec3 normal(-side * std::sin(degrees / 2 * k_degree), 0.0,
+                                    std::cos(degrees / 2 * k_degree));
+            if (x > 2.5)
+                worst = std::max(worst, angle_of_lines(surface.normal(PointId{i}), normal));
+        }
+        CHECK(inside == 0);
+        CHECK(on_crease == 0);
+        CHECK(worst < 1.0 * k_degree);
+    }
+}
+
+TEST_CASE("a cone's tip is not a border") {
+    std::vector<glm::dvec3> points{{0, 0, 0}};
+    for (int ring = 1; ring <= 12; ++ring) {
+        const int count = 6 * ring;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2 * std::numbers::pi * (i + 0.37 * ring) / count;
+            points.push_back({ring * std::cos(angle), ring * std::sin(angle), -0.8 * ring});
+        }
+    }
+    const PointSurface surface(points);
+    for (std::uint32_t i = 0; i < surface.size(); ++i) {
+        CAPTURE(i);
+        CHECK((surface.label(PointId{i}) == PointLabel::border) == (points[i].z < -9.0));
+    }
+    CHECK(angle_of_lines(surface.normal(PointId{0}), {0, 0, 1}) < 20 * k_degree);
+}
+
+TEST_CASE("fingers that nearly touch stay fingers") {
+    // Two cylinders of radius 1 along z, closed by the length of the window only; points a tenth apart
+    // round the circle, the gap between them two spacings.
+    std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> normals;
+    constexpr int k_around = 60, k_along = 40;
+    const double spacing = 2 * std::numbers::pi / k_around;
+    for (const double center : {-1.0 - 1.0 * spacing, 1.0 + 1.0 * spacing})
+        for (int z = 0; z < k_along; ++z)
+            for (int i = 0; i < k_around; ++i) {
+                const double angle = 2 * std::numbers::pi * (i + 0.5 * (z % 2)) / k_around;
+                normals.push_back({std::cos(angle), std::sin(angle), 0.0});
+                points.push_back(normals.back() + glm::dvec3(center, 0.0, 0.9 * spacing * z));
+            }
+    const PointSurface surface(points);
+    for (std::uint32_t i = 0; i < surface.size(); ++i) {
+        CAPTURE(i);
+        const int row = static_cast<int>(i) / k_around % k_along;
+        // Where the open ends face each other they are closed across.
+        const bool is_facing = std::abs(points[i].x) < 0.35;
+        if (is_facing && (row < 2 || row >= k_along - 2)) continue;
+        CHECK((surface.label(PointId{i}) == PointLabel::border) ==
+              (row == 0 || row == k_along - 1));
+        CHECK(angle_of_lines(surface.normal(PointId{i}), normals[i]) < 8 * k_degree);
+    }
+}
+
+TEST_CASE("a thin plate's faces keep their normals and its rim is not open") {
+    // Two sheets two spacings apart, closed by a row between them at the rim.
+    constexpr int k_n = 24;
+    std::vector<glm::dvec3> points;
+    for (const double z : {-1.0, 1.0})
+        for (int x = 0; x <= k_n; ++x)
+            for (int y = 0; y <= k_n; ++y) points.push_back({x, y, z});
+    const std::size_t rim = points.size();
+    for (int i = 0; i < k_n; ++i) {
+        points.push_back({i, 0, 0});
+        points.push_back({k_n, i, 0});
+        points.push_back({k_n - i, k_n, 0});
+        points.push_back({0, k_n - i, 0});
+    }
+    const PointSurface surface(points);
+    CHECK(surface.count(PointLabel::border) == 0);
+    for (std::uint32_t i = 0; i < rim; ++i) {
+        const bool is_inner = points[i].x > 1.5 && points[i].x < k_n - 1.5 && points[i].y > 1.5 &&
+                              points[i].y < k_n - 1.5;
+        if (is_inner) CHECK(angle_of_lines(surface.normal(PointId{i}), {0, 0, 1}) < 1e-6);
+    }
+}
+
+TEST_CASE("a saddle stitched of octants with overlaps has its outline for border") {
+    // Eight sectors of z = (x² - y²) / 2 over a disc, each sampled by itself and reaching a little into
+    // the next: where two overlap, points lie irregularly, and never further apart than one spacing.
+    std::vector<glm::dvec3> points;
+    tests::Random random(11);
+    constexpr int k_rings = 20;
+    const double step = 1.0 / k_rings;
+    points.push_back({0, 0, 0});
+    for (int octant = 0; octant < 8; ++octant) {
+        const double begin = octant * std::numbers::pi / 4;
+        for (int ring = 1; ring <= k_rings; ++ring) {
+            const double r = ring * step;
+            const int count =
+                std::max(1, static_cast<int>(std::round(r * std::numbers::pi / 4 / step)));
+            for (int i = 0; i <= count; ++i) {
+                const double overlap = 0.3 * step / r;
+                const double angle = begin - overlap +
+                                     (std::numbers::pi / 4 + 2 * overlap) * i / count +
+                                     0.05 * step / r * tests::jitter(random);
+                const double x = r * std::cos(angle), y = r * std::sin(angle);
+                points.push_back({x, y, 0.5 * (x * x - y * y)});
+            }
+        }
+    }
+    const PointSurface surface(points);
+    std::uint32_t border = 0, missed = 0, extra = 0;
+    double worst = 0.0;
+    for (std::uint32_t i = 0; i < surface.size(); ++i) {
+        const glm::dvec3& p = points[i];
+        const bool is_border = std::hypot(p.x, p.y) > 1.0 - 1e-9;
+        const bool is_found = surface.label(PointId{i}) == PointLabel::border;
+        border += is_border;
+        missed += is_border && !is_found;
+        extra += !is_border && is_found;
+        worst = std::max(worst, angle_of_lines(surface.normal(PointId{i}), {-p.x, p.y, 1.0}));
+    }
+    CHECK(missed <= 0.04 * border);
+    CHECK(extra == 0);
+    CHECK(worst < 10 * k_degree);
+}
+
+}  // namespace
+}  // namespace rimline
