@@ -178,8 +178,6 @@ public:
         if (from_ && direction_) throw UsageError("--from and --direction: give one of them");
         const PointSurfaceOptions options = surface_.options();
         if (verify_ && turn_frames_ == 0) throw UsageError("--verify: belongs to --turn");
-        if (options.method == PointSurfaceOptions::Method::thesis)
-            throw UsageError("--method thesis: is not to be had yet");
         std::optional<OutputFile> file;
         if (!export_.empty()) {
             if (!export_.ends_with(".ply"))

@@ -28,6 +28,10 @@ FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
         if (is_spurious && found.fans[point].gaps == 0) continue;
         found.fans[point] = open.fan;
         found.normals[point] = around.normal(open.fan);
+        if (found.normals[point] == glm::dvec3(0.0)) {
+            found.reasons[point] = UndecidedReason::no_normal;
+            continue;
+        }
         if (open.verdict == OpenPoint::Verdict::border) {
             found.labels[point] = PointLabel::border;
         } else if (is_spurious) {

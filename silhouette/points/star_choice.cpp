@@ -83,6 +83,7 @@ private:
         Choice choice{fan};
         if (!fan.is_umbrella()) return choice;
         choice.normal = around.normal(fan);
+        if (choice.normal == glm::dvec3(0.0)) return choice;
         double sum = 0.0;
         double total = 0.0;
         int gaps = 0;
@@ -138,11 +139,12 @@ private:
             if (best.is_clean) break;
         }
         is_clean_[point] = best.is_clean;
-        if (best.cost < k_infinity)
+        if (around.is_collinear())
+            reason = UndecidedReason::collinear;
+        else if (best.cost < k_infinity)
             take(point, best, around);
         else
-            reason =
-                around.is_collinear() ? UndecidedReason::collinear : UndecidedReason::no_normal;
+            reason = UndecidedReason::no_normal;
     }
 
     Choice ask_neighbours(std::uint32_t point, Neighbourhood& around) const {

@@ -14,6 +14,7 @@ namespace rimline {
 namespace {
 
 using tests::Random;
+using Method = PointSurfaceOptions::Method;
 
 // What must hold of any surface.
 void check_sound(const PointSurface& surface) {
@@ -162,14 +163,19 @@ TEST_CASE("rings turn counterclockwise about their normals") {
 
 TEST_CASE("a surface does not depend on the order of its points") {
     const auto points = mixed_points();
-    const PointSurface surface(points);
-    for (const std::uint64_t seed : {1u, 2u, 3u}) {
-        CAPTURE(seed);
-        std::vector<std::uint32_t> at = identity(points.size());
-        Random(seed).shuffle(at);
-        std::vector<glm::dvec3> shuffled(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) shuffled[at[i]] = points[i];
-        check_same(surface, PointSurface(shuffled), at);
+    for (const auto method : {Method::robust, Method::thesis}) {
+        PointSurfaceOptions options;
+        options.method = method;
+        const PointSurface surface(points, options);
+        check_sound(surface);
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            CAPTURE(seed);
+            std::vector<std::uint32_t> at = identity(points.size());
+            Random(seed).shuffle(at);
+            std::vector<glm::dvec3> shuffled(points.size());
+            for (std::size_t i = 0; i < points.size(); ++i) shuffled[at[i]] = points[i];
+            check_same(surface, PointSurface(shuffled, options), at);
+        }
     }
 }
 
@@ -178,6 +184,25 @@ TEST_CASE("a surface does not depend on the number of threads") {
     const PointSurface surface(points);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     check_same(surface, PointSurface(points), identity(points.size()));
+}
+
+TEST_CASE("the thesis's passes find a sphere whole and a patch's border but for a tenth") {
+    PointSurfaceOptions options;
+    options.method = Method::thesis;
+    const auto points = tests::make_sphere(5000);
+    const PointSurface sphere(points, options);
+    check_sound(sphere);
+    CHECK(sphere.count(PointLabel::interior) == 5000);
+    for (std::uint32_t i = 0; i < 5000; ++i)
+        CHECK(std::abs(glm::dot(sphere.normal(PointId{i}), points[i])) > std::cos(0.03));
+
+    const tests::Patch patch = tests::make_patch(40, 0.1, 9);
+    const PointSurface flat(patch.points, options);
+    check_sound(flat);
+    int wrong = 0;
+    for (std::uint32_t i = 0; i < flat.size(); ++i)
+        wrong += (flat.label(PointId{i}) == PointLabel::border) != patch.is_border[i];
+    CHECK(wrong <= 16);
 }
 
 TEST_CASE("a surface scaled by a power of two keeps all but its scale") {

@@ -14,7 +14,7 @@ install(DIRECTORY silhouette DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
         EXCLUDE
     REGEX "/hough/(block_kernels|octree_order|reserved_bytes|v_sphere)\\.h$" EXCLUDE
     REGEX "/field/(field_kernels|field_sums|many_values|plane_clusters)\\.h$" EXCLUDE
-    REGEX "/points/(border_tracing|each_point|fan|neighbour_lists|neighbourhood|point_order|robust_umbrellas|star_choice|supplement|thesis_umbrellas)\\.h$" EXCLUDE
+    REGEX "/points/(border_tracing|each_point|fan|neighbour_lists|neighbourhood|point_order|robust_umbrellas|star_choice|supplement|thesis_fan|thesis_umbrellas)\\.h$" EXCLUDE
     REGEX "/squeezed_lanes-inl\\.h$" EXCLUDE
     REGEX "/hough/literal$" EXCLUDE
     REGEX "/hough/service/latest_value\\.h$" EXCLUDE
