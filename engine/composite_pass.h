@@ -3,6 +3,8 @@
 // The finished picture: ink over a grid over surfaces, samples averaged in linear light, encoded as the target's
 // format wants it (picture_target.h).
 
+#include <compare>
+#include <cstdint>
 #include <glm/vec4.hpp>
 #include <map>
 
@@ -18,24 +20,32 @@ struct CompositeColors {
     glm::vec4 grid;  ///< Alpha is the strength of its lines; 0: no grid.
 };
 
+/// What a pipeline is made for: everything else may change from frame to frame.
+struct CompositeKind {
+    VkFormat format;      ///< Of the target.
+    std::uint32_t scale;  ///< `scale` x `scale` texels of the images make one pixel.
+    bool has_grid;        ///< Else CompositeColors::grid counts for nothing.
+    auto operator<=>(const CompositeKind&) const = default;
+};
+
 class CompositePass {
 public:
     explicit CompositePass(const DeviceContext& context);
 
-    /// Makes ready for targets of `format`; has no effect the second time. Throws Error{bad_input} naming
-    /// the format where the device cannot draw into it, or where it is none of colors.
-    void prepare(const DeviceContext& context, VkFormat format);
+    /// Makes ready for `kind`; has no effect the second time. Throws Error{bad_input} naming the format where
+    /// the device cannot draw into it, or where it is none of colors.
+    void prepare(const DeviceContext& context, const CompositeKind& kind);
 
     void set_images(const Image& surfaces, const Image& lines) { images_.set({&surfaces, &lines}); }
 
-    /// For targets of a prepared `format`; `scale` x `scale` texels of the images make one pixel.
-    void record(VkCommandBuffer commands, VkFormat format, const CompositeColors& colors,
-                std::uint32_t scale) const;
+    /// Into a target of a prepared kind.
+    void record(VkCommandBuffer commands, const CompositeKind& kind,
+                const CompositeColors& colors) const;
 
 private:
     SampledImages images_;
     OwnedPipelineLayout layout_;
-    std::map<VkFormat, OwnedPipeline> pipelines_;
+    std::map<CompositeKind, OwnedPipeline> pipelines_;
 };
 
 }  // namespace rimline

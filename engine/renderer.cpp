@@ -416,10 +416,14 @@ void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const
     targets_->record_before_surfaces(commands, target);
     const glm::vec4 background(scene.palette.background, 1.0f);
     targets_->begin_surfaces(commands, &background[0]);
-    surface_pass_.record_unlit(commands, list);
-    for (std::size_t light = 0; light < list.light_count; ++light) {
-        if (list.shadows) shadow_pass_.record(commands, list, light, extent);
-        surface_pass_.record_lit(commands, list, light);
+    if (!list.shadows && list.light_count == 1) {
+        surface_pass_.record_shadowless(commands, list);
+    } else {
+        surface_pass_.record_unlit(commands, list);
+        for (std::size_t light = 0; light < list.light_count; ++light) {
+            if (list.shadows) shadow_pass_.record(commands, list, light, extent);
+            surface_pass_.record_lit(commands, list, light);
+        }
     }
     vkCmdEndRendering(commands);
 
@@ -429,9 +433,13 @@ void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const
     if (list.inks.size() > 1) colors.grid.a = 0.0f;  // It lies under the first ink already.
     targets_->record_before_picture(commands);
     RenderTargets::begin_picture(commands, target);
-    composite_pass_.record(commands, target.format, colors, targets_->scale());
+    composite_pass_.record(commands, composite_kind(scene, target), colors);
     vkCmdEndRendering(commands);
     RenderTargets::record_after_picture(commands, target);
+}
+
+CompositeKind Renderer::composite_kind(const Scene& scene, const PictureTarget& target) const {
+    return {target.format, targets_->scale(), scene.palette.grid_strength > 0.0f};
 }
 
 // Each color's lines in turn, all but the last laid on the surfaces; `colors` has hidden lines and grid.
@@ -457,7 +465,7 @@ void Renderer::record_lines(VkCommandBuffer commands, const DrawList& list,
 // What a frame needs before it begins.
 void Renderer::prepare(const Scene& scene, const PictureTarget& target, Frame& frame) {
     prepare_targets(target.extent);
-    composite_pass_.prepare(context_, target.format);
+    composite_pass_.prepare(context_, composite_kind(scene, target));
     surface_pass_.prepare(context_, scene.style);
     frame.report = {};
     prepare_instances(scene, frame);

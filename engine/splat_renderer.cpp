@@ -35,15 +35,15 @@ SplatRenderer::SplatRenderer(const DeviceContext& context, const SplatRendererOp
       splat_pass_(context, {.color = k_surface_format,
                             .depth_stencil = k_depth_stencil_format,
                             .samples = options_.samples}),
-      composite_pass_(context) {
-    composite_pass_.prepare(context, k_picture_format);
-}
+      composite_pass_(context) {}
 
 Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std::uint32_t height) {
     const VkExtent2D size{width, height};
     const RenderTargets targets(context_, size,
                                 fitting_scale(context_, size, options_.scale, options_.samples),
                                 options_.samples);
+    const CompositeKind kind{k_picture_format, targets.scale(), /*has_grid=*/false};
+    composite_pass_.prepare(context_, kind);
     composite_pass_.set_images(targets.surfaces(), targets.lines());
     const Image image(
         context_,
@@ -78,8 +78,7 @@ Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std:
         vkCmdEndRendering(commands);
         targets.record_before_picture(commands);
         RenderTargets::begin_picture(commands, target);
-        composite_pass_.record(commands, target.format, {glm::vec4(0.0f), glm::vec4(0.0f)},
-                               targets.scale());
+        composite_pass_.record(commands, kind, {glm::vec4(0.0f), glm::vec4(0.0f)});
         vkCmdEndRendering(commands);
         RenderTargets::record_after_picture(commands, target);
         const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},

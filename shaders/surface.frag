@@ -4,10 +4,10 @@
 #include "hatch.glsl"
 
 // Surfaces in the chosen style, a pipeline each: a CPU that stands in for a GPU takes every branch that is
-// not decided when the shader is compiled. draw.choice is 0 for what shadow leaves of them, 1 and 2 for what the
-// light adds where the stencil lets it through; all lights together add up to the fully lit surface.
-// With 1 the face's bit speaks too where the light grazes the face (surface.vert). 2 is for what casts
-// no shadow.
+// not decided when the shader is compiled. They are what shadow leaves of a surface, or what the light adds
+// where the stencil lets it through, or both in one where a single light casts no shadows; all lights
+// together add up to the fully lit surface. For light, draw.choice is 1 or 2: with 1 the face's bit speaks
+// too where the light grazes the face (surface.vert), 2 is for what casts no shadow.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -15,8 +15,9 @@ layout(location = 2) flat in uint grazed_side;
 layout(location = 0) out vec4 color;
 
 layout(constant_id = 0) const uint k_style = RIMLINE_STYLE_INK;
-layout(constant_id = 1) const bool k_is_lit = false;  // draw.choice is not 0.
-layout(constant_id = 2) const bool k_fades = false;   // The instance's fade_radius is over 0.
+layout(constant_id = 1) const bool k_has_shade = true;
+layout(constant_id = 2) const bool k_has_light = false;
+layout(constant_id = 3) const bool k_fades = false;  // The instance's fade_radius is over 0.
 
 // How much of the light a style shows at this cosine. It begins above zero, so that the facets of a
 // shadow's own edge lie in what is dark already.
@@ -43,23 +44,20 @@ void main() {
     // Sheets are lit on the side that is seen.
     if (!gl_FrontFacing) n = -n;
     const vec3 shaded = shown(0.0, n);
-    float amount = 0.0;
-    if (k_is_lit) {
+    color = k_has_shade ? vec4(shaded, 1.0) : vec4(0.0);
+    if (k_has_light) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
         const vec4 light = draw.light.data.light;
         const vec3 to_light = normalize(light.xyz - light.w * position);
-        amount = reached ? tone(dot(n, to_light)) : 0.0;
+        float amount = reached ? tone(dot(n, to_light)) : 0.0;
         // What only catches shadows is paper: strokes all over it would say nothing.
         if (k_style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
             amount = smoothstep(0.14, 0.17, dot(n, to_light));
+        color.rgb += (shown(amount, n) - shaded) * draw.light.data.color;
     }
-    if (k_is_lit)
-        color = vec4((shown(amount, n) - shaded) * draw.light.data.color, 0.0);
-    else
-        color = vec4(shaded, 1.0);
     if (k_fades) {
         const float away = distance(position, draw.instance.data.fade_center);
         const float fade = smoothstep(0.45, 1.0, away / draw.instance.data.fade_radius);
-        color.rgb = mix(color.rgb, k_is_lit ? vec3(0.0) : draw.frame.data.background, fade);
+        color.rgb = mix(color.rgb, k_has_shade ? draw.frame.data.background : vec3(0.0), fade);
     }
 }
