@@ -40,11 +40,6 @@ Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
     : context_(context),
       options_(fitted(context, options)),
       own_service_(options.service ? nullptr : std::make_unique<SilhouetteService>()),
-      service_(options.service ? options.service : own_service_.get()),
-      stream_budget_(options.stream_memory_bytes,
-                     "the budget for silhouettes (RendererOptions::stream_memory_bytes)"),
-      tracker_budget_(options.tracker_memory_bytes,
-                      "the budget for trackers (RendererOptions::tracker_memory_bytes)"),
       scatter_(context),
       surface_pass_(context, surface_formats(options_.samples)),
       shadow_pass_(context, surface_formats(options_.samples), options_.shadow_sides),
@@ -55,7 +50,12 @@ Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
       command_pool_(make_command_pool(context, context.queue_family)),
       marks_(context, k_frames_in_flight),
       check_(context, k_frames_in_flight),
-      uploads_(context) {
+      instances_(context, options.service ? *options.service : *own_service_,
+                 {.crease_angle_rad = options.crease_angle_rad,
+                  .line_path = line_pass_.path(),
+                  .ring_slots = k_frames_in_flight,
+                  .stream_memory_bytes = options.stream_memory_bytes,
+                  .tracker_memory_bytes = options.tracker_memory_bytes}) {
     for (Frame& frame : frames_) {
         const VkCommandBufferAllocateInfo info{
             .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
@@ -112,123 +112,6 @@ void Renderer::prepare_picture(VkExtent2D size) {
               "the picture");
 }
 
-// Made before what goes there is taken: nothing may be freed because there was no room to keep it.
-Renderer::Retired& Renderer::next_retired() {
-    return retired_.emplace_back(Retired{recorded_, nullptr, nullptr, nullptr, nullptr});
-}
-
-void Renderer::retire(std::unique_ptr<TrackedSilhouette>& silhouette) {
-    if (silhouette) next_retired().silhouette = std::move(silhouette);
-}
-
-void Renderer::retire(InstanceState& state) {
-    retire(state.camera);
-    for (std::unique_ptr<TrackedSilhouette>& light : state.lights) retire(light);
-    if (state.deforming) next_retired().deforming = std::move(state.deforming);
-    unused_meshes_ = true;
-    state = {};
-}
-
-void Renderer::free_retired() noexcept {
-    if (retired_.empty() || !uploads_.is_done()) return;
-    std::erase_if(retired_, [&](const Retired& retired) {
-        return std::ranges::all_of(frames_, [&](const Frame& frame) {
-            return frame.number > retired.last_frame || is_done(frame);
-        });
-    });
-}
-
-// The mesh on the GPU, or on its way there.
-const GpuMesh& Renderer::upload(const Mesh& mesh, Frame& frame) {
-    std::unique_ptr<GpuMesh>& uploaded = meshes_[&mesh];
-    if (!uploaded) {
-        UploadBatch batch(context_, uploads_);
-        auto made =
-            std::make_unique<GpuMesh>(batch, mesh, options_.crease_angle_rad, line_pass_.path());
-        batch.send();
-        uploaded = std::move(made);
-        ++frame.report.meshes_uploaded;
-        frame.report.bytes_uploaded += uploaded->size_bytes();
-    }
-    return *uploaded;
-}
-
-void Renderer::prepare_instances(const Scene& scene, Frame& frame) {
-    free_retired();
-    for (std::size_t i = scene.instances.size(); i < instances_.size(); ++i) retire(instances_[i]);
-    instances_.resize(scene.instances.size());
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        InstanceState& state = instances_[i];
-        const SceneInstance& instance = scene.instances[i];
-        const HoughOctree* octree = instance.deforming ? nullptr : instance.octree;
-        const Mesh& source = instance.mesh();
-        if (state.source != &source || state.octree != octree) {
-            retire(state);
-            const GpuMesh& mesh = upload(source, frame);
-            if (instance.deforming) {
-                if (!deform_passes_) deform_passes_ = std::make_unique<DeformPasses>(context_);
-                state.deforming = std::make_unique<DeformingInstance>(
-                    context_, source, mesh, options_.crease_angle_rad, k_frames_in_flight,
-                    stream_budget_, instance.name);
-            }
-            state.source = &source;
-            state.octree = octree;
-            state.mesh = &mesh;
-            state.is_closed_chain = is_closed_chain(source);
-        }
-        for (std::size_t l = scene.lights.size(); l < state.lights.size(); ++l)
-            retire(state.lights[l]);
-        state.lights.resize(scene.lights.size());
-        while (state.deforming && state.deforming->light_count() > scene.lights.size())
-            next_retired().found = state.deforming->take_last_light();
-    }
-    if (!unused_meshes_) return;
-    for (auto& [mesh, uploaded] : meshes_)
-        if (std::ranges::none_of(instances_, [&](const InstanceState& state) {
-                return state.mesh == uploaded.get();
-            }))
-            next_retired().mesh = std::move(uploaded);
-    std::erase_if(meshes_, [](const auto& entry) { return !entry.second; });
-    unused_meshes_ = false;
-}
-
-// Makes what is missing, and sets the service to work on all points before the first is waited for.
-void Renderer::prepare_silhouettes(const Scene& scene) {
-    const auto prepare = [&](std::unique_ptr<TrackedSilhouette>& silhouette,
-                             const SceneInstance& instance, const HomogeneousPoint& point) {
-        if (silhouette)
-            silhouette->announce(point);
-        else
-            silhouette = std::make_unique<TrackedSilhouette>(
-                context_, *service_, *instance.octree, point, k_frames_in_flight, stream_budget_,
-                tracker_budget_, instance.name);
-    };
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        const SceneInstance& instance = scene.instances[i];
-        if (instance.deforming) continue;
-        if (has_lines(scene, instance) && draws_slots(line_pass_.path()))
-            prepare(instances_[i].camera, instance, camera_point(instance, lines_camera(scene)));
-        if (!casts_shadows(scene, instance)) continue;
-        for (std::size_t l = 0; l < scene.lights.size(); ++l)
-            prepare(instances_[i].lights[l], instance,
-                    casting_point(scene, instance, scene.lights[l]));
-    }
-}
-
-void Renderer::announce(const Scene& scene) noexcept {
-    for (std::size_t i = 0; i < std::min(scene.instances.size(), instances_.size()); ++i) {
-        const SceneInstance& instance = scene.instances[i];
-        InstanceState& state = instances_[i];
-        if (instance.deforming || state.octree != instance.octree) continue;
-        if (state.camera && has_lines(scene, instance))
-            state.camera->announce(camera_point(instance, lines_camera(scene)));
-        if (!casts_shadows(scene, instance)) continue;
-        for (std::size_t l = 0; l < std::min(scene.lights.size(), state.lights.size()); ++l)
-            if (state.lights[l])
-                state.lights[l]->announce(casting_point(scene, instance, scene.lights[l]));
-    }
-}
-
 const ChangeStream& Renderer::follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point,
                                      Frame& frame) {
     silhouette.follow(point, ring_slot());
@@ -269,7 +152,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
         scene.camera, double(extent.width) / extent.height, bounds.center, bounds.radius);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const SceneInstance& instance = scene.instances[i];
-        InstanceState& state = instances_[i];
+        InstanceState& state = instances_.all()[i];
         DrawnInstance drawn{.data = 0,
                             .face_count = state.mesh->face_count(),
                             .border_count = state.mesh->border_count(),
@@ -377,7 +260,7 @@ void Renderer::plan_shadows(DrawList& list, Frame& frame) {
         shadow_counter_.begin();
         for (ShadowReport& shadow : frame.report.shadows) {
             if (shadow.light != l) continue;
-            const InstanceState& state = instances_[shadow.instance];
+            const InstanceState& state = instances_.all()[shadow.instance];
             if (state.deforming) {
                 shadow.bound =
                     shadow_counter_.add_unseen(shadow.instance, state.mesh->face_count());
@@ -406,7 +289,8 @@ void Renderer::plan_shadows(DrawList& list, Frame& frame) {
 
 void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
                              Frame& frame, const PictureTarget& target) const {
-    if (!frame.deformed.is_empty()) frame.deformed.record(context_, commands, *deform_passes_);
+    if (!frame.deformed.is_empty())
+        frame.deformed.record(context_, commands, instances_.deform_passes());
     ChangeStream::record_before(commands);
     for (const TrackedSilhouette* silhouette : frame.silhouettes)
         silhouette->stream().record(commands, scatter_);
@@ -468,7 +352,12 @@ void Renderer::prepare(const Scene& scene, const PictureTarget& target, Frame& f
     composite_pass_.prepare(context_, composite_kind(scene, target));
     surface_pass_.prepare(context_, scene.style);
     frame.report = {};
-    prepare_instances(scene, frame);
+    InstanceStates::Frames frames{.recorded = recorded_};
+    for (const Frame& other : frames_)
+        if (!is_done(other)) frames.first_running = std::min(frames.first_running, other.number);
+    const InstanceStates::Uploaded uploaded = instances_.prepare(scene, frames);
+    frame.report.meshes_uploaded = uploaded.meshes;
+    frame.report.bytes_uploaded = uploaded.bytes;
 }
 
 // Everything that render() and record() share: `frame` is counted as recorded when this returns.
@@ -480,7 +369,7 @@ FrameReport Renderer::record_frame(VkCommandBuffer commands, const Scene& scene,
     frame.deformed.clear();
     FrameReport report;
     try {
-        prepare_silhouettes(scene);
+        instances_.prepare_silhouettes(scene);
         const DrawList list = build_draw_list(scene, frame);
         record_passes(commands, scene, list, frame, target);
         if (options_.check_silhouettes) check_.record(commands, ring_slot(), frame.silhouettes);
@@ -491,7 +380,7 @@ FrameReport Renderer::record_frame(VkCommandBuffer commands, const Scene& scene,
         report = frame.report;  // Before the frame counts, for it allocates.
     } catch (...) {
         check_.forget(ring_slot());
-        forget_gpu_state();
+        instances_.invalidate();
         throw;
     }
     frame.number = ++recorded_;
@@ -505,7 +394,7 @@ FrameReport Renderer::record(VkCommandBuffer commands, const Scene& scene,
     RIMLINE_CHECK(is_done(frame) && std::ranges::find(queued_, slot) == queued_.end());
     count_differences(slot);
     prepare(scene, target, frame);
-    uploads_.wait();  // The caller's submit knows nothing of them.
+    instances_.uploads().wait();  // The caller's submit knows nothing of them.
     FrameReport report = record_frame(commands, scene, target, frame);
     frame.timeline_value = 0;
     return report;
@@ -519,7 +408,7 @@ void Renderer::forget_recorded() noexcept {
         check_.forget(static_cast<std::uint32_t>(&frame - frames_.data()));
         forgotten = true;
     }
-    if (forgotten) forget_gpu_state();
+    if (forgotten) instances_.invalidate();
 }
 
 void Renderer::submit(Frame& frame) {
@@ -530,12 +419,13 @@ void Renderer::submit(Frame& frame) {
                                        .value = submitted_ + 1,
                                        .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     // Where meshes are new, on their way.
+    Uploads& uploads = instances_.uploads();
     const VkSemaphoreSubmitInfo uploaded{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                         .semaphore = uploads_.timeline(),
-                                         .value = uploads_.sent_value(),
+                                         .semaphore = uploads.timeline(),
+                                         .value = uploads.sent_value(),
                                          .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                               .waitSemaphoreInfoCount = uploads_.is_done() ? 0u : 1u,
+                               .waitSemaphoreInfoCount = uploads.is_done() ? 0u : 1u,
                                .pWaitSemaphoreInfos = &uploaded,
                                .commandBufferInfoCount = 1,
                                .pCommandBufferInfos = &commands,
@@ -543,15 +433,6 @@ void Renderer::submit(Frame& frame) {
                                .pSignalSemaphoreInfos = &signal};
     vk_check(vkQueueSubmit2(context_.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
     frame.timeline_value = ++submitted_;
-}
-
-// What a frame that failed has queued never ran, though its trackers have moved.
-void Renderer::forget_gpu_state() noexcept {
-    for (InstanceState& state : instances_) {
-        if (state.camera) state.camera->invalidate();
-        for (const auto& light : state.lights)
-            if (light) light->invalidate();
-    }
 }
 
 void Renderer::submit(const Scene& scene, std::uint32_t width, std::uint32_t height) {
@@ -593,7 +474,7 @@ void Renderer::submit(const Scene& scene, std::uint32_t width, std::uint32_t hei
         frame.number = 0;
         check_.forget(slot);
         --recorded_;  // Its slot is the next one's: the other may still be in use.
-        forget_gpu_state();
+        instances_.invalidate();
         throw;
     }
 }
@@ -643,7 +524,7 @@ void Renderer::count_differences(std::uint32_t ring_slot) {
 
 const TrackedSilhouette* Renderer::silhouette(std::size_t instance,
                                               std::optional<std::size_t> light) const {
-    const InstanceState& state = instances_.at(instance);
+    const InstanceState& state = instances_.all().at(instance);
     return light ? state.lights.at(*light).get() : state.camera.get();
 }
 

@@ -16,18 +16,16 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "engine/composite_pass.h"
 #include "engine/consistency_check.h"
-#include "engine/deforming_instance.h"
 #include "engine/draw_list.h"
 #include "engine/frame_marks.h"
-#include "engine/gpu_mesh.h"
 #include "engine/ink_pass.h"
+#include "engine/instance_states.h"
 #include "engine/line_pass.h"
 #include "engine/picture_target.h"
 #include "engine/png.h"
@@ -36,7 +34,6 @@
 #include "engine/shadow_batches.h"
 #include "engine/shadow_volume_pass.h"
 #include "engine/surface_pass.h"
-#include "engine/tracked_silhouette.h"
 
 namespace rimline {
 
@@ -117,9 +114,9 @@ public:
     /// from one call to the next for an instance that has the same octree at its index, and there for
     /// lights by theirs; meshes as long as each scene has them. An octree must not be replaced by
     /// another at its address in between. A mesh that deforms is kept likewise, by its address; its lines
-    /// need a line path that draws slots (RendererOptions::line_path). Where the device cannot hold options.scale pixels along each
-    /// side of a pixel, fewer are taken; throws Error{too_large} naming the limit where not even one
-    /// fits. After an error the next call is as good as the first.
+    /// need a line path that draws slots (RendererOptions::line_path). Where the device cannot hold
+    /// options.scale pixels along each side of a pixel, fewer are taken; throws Error{too_large} naming the
+    /// limit where not even one fits. After an error the next call is as good as the first.
     Picture render(const Scene& scene, std::uint32_t width, std::uint32_t height) {
         submit(scene, width, height);
         return finish();
@@ -137,7 +134,7 @@ public:
     /// Says what the next frame will probably show: its silhouettes are computed while the GPU draws.
     /// Does not wait. Instances and lights that were not in the frame before are left for the next frame,
     /// which is right whatever was announced.
-    void announce(const Scene& scene) noexcept;
+    void announce(const Scene& scene) noexcept { instances_.announce(scene); }
 
     /// Records everything of a frame into `commands`: change sets, passes, the picture into `target`.
     /// The commands are outside a render pass, for the context's queue family or one that draws and
@@ -173,23 +170,14 @@ public:
     std::uint64_t differences() const noexcept { return differences_; }
 
     /// What silhouettes take of options.stream_memory_bytes.
-    std::uint64_t stream_bytes() const noexcept { return stream_budget_.used_bytes(); }
+    std::uint64_t stream_bytes() const noexcept { return instances_.stream_bytes(); }
     /// What trackers have reserved of options.tracker_memory_bytes.
-    std::uint64_t tracker_bytes() const noexcept { return tracker_budget_.used_bytes(); }
+    std::uint64_t tracker_bytes() const noexcept { return instances_.tracker_bytes(); }
     /// The images of the passes, null before the first frame. After a frame depth() is read-only; with
     /// one sample its stencil holds the count of the last light.
     const RenderTargets* targets() const noexcept { return targets_.get(); }
 
 private:
-    struct InstanceState {
-        const Mesh* source = nullptr;
-        const HoughOctree* octree = nullptr;  // Null where the mesh deforms.
-        const GpuMesh* mesh = nullptr;
-        bool is_closed_chain = false;
-        std::unique_ptr<DeformingInstance> deforming;
-        std::unique_ptr<TrackedSilhouette> camera;
-        std::vector<std::unique_ptr<TrackedSilhouette>> lights;
-    };
     // What a frame in flight owns until it is done. Frame n is frames_[n % k_frames_in_flight], has
     // that ring slot of every stream and of the marks.
     struct Frame {
@@ -205,30 +193,14 @@ private:
         FrameReport report;
     };
 
-    // What has gone from the scene, while frames up to `last_frame` may still read it.
-    struct Retired {
-        std::uint64_t last_frame;
-        std::unique_ptr<TrackedSilhouette> silhouette;
-        std::unique_ptr<GpuMesh> mesh;
-        std::unique_ptr<DeformingInstance> deforming;
-        std::unique_ptr<GpuSilhouette> found;
-    };
-
     std::uint32_t ring_slot() const noexcept {
         return static_cast<std::uint32_t>(recorded_ % k_frames_in_flight);
     }
     void wait_for(std::uint64_t timeline_value) const;
     bool is_done(const Frame& frame) const noexcept;
-    Retired& next_retired();
-    void retire(std::unique_ptr<TrackedSilhouette>& silhouette);
-    void retire(InstanceState& state);
-    void free_retired() noexcept;
     void prepare_picture(VkExtent2D size);
     void prepare_targets(VkExtent2D size);
-    const GpuMesh& upload(const Mesh& mesh, Frame& frame);
-    void prepare_instances(const Scene& scene, Frame& frame);
     void prepare(const Scene& scene, const PictureTarget& target, Frame& frame);
-    void prepare_silhouettes(const Scene& scene);
     const ChangeStream& follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point,
                                Frame& frame);
     void count_differences(std::uint32_t ring_slot);
@@ -243,14 +215,10 @@ private:
                       const CompositeColors& colors) const;
     static void add_deformed_counts(Frame& frame);
     void submit(Frame& frame);
-    void forget_gpu_state() noexcept;
 
     DeviceContext context_;
     RendererOptions options_;
     std::unique_ptr<SilhouetteService> own_service_;
-    SilhouetteService* service_;
-    MemoryBudget stream_budget_;
-    MemoryBudget tracker_budget_;
     ScatterPass scatter_;
     SurfacePass surface_pass_;
     ShadowVolumePass shadow_pass_;
@@ -267,13 +235,8 @@ private:
     std::deque<std::uint32_t> queued_;  // Ring slots of those submitted and not finished.
     std::unique_ptr<RenderTargets> targets_;
     Image picture_;  // Where submit() draws.
-    std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
-    std::unique_ptr<DeformPasses> deform_passes_;  // When the first instance deforms.
-    std::vector<InstanceState> instances_;
-    std::vector<Retired> retired_;
-    Uploads uploads_;  // After the meshes: gone before them, it waits for what is on its way.
+    InstanceStates instances_;
     ShadowCounter shadow_counter_;
-    bool unused_meshes_ = false;  // Whether meshes_ may hold one that no instance has.
     std::uint64_t differences_ = 0;
     FrameReport report_;
 };
