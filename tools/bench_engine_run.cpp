@@ -36,6 +36,7 @@ void print_result(const EngineResult& result) {
     print_times("frame with lines, 1024x1024", result.lines, 0);
     print_times("frame without lines, one sun, 1024x1024", result.shadows, 0);
     print_times("visible ratios of all viewpoints, 256x256", result.ratios, 0);
+    print_times("tangential distance field, a lattice of 17 a side", result.field, 0);
 }
 
 Json to_json(const std::vector<EngineTime>& times) {
@@ -59,7 +60,8 @@ Json to_json(const EngineResult& result) {
     object.update({{"bytes", std::move(bytes)},
                    {"lines", to_json(result.lines)},
                    {"shadows", to_json(result.shadows)},
-                   {"visible_ratios", to_json(result.ratios)}});
+                   {"visible_ratios", to_json(result.ratios)},
+                   {"field", to_json(result.field)}});
     return object;
 }
 

@@ -435,9 +435,11 @@ FunctionTable::FunctionTable(const TangentialFunction& function)
     least = to_float(function.least());
     greatest = to_float(function.greatest());
     curvature = to_float(0.5 * bend);
-    // Distances: three roundings of products and the inputs' own. Votes and sums: their terms'.
-    rounding_share = 0x1p-24 * (3.0 * (k_near_radius + 1.0) * function.greatest_slope() +
-                                8.0 * terms + 32.0 * function.greatest_magnitude());
+    // Distances: of normals, points and products, of the offset, and of three sums. Votes and sums: their
+    // terms'.
+    const double distances = 3.0 * k_near_radius + 1.0 + 3.0 * (k_near_radius + 1.0);
+    rounding_share = 0x1p-24 * (distances * function.greatest_slope() + 8.0 * terms +
+                                32.0 * function.greatest_magnitude());
 }
 
 void FieldScratch::reserve(const PlaneClusters& planes) {

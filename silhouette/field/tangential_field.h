@@ -55,8 +55,8 @@ public:
     /// Of the exact sum, in double. O(planes).
     glm::dvec3 gradient(const glm::dvec3& point) const;
 
-    /// No value differs by more from the sum: the tolerance, and rounding, which is about 4e-6 of the
-    /// greatest value for the named functions.
+    /// No value differs by more from the sum: the tolerance, and rounding, which is less than 1e-5 of
+    /// the greatest value for the named functions.
     double error_bound() const noexcept { return error_bound_; }
     double total_weight() const noexcept { return total_weight_; }
     /// The greatest that a value's magnitude can be: total_weight * greatest |f|.
