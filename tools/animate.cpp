@@ -8,14 +8,13 @@
 #include <optional>
 #include <vector>
 
-#include "engine/device.h"
 #include "engine/renderer.h"
-#include "engine/vulkan_instance.h"
-#include "silhouette/hough/hough_octree.h"
 #include "tools/animation.h"
 #include "tools/command.h"
+#include "tools/drawing_device.h"
 #include "tools/frame_sequence.h"
 #include "tools/model_argument.h"
+#include "tools/model_octree.h"
 #include "tools/path_options.h"
 #include "tools/picture_options.h"
 #include "tools/picture_scene.h"
@@ -124,19 +123,18 @@ public:
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
-        const VulkanInstance instance({.validate = picture_.validate});
-        const Device device(instance, picture_.device);
+        const DrawingDevice device(picture_);
 
         // A mesh that deforms needs no index, and has none.
         std::optional<HoughOctree> octree;
-        if (deform_.empty()) octree.emplace(build_octree(mesh, context));
+        if (deform_.empty()) octree.emplace(build_octree(model_.model, mesh, context));
         const glm::dvec3 up = up_of(mesh, picture_);
         const std::optional<Wave> wave =
             deform_.empty() ? std::nullopt : std::optional(default_wave(mesh, up, 0.0));
         const double reach = mesh.radius() + (wave ? wave->amplitude : 0.0);
         const Motion motion = make_motion(mesh, up, reach, wave);
         Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
-        check_size(first, mesh);
+        check_scene_reach(model_.model, mesh, {&first.camera.eye, 1}, scene_.ground);
         first.instances.push_back({.octree = octree ? &*octree : nullptr,
                                    .name = model_.model,
                                    .material = scene_.material(picture_)});
@@ -158,9 +156,9 @@ public:
                          .tracker_bytes = renderer.tracker_bytes()};
         });
         if (context.json)
-            print_result(device, instance, drawn);
+            print_result(device, drawn);
         else
-            print_summary(device, instance, drawn.frames);
+            print_summary(device, drawn.frames);
         return ExitStatus::success;
     }
 
@@ -177,13 +175,6 @@ private:
                 "--eye: the camera stands there; leave out --path, --radius and --step");
         if (wave_step_option_->count() > 0 && deform_.empty())
             throw UsageError("--wave-step: belongs to --deform wave");
-    }
-
-    HoughOctree build_octree(const Mesh& mesh, const Context& context) const {
-        return about_model(model_.model, [&] {
-            Progress progress(context, "building the octree");
-            return HoughOctree(mesh, {}, progress.call());
-        });
     }
 
     Motion make_motion(const Mesh& mesh, const glm::dvec3& up, double reach,
@@ -234,21 +225,7 @@ private:
         return camera;
     }
 
-    // What is drawn beside the model must lie within the coordinates that silhouettes are found in.
-    void check_size(const Scene& scene, const Mesh& mesh) const {
-        const glm::dvec3 reach = glm::max(
-            glm::abs(scene.camera.eye), glm::abs(mesh.center()) + scene_reach(mesh, scene_.ground));
-        if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
-            throw Error(ErrorCode::too_large,
-                        model_.model + ": too large to stand before" +
-                            (scene_.ground ? " or to lay a ground under" : "") +
-                            ": scale it down, coordinates end at 2^60");
-    }
-
-    void print_result(const Device& device, const VulkanInstance& instance,
-                      const Drawn& drawn) const {
-        nlohmann::ordered_json messages = nullptr;
-        if (const auto count = instance.validation_message_count()) messages = *count;
+    void print_result(const DrawingDevice& device, const Drawn& drawn) const {
         nlohmann::ordered_json frames = nlohmann::ordered_json::array();
         Totals totals;
         for (const FrameReport& report : drawn.frames) {
@@ -263,18 +240,15 @@ private:
         sums["max_frame_ms"] = totals.max_frame_ms;
         sums["stream_memory_bytes"] = drawn.stream_bytes;
         sums["tracker_memory_bytes"] = drawn.tracker_bytes;
-        print_json({{"model", model_.model},
-                    {"path", picture_.eye ? "still" : path_.path},
-                    {"device", device.facts().name},
-                    {"driver", device.facts().driver},
-                    {"validation_messages", std::move(messages)},
-                    {"frames", std::move(frames)},
-                    {"totals", std::move(sums)},
-                    {"output", output_}});
+        nlohmann::ordered_json result{{"model", model_.model},
+                                      {"path", picture_.eye ? "still" : path_.path}};
+        result.update(device_json(&device));
+        result.update(
+            {{"frames", std::move(frames)}, {"totals", std::move(sums)}, {"output", output_}});
+        print_json(result);
     }
 
-    void print_summary(const Device& device, const VulkanInstance& instance,
-                       const std::vector<FrameReport>& reports) const {
+    void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports) const {
         Totals totals;
         for (const FrameReport& report : reports) totals.add(report);
         const auto mean = [n = double(reports.size())](auto sum) { return double(sum) / n; };
@@ -285,10 +259,8 @@ private:
         std::printf("  streamed    %.1f bytes, of %.1f for all\n", mean(totals.bytes_streamed),
                     mean(totals.bytes_full));
         std::printf("  time        %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
-                    totals.max_frame_ms, device.facts().name.c_str());
-        if (const auto count = instance.validation_message_count())
-            std::printf("  validation  %u messages%s%s\n", *count, *count ? ", the first: " : "",
-                        *count ? instance.first_validation_message().c_str() : "");
+                    totals.max_frame_ms, device.device.facts().name.c_str());
+        print_validation(device);
     }
 
     ModelArgument model_;

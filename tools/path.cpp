@@ -8,10 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "engine/device.h"
 #include "engine/renderer.h"
-#include "engine/vulkan_instance.h"
-#include "silhouette/hough/hough_octree.h"
 #include "tools/animation.h"
 #include "tools/command.h"
 #include "tools/frame_sequence.h"
@@ -37,10 +34,6 @@ public:
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         choice_.add_to(app, 2);
-        app.add_flag("--no-ratio", no_ratio_,
-                     "Votes alone: do not draw candidates to see how much of their silhouettes is "
-                     "visible")
-            ->group("Views");
         plan_.add_to(app);
         output_option_ = app.add_option("-o,--output", output_,
                                         "The folder to write frame_0000.png ... into (default: no "
@@ -72,23 +65,14 @@ public:
         if (output_option_->count() > 0) sequence.emplace(output_, plan_.frames);
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
-        std::optional<VulkanInstance> instance;
-        std::optional<Device> device;
-        std::optional<HoughOctree> octree;
-        if (!no_ratio_ || sequence) {
-            instance.emplace(InstanceOptions{.validate = picture_.validate});
-            device.emplace(*instance, picture_.device);
-            octree.emplace(about_model(model_.model, [&] {
-                Progress progress(context, "building the octree");
-                return HoughOctree(mesh, {}, progress.call());
-            }));
-        }
+        const ViewDevice drawn(model_.model, mesh, picture_, !choice_.no_ratio || sequence,
+                               context);
         about_model(model_.model, [&] {
-            const ChosenViews chosen = choose(mesh, device, octree, context);
+            const ChosenViews chosen = choose_views(choice_, model_.model, mesh, drawn, 2, context);
             const PlannedPath planned = plan_.plan(chosen, context);
-            if (sequence) draw(*sequence, *octree, *device, planned, context);
+            if (sequence) draw(*sequence, drawn, planned, context);
             if (context.json)
-                print_result(mesh, chosen, planned, device, instance);
+                print_result(mesh, chosen, planned, drawn);
             else
                 print_path(sequence ? output_ : model_.model, chosen, planned);
         });
@@ -96,13 +80,6 @@ public:
     }
 
 private:
-    ChosenViews choose(const Mesh& mesh, const std::optional<Device>& device,
-                       const std::optional<HoughOctree>& octree, const Context& context) const {
-        if (no_ratio_) return choice_.choose(model_.model, mesh, {}, 2, context);
-        VisibleRatioPass pass(device->context(), *octree);
-        return choice_.choose(model_.model, mesh, visible_ratios_of(pass, context), 2, context);
-    }
-
     // Looks at the center from every place: so wide that all of the model is always seen.
     double fitting_fov_deg(const Mesh& mesh, std::span<const glm::dvec3> eyes,
                            const glm::dvec3& up) const {
@@ -120,17 +97,18 @@ private:
     }
 
     // A frame is queued before the one before it is fetched, and written while the next is drawn.
-    void draw(FrameSequence& sequence, const HoughOctree& octree, const Device& device,
-              const PlannedPath& planned, const Context& context) const {
-        const Mesh& mesh = octree.mesh();
+    void draw(FrameSequence& sequence, const ViewDevice& drawn, const PlannedPath& planned,
+              const Context& context) const {
+        const Mesh& mesh = drawn.octree->mesh();
         const glm::dvec3 up = up_of(mesh, picture_);
         const Camera camera{.eye = planned.samples[0],
                             .target = mesh.center(),
                             .up = up,
                             .fov_y_deg = fitting_fov_deg(mesh, planned.samples, up)};
         Scene first = style_.make_scene(camera, mesh, picture_);
-        first.instances.push_back(
-            {.octree = &octree, .name = model_.model, .material = style_.material(picture_)});
+        first.instances.push_back({.octree = &*drawn.octree,
+                                   .name = model_.model,
+                                   .material = style_.material(picture_)});
         std::optional<Ground> ground;
         if (style_.ground) {
             ground.emplace(mesh, up, 0.0);
@@ -142,23 +120,17 @@ private:
         motion.distance = glm::distance(camera.eye, camera.target);
         if (light_follow_) motion.lights = LightMotion::with_camera;
         Animation animation(std::move(first), mesh, std::move(motion));
-        Renderer renderer(device.context());
+        Renderer renderer(drawn.device->context());
         Progress progress(context, "drawing frames");
         draw_frames(animation, plan_.frames, renderer, picture_.size, sequence, progress.call());
     }
 
     void print_result(const Mesh& mesh, const ChosenViews& chosen, const PlannedPath& planned,
-                      const std::optional<Device>& device,
-                      const std::optional<VulkanInstance>& instance) const {
-        using Json = nlohmann::ordered_json;
-        Json messages = nullptr;
-        if (instance)
-            if (const auto count = instance->validation_message_count()) messages = *count;
-        Json result = path_json(model_.model, mesh, chosen, planned);
-        result["device"] = device ? Json(device->facts().name) : Json();
-        result["driver"] = device ? Json(device->facts().driver) : Json();
-        result["validation_messages"] = std::move(messages);
-        result["output"] = output_option_->count() > 0 ? Json(output_) : Json();
+                      const ViewDevice& drawn) const {
+        nlohmann::ordered_json result = path_json(model_.model, mesh, chosen, planned);
+        result.update(device_json(drawn.drawn()));
+        result["output"] = nullptr;
+        if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
     }
 
@@ -167,7 +139,6 @@ private:
     PathPlan plan_;
     SceneOptions style_;
     PictureOptions picture_;
-    bool no_ratio_ = false;
     bool light_follow_ = false;
     std::string output_;
     CLI::Option* output_option_ = nullptr;

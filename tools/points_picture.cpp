@@ -6,15 +6,14 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "engine/device.h"
 #include "engine/splat_renderer.h"
-#include "engine/vulkan_instance.h"
 #include "silhouette/points/pca_normals.h"
 #include "silhouette/points/point_silhouette.h"
 #include "tools/command.h"
 #include "tools/contact_sheet.h"
 #include "tools/disc_pieces.h"
 #include "tools/disc_radii.h"
+#include "tools/drawing_device.h"
 #include "tools/hidden_points.h"
 #include "tools/label_output.h"
 #include "tools/picture_file.h"
@@ -244,8 +243,7 @@ private:
 }  // namespace
 
 PointsPictureReport draw_points(const PointsPicture& picture, OutputFile& file) {
-    const VulkanInstance instance({.validate = picture.options.validate});
-    const Device device(instance, picture.options.device);
+    const DrawingDevice device(picture.options);
     const PointsDrawing drawing(picture);
     SplatRenderer renderer(device.context());
     const ImageSize size = picture.options.size;
@@ -263,9 +261,9 @@ PointsPictureReport draw_points(const PointsPicture& picture, OutputFile& file) 
     }
     return {
         .silhouette_point = drawing.silhouette_point(),
-        .device = device.facts().name,
-        .driver = device.facts().driver,
-        .validation_messages = instance.validation_message_count(),
+        .device = device.device.facts().name,
+        .driver = device.device.facts().driver,
+        .validation_messages = device.instance.validation_message_count(),
         .ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
                   .count()};
 }

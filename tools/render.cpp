@@ -5,16 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "engine/device.h"
 #include "engine/renderer.h"
-#include "engine/vulkan_instance.h"
-#include "silhouette/hough/hough_octree.h"
 #include "tools/command.h"
+#include "tools/drawing_device.h"
 #include "tools/model_argument.h"
+#include "tools/model_octree.h"
 #include "tools/picture_file.h"
 #include "tools/picture_options.h"
 #include "tools/picture_scene.h"
-#include "tools/progress.h"
 #include "tools/scene_options.h"
 
 namespace rimline::tools {
@@ -56,17 +54,13 @@ public:
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
-        const VulkanInstance instance({.validate = picture_.validate});
-        const Device device(instance, picture_.device);
-        const HoughOctree octree = about_model(model_.model, [&] {
-            Progress progress(context, "building the octree");
-            return HoughOctree(mesh, {}, progress.call());
-        });
+        const DrawingDevice device(picture_);
+        const HoughOctree octree = build_octree(model_.model, mesh, context);
         context.checkpoint();
 
         Scene scene =
             options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
-        check_size(scene, mesh);
+        check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
             {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
         std::optional<Ground> ground;
@@ -80,25 +74,13 @@ public:
 
         write_png(output, picture);
         if (context.json)
-            print_result(device, instance, renderer);
+            print_result(device, renderer);
         else
-            print_summary(device, instance, renderer.report());
+            print_summary(device, renderer.report());
         return ExitStatus::success;
     }
 
 private:
-    // What is drawn beside the model must lie within the coordinates that silhouettes are found in.
-    void check_size(const Scene& scene, const Mesh& mesh) const {
-        const double ground = options_.ground ? scene_reach(mesh, true) : 0.0;
-        const glm::dvec3 reach =
-            glm::max(glm::abs(scene.camera.eye), glm::abs(mesh.center()) + ground);
-        if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
-            throw Error(ErrorCode::too_large,
-                        model_.model + ": too large to stand before" +
-                            (options_.ground ? " or to lay a ground under" : "") +
-                            ": scale it down, coordinates end at 2^60");
-    }
-
     static nlohmann::ordered_json shadows_of(const FrameReport& report) {
         nlohmann::ordered_json shadows = nlohmann::ordered_json::array();
         for (const ShadowReport& shadow : report.shadows)
@@ -114,40 +96,34 @@ private:
         return shadows;
     }
 
-    void print_result(const Device& device, const VulkanInstance& instance,
-                      const Renderer& renderer) const {
+    void print_result(const DrawingDevice& device, const Renderer& renderer) const {
         const FrameReport& report = renderer.report();
-        nlohmann::ordered_json messages = nullptr;
-        if (const auto count = instance.validation_message_count()) messages = *count;
-        print_json({{"model", model_.model},
-                    {"device", device.facts().name},
-                    {"driver", device.facts().driver},
-                    {"validation_messages", std::move(messages)},
-                    {"silhouette", report.silhouette},
-                    {"creases", report.creases},
-                    {"shadow_edges", report.shadow_edges},
-                    {"shadows", shadows_of(report)},
-                    {"bytes_streamed", report.bytes_streamed},
-                    {"bytes_full", report.bytes_full},
-                    {"bytes_uploaded", report.bytes_uploaded},
-                    {"stream_memory_bytes", renderer.stream_bytes()},
-                    {"tracker_memory_bytes", renderer.tracker_bytes()},
-                    {"frame_ms", report.frame_ms},
-                    {"output", output_}});
+        nlohmann::ordered_json result{{"model", model_.model}};
+        result.update(device_json(&device));
+        result.update({{"silhouette", report.silhouette},
+                       {"creases", report.creases},
+                       {"shadow_edges", report.shadow_edges},
+                       {"shadows", shadows_of(report)},
+                       {"bytes_streamed", report.bytes_streamed},
+                       {"bytes_full", report.bytes_full},
+                       {"bytes_uploaded", report.bytes_uploaded},
+                       {"stream_memory_bytes", renderer.stream_bytes()},
+                       {"tracker_memory_bytes", renderer.tracker_bytes()},
+                       {"frame_ms", report.frame_ms},
+                       {"output", output_}});
+        print_json(result);
     }
 
-    void print_summary(const Device& device, const VulkanInstance& instance,
-                       const FrameReport& report) const {
+    void print_summary(const DrawingDevice& device, const FrameReport& report) const {
         std::printf("%s\n", output_.c_str());
         std::printf("  lines       %u silhouette and border edges, %u creases\n", report.silhouette,
                     report.creases);
         std::printf("  shadows     %u edges extruded\n", report.shadow_edges);
         std::printf("  streamed    %llu bytes\n",
                     static_cast<unsigned long long>(report.bytes_streamed));
-        std::printf("  time        %.1f ms on %s\n", report.frame_ms, device.facts().name.c_str());
-        if (const auto count = instance.validation_message_count())
-            std::printf("  validation  %u messages%s%s\n", *count, *count ? ", the first: " : "",
-                        *count ? instance.first_validation_message().c_str() : "");
+        std::printf("  time        %.1f ms on %s\n", report.frame_ms,
+                    device.device.facts().name.c_str());
+        print_validation(device);
     }
 
     ModelArgument model_;

@@ -1,5 +1,7 @@
 #include "tools/scene_options.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "engine/view_defaults.h"
@@ -96,9 +98,16 @@ SceneInstance Ground::instance(const Scene& scene) const {
     return instance;
 }
 
-double scene_reach(const Mesh& mesh, bool ground) {
+void check_scene_reach(const std::string& model, const Mesh& mesh, std::span<const glm::dvec3> eyes,
+                       bool ground) {
     // A ground is square.
-    return (ground ? 1.5 * k_ground_end : 1.0) * mesh.radius();
+    const double radius = (ground ? 1.5 * k_ground_end : 1.0) * mesh.radius();
+    glm::dvec3 reach = glm::abs(mesh.center()) + radius;
+    for (const glm::dvec3& eye : eyes) reach = glm::max(reach, glm::abs(eye));
+    if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
+        throw Error(ErrorCode::too_large, model + ": too large to stand before" +
+                                              (ground ? " or to lay a ground under" : "") +
+                                              ": scale it down, coordinates end at 2^60");
 }
 
 }  // namespace rimline::tools

@@ -4,7 +4,9 @@
 // from all of them.
 
 #include <CLI/App.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "engine/scene.h"
@@ -55,7 +57,9 @@ private:
     HoughOctree octree_;
 };
 
-/// How far from its middle a scene of this model reaches: its radius, or its ground's.
-double scene_reach(const Mesh& mesh, bool ground);
+/// Throws Error{too_large} where the eyes, the model or its ground lie beyond the coordinates that
+/// silhouettes are found in.
+void check_scene_reach(const std::string& model, const Mesh& mesh, std::span<const glm::dvec3> eyes,
+                       bool ground);
 
 }  // namespace rimline::tools

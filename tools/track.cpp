@@ -15,6 +15,7 @@
 #include "tools/command.h"
 #include "tools/frame_check.h"
 #include "tools/model_argument.h"
+#include "tools/model_octree.h"
 #include "tools/option_types.h"
 #include "tools/path_options.h"
 #include "tools/progress.h"
@@ -82,17 +83,12 @@ struct Track {
     std::string difference;  // The first one that --verify found, with its frame.
 };
 
-HoughOctree build_octree(const Mesh& mesh, const std::vector<glm::vec3>& origins,
-                         const Context& context) {
-    Progress progress(context, "building the octree");
-    return HoughOctree(mesh, {{origins.begin(), origins.end()}}, progress.call());
-}
-
-Track follow(const Mesh& mesh, const std::vector<glm::vec3>& origins,
+Track follow(const std::string& model, const Mesh& mesh, const std::vector<glm::vec3>& origins,
              const std::vector<HomogeneousPoint>& points, bool verify, const Context& context) {
     Track track;
     Clock::time_point start = Clock::now();
-    const HoughOctree octree = build_octree(mesh, origins, context);
+    const HoughOctree octree =
+        build_octree(model, mesh, context, {{origins.begin(), origins.end()}});
     track.build_ms = 1e-3 * microseconds_since(start);
     start = Clock::now();
     SilhouetteTracker tracker(octree, points.front());
@@ -158,8 +154,9 @@ public:
         const std::vector<HomogeneousPoint> points =
             path_.points(mesh, up_.value_or(own_up), k_orbit_radius);
 
-        const Track track = about_model(
-            model_.model, [&] { return follow(mesh, origins_, points, verify_, context); });
+        const Track track = about_model(model_.model, [&] {
+            return follow(model_.model, mesh, origins_, points, verify_, context);
+        });
         if (context.json)
             print_result(track);
         else

@@ -16,6 +16,10 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t least) {
     app.add_flag("--by-area", by_area,
                  "Votes weigh as faces' areas, where faces are of very different size")
         ->group("Views");
+    app.add_flag("--no-ratio", no_ratio,
+                 "Votes alone: do not draw candidates to see how much of their silhouettes is "
+                 "visible")
+        ->group("Views");
 }
 
 ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,

@@ -25,7 +25,8 @@ struct ChosenViews {
 
 struct ViewChoice {
     std::uint32_t count = 4;
-    bool by_area = false;  ///< Planes' votes weigh as their faces' areas.
+    bool by_area = false;   ///< Planes' votes weigh as their faces' areas.
+    bool no_ratio = false;  ///< Votes alone; as always in a build without the engine.
 
     void add_to(CLI::App& app, std::uint32_t least);
 

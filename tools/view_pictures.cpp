@@ -1,29 +1,13 @@
 #include "tools/view_pictures.h"
 
-#include <algorithm>
-#include <glm/common.hpp>
 #include <optional>
 
 #include "engine/view_defaults.h"
+#include "tools/model_octree.h"
 #include "tools/picture_scene.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
-
-namespace {
-
-// What is drawn must lie within the coordinates that silhouettes are found in.
-void check_size(const ViewScene& scene, std::span<const glm::dvec3> eyes) {
-    const Mesh& mesh = scene.octree.mesh();
-    glm::dvec3 reach = glm::abs(mesh.center()) + scene_reach(mesh, scene.style.ground);
-    for (const glm::dvec3& eye : eyes) reach = glm::max(reach, glm::abs(eye));
-    if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
-        throw Error(
-            ErrorCode::too_large,
-            scene.model + ": too large to stand before: scale it down, coordinates end at 2^60");
-}
-
-}  // namespace
 
 VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context) {
     return [&pass, stop = context.stop](std::span<const glm::dvec3> eyes) {
@@ -35,11 +19,18 @@ VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context) 
     };
 }
 
+ViewDevice::ViewDevice(const std::string& model, const Mesh& mesh, const PictureOptions& options,
+                       bool draws, const Context& context) {
+    if (!draws) return;
+    device.emplace(options);
+    octree.emplace(build_octree(model, mesh, context));
+}
+
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                 std::span<const glm::dvec3> eyes, ImageSize size,
                                 const Context& context) {
-    check_size(scene, eyes);
     const Mesh& mesh = scene.octree.mesh();
+    check_scene_reach(scene.model, mesh, eyes, scene.style.ground);
     const glm::dvec3 up = up_of(mesh, scene.picture);
     std::optional<Ground> ground;
     if (scene.style.ground) ground.emplace(mesh, up, 0.0);
@@ -58,6 +49,13 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
         pictures.push_back(renderer.render(drawn, size.width, size.height));
     }
     return pictures;
+}
+
+ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
+                         const ViewDevice& drawn, std::uint32_t least, const Context& context) {
+    if (choice.no_ratio) return choice.choose(model, mesh, {}, least, context);
+    VisibleRatioPass pass(drawn.device->context(), *drawn.octree);
+    return choice.choose(model, mesh, visible_ratios_of(pass, context), least, context);
 }
 
 }  // namespace rimline::tools

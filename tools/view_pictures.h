@@ -2,26 +2,45 @@
 
 // Best views on a device: how much of their silhouettes is visible, and their pictures.
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "engine/device.h"
 #include "engine/png.h"
 #include "engine/renderer.h"
 #include "engine/visible_ratio.h"
 #include "silhouette/field/best_views.h"
 #include "silhouette/hough/hough_octree.h"
 #include "tools/command.h"
+#include "tools/drawing_device.h"
 #include "tools/option_types.h"
 #include "tools/picture_options.h"
 #include "tools/scene_options.h"
+#include "tools/view_choice.h"
 
 namespace rimline::tools {
 
 /// Draws with `pass`, which must outlive it, until Ctrl-C.
 VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context);
+
+/// What `views` and `path` draw with, where they draw: without ratios and pictures they need no device.
+struct ViewDevice {
+    /// `mesh` must outlive it. Empty unless something `draws`.
+    ViewDevice(const std::string& model, const Mesh& mesh, const PictureOptions& options,
+               bool draws, const Context& context);
+
+    const DrawingDevice* drawn() const noexcept { return device ? &*device : nullptr; }
+
+    std::optional<DrawingDevice> device;
+    std::optional<HoughOctree> octree;
+};
+
+/// By `choice`: weighted by ratios that are drawn, or by votes alone.
+ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
+                         const ViewDevice& drawn, std::uint32_t least, const Context& context);
 
 /// What a view is drawn with; all of it must outlive the pictures.
 struct ViewScene {

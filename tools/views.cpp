@@ -5,16 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "engine/device.h"
-#include "engine/vulkan_instance.h"
 #include "tools/command.h"
 #include "tools/contact_sheet.h"
 #include "tools/model_argument.h"
 #include "tools/output_folder.h"
 #include "tools/picture_file.h"
 #include "tools/picture_scene.h"
-#include "tools/progress.h"
-#include "tools/view_choice.h"
 #include "tools/view_pictures.h"
 
 namespace rimline::tools {
@@ -33,10 +29,6 @@ public:
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         choice_.add_to(app, 1);
-        app.add_flag("--no-ratio", no_ratio_,
-                     "Votes alone: do not draw candidates to see how much of their silhouettes is "
-                     "visible")
-            ->group("Views");
         output_option_ =
             app.add_option("-o,--output", output_,
                            "The folder to write view_1.png ... and contact_sheet.png into "
@@ -71,25 +63,13 @@ public:
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
-        std::optional<VulkanInstance> instance;
-        std::optional<Device> device;
-        std::optional<HoughOctree> octree;
-        if (!no_ratio_ || folder) {
-            instance.emplace(InstanceOptions{.validate = picture_.validate});
-            device.emplace(*instance, picture_.device);
-            octree.emplace(about_model(model_.model, [&] {
-                Progress progress(context, "building the octree");
-                return HoughOctree(mesh, {}, progress.call());
-            }));
-        }
+        const ViewDevice drawn(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
         const ChosenViews chosen = about_model(model_.model, [&] {
-            if (no_ratio_) return choice_.choose(model_.model, mesh, {}, 1, context);
-            VisibleRatioPass pass(device->context(), *octree);
-            return choice_.choose(model_.model, mesh, visible_ratios_of(pass, context), 1, context);
+            return choose_views(choice_, model_.model, mesh, drawn, 1, context);
         });
-        if (folder) draw(*folder, *octree, *device, chosen, context);
+        if (folder) draw(*folder, drawn, chosen, context);
         if (context.json)
-            print_result(mesh, chosen, device, instance);
+            print_result(mesh, chosen, drawn);
         else
             print_summary(chosen);
         return ExitStatus::success;
@@ -97,14 +77,14 @@ public:
 
 private:
     // Nothing is written before everything is drawn.
-    void draw(const OutputFolder& folder, const HoughOctree& octree, const Device& device,
-              const ChosenViews& chosen, const Context& context) const {
+    void draw(const OutputFolder& folder, const ViewDevice& drawn, const ChosenViews& chosen,
+              const Context& context) const {
         std::vector<glm::dvec3> eyes;
         for (const BestView& view : chosen.best.views) eyes.push_back(view.eye);
         const std::uint32_t columns = contact_sheet_columns(eyes.size());
-        const ViewScene scene{model_.model, octree, style_, picture_};
+        const ViewScene scene{model_.model, *drawn.octree, style_, picture_};
         about_model(model_.model, [&] {
-            Renderer renderer(device.context());
+            Renderer renderer(drawn.device->context());
             const std::vector<Picture> pictures =
                 draw_views(renderer, scene, eyes, picture_.size, context);
             const std::vector<Picture> cells =
@@ -130,18 +110,11 @@ private:
         return {width, std::max(1u, static_cast<std::uint32_t>(height))};
     }
 
-    void print_result(const Mesh& mesh, const ChosenViews& chosen,
-                      const std::optional<Device>& device,
-                      const std::optional<VulkanInstance>& instance) const {
-        using Json = nlohmann::ordered_json;
-        Json messages = nullptr;
-        if (instance)
-            if (const auto count = instance->validation_message_count()) messages = *count;
-        Json result = views_json(model_.model, mesh, chosen);
-        result["device"] = device ? Json(device->facts().name) : Json();
-        result["driver"] = device ? Json(device->facts().driver) : Json();
-        result["validation_messages"] = std::move(messages);
-        result["output"] = output_option_->count() > 0 ? Json(output_) : Json();
+    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& drawn) const {
+        nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
+        result.update(device_json(drawn.drawn()));
+        result["output"] = nullptr;
+        if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
     }
 
@@ -158,7 +131,6 @@ private:
     ViewChoice choice_;
     SceneOptions style_;
     PictureOptions picture_;
-    bool no_ratio_ = false;
     std::string output_;
     CLI::Option* output_option_ = nullptr;
 };

@@ -16,10 +16,6 @@ constexpr const char* k_footer =
     "This rimline was built without the engine: it draws nothing, and views are chosen by votes "
     "alone.";
 
-void add_no_ratio(CLI::App& app, bool& no_ratio) {
-    app.add_flag("--no-ratio", no_ratio, "As always in this build: votes alone")->group("Views");
-}
-
 class ViewsCommand final : public Command {
 public:
     std::string name() const override { return "views"; }
@@ -27,7 +23,6 @@ public:
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         choice_.add_to(app, 1);
-        add_no_ratio(app, no_ratio_);
         app.footer(k_footer);
     }
     ExitStatus run(const Context& context) override {
@@ -46,7 +41,6 @@ public:
 private:
     ModelArgument model_;
     ViewChoice choice_;
-    bool no_ratio_ = false;
 };
 
 class PathCommand final : public Command {
@@ -57,7 +51,6 @@ public:
         model_.add_to(app);
         choice_.add_to(app, 2);
         plan_.add_to(app);
-        add_no_ratio(app, no_ratio_);
         app.footer(k_footer);
     }
     ExitStatus run(const Context& context) override {
@@ -77,7 +70,6 @@ private:
     ModelArgument model_;
     ViewChoice choice_;
     PathPlan plan_;
-    bool no_ratio_ = false;
 };
 
 }  // namespace

@@ -1,0 +1,16 @@
+#include "tools/model_octree.h"
+
+#include "tools/model_argument.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+HoughOctree build_octree(const std::string& model, const Mesh& mesh, const Context& context,
+                         const HoughOctreeOptions& options) {
+    return about_model(model, [&] {
+        Progress progress(context, "building the octree");
+        return HoughOctree(mesh, options, progress.call());
+    });
+}
+
+}  // namespace rimline::tools
