@@ -25,7 +25,7 @@ ModelLoader::Result wait_for(ModelLoader& loader) {
 
 TEST_SUITE_BEGIN("threads");
 
-TEST_CASE("a model is opened beside its window, which is woken when it is there") {
+TEST_CASE("a model is opened beside its window and wakes it when it is there") {
     std::atomic<int> wakes{0};
     ModelLoader loader([&] { ++wakes; });
     CHECK_FALSE(loader.stage());
@@ -41,7 +41,7 @@ TEST_CASE("a model is opened beside its window, which is woken when it is there"
     CHECK_FALSE(loader.take());
 }
 
-TEST_CASE("what cannot be opened is told in words that name it, and the next model opens") {
+TEST_CASE("what cannot be opened is told in words that name it and the next model opens") {
     tests::ScratchFolder folder;
     const std::string broken = (folder / "broken.obj").string();
     std::ofstream(broken) << "v 0 0 0\nv 1 0 0\nf 1 2 9\n";
@@ -58,7 +58,7 @@ TEST_CASE("what cannot be opened is told in words that name it, and the next mod
     CHECK(wait_for(loader).model);
 }
 
-TEST_CASE("opening another model drops the one before, and cancelling drops all") {
+TEST_CASE("opening another model drops the one before and cancelling drops all") {
     ModelLoader loader;
     for (int i = 0; i < 20; ++i) loader.open("shape:knot:200000");
     loader.open("shape:sphere:500");
