@@ -1,16 +1,21 @@
 // rimline origins: origins for Hough spaces, given their number or by trying.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "silhouette/field/origins.h"
+#include "silhouette/hough/literal/literal_forest.h"
+#include "silhouette/hough/spread_viewpoints.h"
 #include "tools/canvas.h"
 #include "tools/command.h"
 #include "tools/group_picture.h"
@@ -36,6 +41,83 @@ nlohmann::ordered_json to_json(const OriginTrial& trial) {
             {"work", trial.work}};
 }
 
+// The thesis's own octrees over the same groups, and what an extraction costs them.
+struct LiteralTrial {
+    const char* culling;
+    LiteralForestStatistics statistics;
+    LiteralCounters sum;
+};
+
+std::vector<LiteralTrial> try_literally(const Mesh& mesh, std::span<const glm::dvec3> origins,
+                                        std::uint32_t viewpoints, const Context& context) {
+    std::vector<glm::dvec3> used(origins.begin(), origins.end());
+    if (used.empty()) used.push_back(mesh.center());
+    const std::vector<std::uint32_t> groups = HoughOctree(mesh, {used}).face_groups();
+    Progress progress(context, "counting the thesis's boxes");
+    const LongCall call = progress.call();
+    std::vector<LiteralTrial> trials = {{"points_and_edges", {}, {}}, {"straddling", {}, {}}};
+    for (LiteralTrial& trial : trials) {
+        const bool is_second = &trial == &trials.back();
+        const LiteralForest forest(
+            mesh, used, groups,
+            is_second ? LiteralCulling::straddling : LiteralCulling::points_and_edges);
+        trial.statistics = forest.statistics();
+        std::vector<EdgeId> edges;
+        const auto points = spread_viewpoints(mesh, viewpoints);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            call.checkpoint(0.5 * is_second + 0.5 * double(i) / double(points.size()));
+            forest.extract(points[i], edges, trial.sum);
+        }
+    }
+    return trials;
+}
+
+// Of each set of origins that was tried, by culling.
+using LiteralTrials = std::vector<std::vector<LiteralTrial>>;
+
+nlohmann::ordered_json to_json(std::span<const LiteralTrial> trials, std::uint32_t viewpoints) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const LiteralTrial& trial : trials)
+        list.push_back({{"culling", trial.culling},
+                        {"tree_edges", trial.statistics.tree_edges},
+                        {"listed_edges", trial.statistics.listed_edges},
+                        {"box_checks", trial.sum.box_checks() / viewpoints},
+                        {"edge_checks", trial.sum.edge_tests / viewpoints},
+                        {"face_checks", trial.sum.face_checks / viewpoints}});
+    return list;
+}
+
+// Microseconds of an extraction from each first few of `origins`, all in turn: the least of some rounds, on
+// one thread.
+std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec3> origins,
+                                     std::span<const OriginTrial> trials, std::uint32_t viewpoints,
+                                     const Context& context) {
+    constexpr std::uint32_t k_rounds = 7;
+    Progress progress(context, "timing extractions");
+    const LongCall call = progress.call();
+    std::vector<HoughOctree> octrees;
+    for (const OriginTrial& trial : trials) {
+        const auto used = origins.first(trial.count);
+        octrees.emplace_back(mesh, HoughOctreeOptions{{used.begin(), used.end()}},
+                             LongCall{context.stop, {}});
+    }
+    const std::vector<HomogeneousPoint> points = spread_viewpoints(mesh, viewpoints);
+    std::vector<double> least_us(trials.size(), INFINITY);
+    std::vector<EdgeId> edges;
+    for (std::uint32_t round = 0; round < k_rounds; ++round)
+        for (std::size_t i = 0; i < octrees.size(); ++i) {
+            call.checkpoint(double(round) / k_rounds);
+            BlockScratch scratch = octrees[i].make_scratch();
+            TraversalCounters counters;
+            const auto start = Clock::now();
+            for (const HomogeneousPoint& point : points)
+                octrees[i].extract(point, edges, counters, scratch);
+            const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+            least_us[i] = std::min(least_us[i], took.count() / viewpoints);
+        }
+    return least_us;
+}
+
 class OriginsCommand final : public Command {
 public:
     std::string name() const override { return "origins"; }
@@ -51,6 +133,10 @@ public:
                    "Where the voting function ends, in radii of the model");
         add_count(app, "--viewpoints", viewpoints_, 1, 1'000'000,
                   "Extractions to count the work of, at 1, 2 and 3 radii");
+        app.add_flag("--literal", literal_,
+                     "Count also what the thesis's octrees cost, by both of their cullings");
+        app.add_flag("--time", time_, "Measure by the clock too what an extraction takes")
+            ->excludes(count_option_);
         app.add_option("-o,--output", output_, "A picture of the groups of faces")
             ->type_name("FILE.png");
         add_direction(app, "--direction", direction_,
@@ -83,6 +169,7 @@ private:
         options.alpha = alpha_;
         const auto start = Clock::now();
         ChosenOrigins chosen;
+        std::vector<glm::dvec3> tried;
         double search_ms = 0.0;
         {
             Progress progress(context, "choosing origins of " + model_.model);
@@ -93,6 +180,7 @@ private:
             } else {
                 chosen = choose_origins(mesh, most_, viewpoints_, options, call);
                 search_ms = milliseconds_since(start);
+                tried = chosen.found.origins;
                 chosen.found.origins.resize(chosen.best);
                 chosen.found.votes.resize(chosen.best);
             }
@@ -111,7 +199,17 @@ private:
                            : (is_z_up ? glm::dvec3(0.9, -0.7, 0.4) : glm::dvec3(0.9, 0.4, 0.7));
             write_picture(*file, draw_groups(octree, towards, up, 700));
         }
-        report(mesh, chosen, trial, search_ms, context);
+        // Of what was tried, or of the origins asked for.
+        LiteralTrials literal;
+        for (const OriginTrial& t : chosen.trials)
+            if (literal_)
+                literal.push_back(
+                    try_literally(mesh, std::span(tried).first(t.count), viewpoints_, context));
+        std::vector<double> times_us;
+        if (time_) times_us = time_extractions(mesh, tried, chosen.trials, viewpoints_, context);
+        if (literal_ && literal.empty())
+            literal.push_back(try_literally(mesh, chosen.found.origins, viewpoints_, context));
+        report(mesh, chosen, trial, literal, times_us, search_ms, context);
         return ExitStatus::success;
     }
 
@@ -120,7 +218,8 @@ private:
     }
 
     void report(const Mesh& mesh, const ChosenOrigins& chosen, const OriginTrial& trial,
-                double search_ms, const Context& context) const {
+                const LiteralTrials& literal, std::span<const double> times_us, double search_ms,
+                const Context& context) const {
         std::vector<glm::dvec3> origins = chosen.found.origins;
         std::vector<double> votes = chosen.found.votes;
         if (origins.empty()) {
@@ -140,11 +239,20 @@ private:
                         trial.statistics.sfo_edges,
                         static_cast<unsigned long long>(trial.mean.box_checks),
                         static_cast<unsigned long long>(trial.mean.edge_checks));
-            for (const OriginTrial& t : chosen.trials)
-                std::printf("  tried %u: %u SFO edges, %llu boxes, work %.0f%s\n", t.count,
+            if (literal_)
+                for (const LiteralTrial& t : literal[chosen.best])
+                    std::printf("  thesis's octrees, %s: %u edges listed; %llu boxes, %llu edges\n",
+                                t.culling, t.statistics.listed_edges,
+                                static_cast<unsigned long long>(t.sum.box_checks() / viewpoints_),
+                                static_cast<unsigned long long>(t.sum.edge_tests / viewpoints_));
+            for (std::size_t i = 0; i < chosen.trials.size(); ++i) {
+                const OriginTrial& t = chosen.trials[i];
+                std::printf("  tried %u: %u SFO edges, %llu boxes, work %.0f", t.count,
                             t.statistics.sfo_edges,
-                            static_cast<unsigned long long>(t.mean.box_checks), t.work,
-                            &t == &chosen.trials[chosen.best] ? "  least" : "");
+                            static_cast<unsigned long long>(t.mean.box_checks), t.work);
+                if (time_) std::printf(", %.1f us", times_us[i]);
+                std::printf("%s\n", i == chosen.best ? "  least" : "");
+            }
             return;
         }
         nlohmann::ordered_json list_of_origins = nlohmann::ordered_json::array();
@@ -159,9 +267,15 @@ private:
                                       {"edge_checks", trial.mean.edge_checks},
                                       {"work", trial.work},
                                       {"ms", search_ms}};
+        if (literal_) object["literal"] = to_json(literal[chosen.best], viewpoints_);
         if (!chosen.trials.empty()) {
             nlohmann::ordered_json trials = nlohmann::ordered_json::array();
-            for (const OriginTrial& t : chosen.trials) trials.push_back(to_json(t));
+            for (const OriginTrial& t : chosen.trials) {
+                trials.push_back(to_json(t));
+                if (time_) trials.back()["us"] = times_us[trials.size() - 1];
+                if (literal_)
+                    trials.back()["literal"] = to_json(literal[trials.size() - 1], viewpoints_);
+            }
             object["trials"] = std::move(trials);
         }
         if (!output_.empty()) object["output"] = output_;
@@ -173,6 +287,8 @@ private:
     std::uint32_t most_ = 5;
     double alpha_ = 1.72;
     std::uint32_t viewpoints_ = 600;
+    bool literal_ = false;
+    bool time_ = false;
     std::string output_;
     std::optional<glm::vec3> direction_;
     std::optional<glm::vec3> up_;

@@ -110,18 +110,20 @@ def plot_alpha(folder):
     for alpha in ALPHAS:
         row = [alpha]
         for model in ("horse.ply", "rocker-arm.obj"):
-            found = ask("origins", find_model(model), "-k", 2, "--alpha", alpha)
+            found = ask("origins", find_model(model), "-k", 2, "--alpha", alpha, "--literal")
             row += [found["box_checks"], found["sfo_edges"], found["edge_checks"]]
+            row += [literal["box_checks"] for literal in found["literal"]]
         rows.append(" ".join(map(str, row)) + "\n")
     (folder / "alpha.dat").write_text("".join(rows), encoding="utf-8")
-    curves = ", ".join(f"'alpha.dat' using 1:({{0}}) with linespoints lc rgb {color} pt 7 title '{what}'"
-                       for color, what in (("red", "boxes"), ("blue", "edges"), ("green", "SFO edges")))
+    # Boxes, SFO edges, edges; the thesis's boxes by its own culling and by straddling.
+    kinds = (("red", "boxes, HoughOctree"), ("green", "SFO edges"), ("blue", "edges, HoughOctree"),
+             ("dark-red", "boxes, the thesis\'\'s: PBV and EBV"), ("orange", "boxes, the thesis\'\'s: straddling"))
     panels = []
-    for first, title in ((2, "Horse, two origins"), (5, "Rocker arm, two origins")):
-        panel = curves
-        for column in (first, first + 2, first + 1):
-            panel = panel.replace("({0})", str(column), 1)
-        panels.append(f"set title '{title}'; plot {panel}")
+    for first, title in ((2, "Horse, two origins"), (7, "Rocker arm, two origins")):
+        curves = ", ".join(
+            f"'alpha.dat' using 1:{first + i} with linespoints lc rgb '{color}' pt 7 title '{what}'"
+            for i, (color, what) in enumerate(kinds))
+        panels.append(f"set title '{title}'; plot {curves}")
     gnuplot(style(OUT / "alpha.png", 2000, 800)
             + "set xlabel 'alpha'; set yrange [0:*]; set key at graph 0.95, 0.62; set multiplot layout 1,2; "
             + "; ".join(panels), folder)
@@ -132,18 +134,18 @@ def number(value):
 
 
 def origins_table():
-    lines = ["| model | faces | origins | SFO edges | boxes | edges | work |",
-             "|---|---|---|---|---|---|---|"]
+    lines = ["| model | faces | origins | SFO edges | boxes | edges | work | µs |",
+             "|---|---|---|---|---|---|---|---|"]
     for title, file_name in [m[:2] for m in MODELS] + OTHERS:
         path = find_model(file_name)
         faces = ask("info", path)["faces"]
-        found = ask("origins", path, "--most", 5)
+        found = ask("origins", path, "--most", 5, "--time")
         for trial in found["trials"]:
             count = str(trial["origins"]) if trial["origins"] else "center"
             best = "**" if trial["work"] == found["work"] else ""
             lines.append(f"| {title} | {number(faces)} | {count} | {number(trial['sfo_edges'])} | "
                          f"{number(trial['box_checks'])} | {number(trial['edge_checks'])} | "
-                         f"{best}{number(trial['work'])}{best} |")
+                         f"{best}{number(trial['work'])}{best} | {trial['us']:.0f} |")
             title, faces = "", math.nan
             lines[-1] = lines[-1].replace("nan", "")
     return "\n".join(lines)
@@ -151,15 +153,18 @@ def origins_table():
 
 def thesis_table():
     lines = ["| model | faces, thesis | faces, here | origins | time, thesis | time, here | "
-             "boxes, thesis: centroid | optimised | boxes, here: center | optimised |",
-             "|---|---|---|---|---|---|---|---|---|---|"]
+             "boxes, thesis: centroid | optimised | its octrees, here: center | optimised | "
+             "straddling: center | optimised | HoughOctree: center | optimised |",
+             "|---" * 14 + "|"]
     for title, file_name, faces, center, count, optimised, seconds in MODELS:
         path = find_model(file_name)
-        trials = ask("origins", path, "--most", count)["trials"]
-        found = ask("origins", path, "-k", count)
+        trials = ask("origins", path, "--most", count, "--literal")["trials"]
+        found = ask("origins", path, "-k", count, "--literal")
+        boxes = [number(tried["literal"][culling]["box_checks"])
+                 for culling in (0, 1) for tried in (trials[0], found)]
         lines.append(f"| {title} | {number(faces)} | {number(ask('info', path)['faces'])} | {count} | "
                      f"{seconds // 60}m{seconds % 60:02}s | {found['ms'] / 1000:.2f} s | "
-                     f"{number(center)} | {number(optimised)} | "
+                     f"{number(center)} | {number(optimised)} | {' | '.join(boxes)} | "
                      f"{number(trials[0]['box_checks'])} | {number(found['box_checks'])} |")
     return "\n".join(lines)
 
