@@ -1149,6 +1149,10 @@ def test_points_tell_borders_features_and_silhouettes_of_a_model_without_its_fac
     again = succeed("points", "shape:terrain:8000", "--as-points", "--from", "2,3,4", "--threads", "1")
     for key in ("border", "silhouette", "consensus_edges", "features", "truth"):
         assert again[key] == found[key], key
+    thesis = [succeed("points", "shape:terrain:8000", "--as-points", *options)["border"] for options in
+              (["--method", "thesis"], ["--omega", "30", "--omega-t", "10", "--phi", "150", "--gamma", "2"],
+               ["--omega", "5"])]
+    assert thesis[0] == thesis[1] != thesis[2]  # Degrees, and what is the default.
     without = succeed("points", "shape:terrain:8000", "--as-points", "--no-lists")
     assert "border" not in without and without["silhouette_points"] == 0
     closed = succeed("points", "shape:sphere:5000", "--as-points", "--direction", "1,2,3")
