@@ -10,7 +10,7 @@
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/hough/spread_viewpoints.h"
 #include "tools/bench_fresh_tracker.h"
-#include "tools/bench_points.h"
+#include "tools/bench_viewpoints.h"
 #include "tools/frame_check.h"
 #include "tools/progress.h"
 #include "tools/track_path.h"

@@ -10,8 +10,8 @@
 #include "silhouette/hough/baselines/silhouette_method.h"
 #include "silhouette/hough/spread_viewpoints.h"
 #include "tools/bench_hough.h"
-#include "tools/bench_points.h"
 #include "tools/bench_report.h"
+#include "tools/bench_viewpoints.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {

@@ -1,21 +1,46 @@
 #pragma once
 
-// Where a bench looks from besides spread_viewpoints: turns around the model.
+// `rimline bench points`: how well PointSurface finds borders and normals again where a mesh's faces are
+// thrown away, with one set of options for all models, beside the rule that people use (gap_rule.h).
+//
+// The truth is the mesh (point_truth.h). Missed are border vertices not labelled so, extra the others that
+// are, both counted against the border vertices (Table 5.1 of the thesis). An open model is found where
+// at most 4% are missed and 7% extra, a closed one where at most 10 are extra, of fandisk none.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
-#include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/command.h"
 
 namespace rimline::tools {
 
-/// How far the point turns in a frame.
-constexpr double k_orbit_step_degrees = 0.5;
+struct BorderCount {
+    std::string method;
+    std::uint32_t missed = 0, extra = 0;
+};
 
-/// A start and `frames` steps of half a degree around the model's up axis, at two radii.
-std::vector<HomogeneousPoint> half_degree_orbit(const Mesh& mesh, std::uint32_t frames);
-/// The same as directions.
-std::vector<HomogeneousPoint> half_degree_turn(const Mesh& mesh, std::uint32_t frames);
+struct PointsBenchResult {
+    enum class Kind { wide, open, smooth, closed, unfit };  ///< As point_truth.h has them.
+    std::string model;
+    Kind kind = Kind::unfit;
+    std::uint32_t points = 0, border = 0;
+    std::vector<BorderCount> counts;  ///< robust, thesis, then the gap rule by threshold.
+    std::uint32_t feature = 0, undecided = 0;
+    double median_error_deg = 0.0, high_error_deg = 0.0;  ///< Of normals; the 99th percentile.
+    std::uint32_t wrong_normals = 0;                      ///< Errors above 60 degrees.
+    double points_per_second = 0.0;  ///< robust, one thread, the best of three.
+
+    /// By count `n` of counts.
+    bool is_found(std::size_t n) const;
+};
+
+PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, const Context& context);
+
+/// The whole suite, printed: of `models`, or where there are none of all in the folders of RIMLINE_MODELS
+/// that hold a mesh.
+ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_t subdivide,
+                            bool check, const Context& context);
 
 }  // namespace rimline::tools

@@ -161,7 +161,7 @@ def test_wrong_usage_is_told_in_plain_words():
     assert "--origin: belongs to --method octree, literal or dual" in fail(2, *view, "--method", "brute", "--origin", "0,0,0")
     assert "several belong to --method octree" in fail(2, *view, "--method", "literal", "--origin", "0,0,0", "--origin", "1,0,0")
     assert "--seed: belongs to --method randomised" in fail(2, *view, "--seed", "3")
-    assert "SUITE: expected one of {hough,service,engine,fields,views}, not 'foo'" in fail(2, "bench", "foo")
+    assert "SUITE: expected one of {hough,service,engine,fields,views,points}, not 'foo'" in fail(2, "bench", "foo")
     assert "MODEL: expected a file or shape:NAME" in fail(2, "info", "")
     apart = succeed("silhouette", "shape:box", "--from", " 1, 2 ,+3")
     assert apart["edges"] == succeed(*view)["edges"]
@@ -655,6 +655,16 @@ def test_devices_tells_why_each_was_or_was_not_chosen():
         assert device["name"] in device["reason"] and isinstance(device["lacks"], list)
     line = fail(1, "devices", "--device", "no such device")
     assert "'no such device'" in line and devices[0]["name"] in line
+
+
+def test_bench_points_measures_borders_beside_the_gap_rule():
+    found = succeed("bench", "points", "shape:sphere:4000")["points"][0]
+    assert found["kind"] == "smooth" and found["border"] == 0
+    assert [count["method"] for count in found["borders"]] == \
+        ["robust", "thesis", "gap 90", "gap 120", "gap 150", "gap 180"]
+    assert found["borders"][0]["extra"] == 0 and found["borders"][0]["found"]
+    assert found["normal_error_99_deg"] < 5
+    assert "does not belong to the suite points" in fail(2, "bench", "points", "--growth")
 
 
 def test_bench_engine_compares_and_then_measures():

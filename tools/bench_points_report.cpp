@@ -1,0 +1,214 @@
+// The suite of points from the command line: tables, objects for scripts, what --check asks.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "tools/bench_machine.h"
+#include "tools/bench_points.h"
+#include "tools/bench_report.h"
+#include "tools/bench_targets.h"
+#include "tools/model_argument.h"
+
+namespace rimline::tools {
+
+namespace {
+
+using Kind = PointsBenchResult::Kind;
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Kind kind) {
+    switch (kind) {
+        case Kind::wide: return "wide";
+        case Kind::open: return "open";
+        case Kind::smooth: return "smooth";
+        case Kind::closed: return "closed";
+        case Kind::unfit: return "unfit";
+    }
+    return "";
+}
+
+// Of models of a kind, how many there are and how many a method finds.
+struct Tally {
+    std::uint32_t all = 0, found = 0, missed = 0, extra = 0, border = 0;
+};
+Tally tally(const std::vector<PointsBenchResult>& results, Kind kind, std::size_t method) {
+    Tally tally;
+    for (const PointsBenchResult& result : results) {
+        if (result.kind != kind) continue;
+        ++tally.all;
+        tally.found += result.is_found(method);
+        tally.missed += result.counts[method].missed;
+        tally.extra += result.counts[method].extra;
+        tally.border += result.border;
+    }
+    return tally;
+}
+
+// The models in the folders of RIMLINE_MODELS, by name.
+std::vector<std::string> all_models() {
+    const char* folders = std::getenv("RIMLINE_MODELS");
+    std::istringstream stream(folders ? folders : "");
+    std::vector<std::filesystem::path> paths;
+    for (std::string folder; std::getline(stream, folder, ':');) {
+        std::error_code ignored;
+        for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension == ".obj" || extension == ".ply" || extension == ".off" ||
+                extension == ".stl")
+                paths.push_back(entry.path());
+        }
+    }
+    std::sort(paths.begin(), paths.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.filename(), a) < std::pair(b.filename(), b);
+    });
+    std::vector<std::string> models;
+    for (const auto& path : paths) models.push_back(path.string());
+    return models;
+}
+
+void print_heading() {
+    std::printf("missed and extra border points; of open models in %% of their border\n");
+    std::printf("%-28s %-7s %7s %6s %15s %15s %15s %15s %6s %6s %7s %7s %9s\n", "model", "kind",
+                "points", "border", "robust", "thesis", "gap 90", "gap 150", "crease", "undec.",
+                "median", "99%", "points/s");
+}
+
+void print_result(const PointsBenchResult& result) {
+    const std::string name = std::filesystem::path(result.model).filename().string();
+    if (result.kind == Kind::unfit) return;
+    std::printf("%-28s %-7s %7u %6u", name.c_str(), name_of(result.kind), result.points,
+                result.border);
+    for (const std::size_t n : {0u, 1u, 2u, 4u}) {
+        const BorderCount& count = result.counts[n];
+        char text[40];
+        if (result.border > 0)
+            std::snprintf(text, sizeof text, "%.1f %.1f%s", 100.0 * count.missed / result.border,
+                          100.0 * count.extra / result.border, result.is_found(n) ? " *" : "");
+        else
+            std::snprintf(text, sizeof text, "%u%s", count.extra, result.is_found(n) ? " *" : "");
+        std::printf(" %15s", text);
+    }
+    std::printf(" %6u %6u %6.2f\u00b0 %6.1f\u00b0 %9.0f\n", result.feature, result.undecided,
+                result.median_error_deg, result.high_error_deg, result.points_per_second);
+}
+
+void print_summary(const std::vector<PointsBenchResult>& results) {
+    std::printf(
+        "\n* found: at most 4%% missed and 7%% extra; closed, at most 10 extra, fandisk 0\n");
+    std::printf("%-28s %18s %18s %18s %18s\n", "found of", "wide", "other open", "smooth",
+                "other closed");
+    const auto fit = std::ranges::find_if(
+        results, [](const PointsBenchResult& result) { return !result.counts.empty(); });
+    if (fit == results.end()) return;
+    for (std::size_t n = 0; n < fit->counts.size(); ++n) {
+        std::printf("%-28s", fit->counts[n].method.c_str());
+        for (const Kind kind : {Kind::wide, Kind::open, Kind::smooth, Kind::closed}) {
+            const Tally t = tally(results, kind, n);
+            char text[40];
+            std::snprintf(text, sizeof text, "%u of %u", t.found, t.all);
+            std::printf(" %18s", text);
+        }
+        std::printf("\n");
+    }
+    double points = 0.0, seconds = 0.0;
+    for (const PointsBenchResult& result : results) {
+        if (result.points_per_second <= 0.0) continue;
+        points += result.points;
+        seconds += result.points / result.points_per_second;
+    }
+    if (seconds > 0.0)
+        std::printf("robust, one thread, all models: %.0f points a second\n", points / seconds);
+}
+
+Json to_json(const PointsBenchResult& result) {
+    Json counts = Json::array();
+    for (std::size_t n = 0; n < result.counts.size(); ++n)
+        counts.push_back({{"method", result.counts[n].method},
+                          {"missed", result.counts[n].missed},
+                          {"extra", result.counts[n].extra},
+                          {"found", result.is_found(n)}});
+    return {{"model", result.model},
+            {"kind", name_of(result.kind)},
+            {"points", result.points},
+            {"border", result.border},
+            {"borders", std::move(counts)},
+            {"feature", result.feature},
+            {"undecided", result.undecided},
+            {"normal_error_median_deg", result.median_error_deg},
+            {"normal_error_99_deg", result.high_error_deg},
+            {"wrong_normals", result.wrong_normals},
+            {"points_per_second", result.points_per_second}};
+}
+
+std::vector<Target> targets_of(const std::vector<PointsBenchResult>& results) {
+    std::vector<Target> targets;
+    const Tally wide = tally(results, Kind::wide, 0);
+    if (wide.all > 0)
+        targets.push_back({.what = "open models with wide openings found",
+                           .value = 100.0 * wide.found / wide.all,
+                           .reach = 80.0,
+                           .unit = "%"});
+    for (const PointsBenchResult& result : results) {
+        if (result.kind != Kind::smooth) continue;
+        const bool is_fandisk = std::filesystem::path(result.model).stem() == "fandisk";
+        targets.push_back(
+            {.what = std::filesystem::path(result.model).filename().string() + ", extra borders",
+             .value = static_cast<double>(result.counts[0].extra),
+             .reach = is_fandisk ? 0.0 : 10.0,
+             .less_is_better = true,
+             .unit = ""});
+    }
+    return targets;
+}
+
+}  // namespace
+
+ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_t subdivide,
+                            bool check, const Context& context) {
+    std::vector<PointsBenchResult> results;
+    for (const std::string& model : models.empty() ? all_models() : models) {
+        std::optional<Mesh> mesh;
+        try {
+            mesh = load_mesh(model, subdivide, context);
+        } catch (const Error& error) {
+            // Folders hold what is no mesh too; what was named has to be one.
+            if (!models.empty() || error.code() == ErrorCode::cancelled) throw;
+            continue;
+        }
+        if (results.empty() && !context.json) {
+            print_machine(this_machine());
+            print_heading();
+        }
+        results.push_back(about_model(model, [&] { return bench_points(model, *mesh, context); }));
+        if (context.json) continue;
+        print_result(results.back());
+        std::fflush(stdout);
+    }
+    const std::vector<Target> targets = check ? targets_of(results) : std::vector<Target>{};
+    if (context.json) {
+        Json rows = Json::array();
+        for (const PointsBenchResult& result : results) rows.push_back(to_json(result));
+        Json object{{"machine", to_json(this_machine())}, {"points", std::move(rows)}};
+        if (check) {
+            object["targets"] = Json::array();
+            for (const Target& target : targets)
+                object["targets"].push_back(to_json(target, "points"));
+        }
+        print_json(object);
+    } else {
+        print_summary(results);
+        print_targets(targets);
+    }
+    const std::string missed = first_missed(targets);
+    if (missed.empty()) return ExitStatus::success;
+    std::fprintf(stderr, "rimline: error: %s: missed\n", missed.c_str());
+    return ExitStatus::check_failed;
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,40 @@
+#pragma once
+
+// What a mesh says of its vertices, when its faces are thrown away and PointSurface has to find it again.
+//
+// Which models count is computed, from the mesh alone:
+//   fit      at least 250 vertices, oriented, no edge of three faces or more, no face without an area.
+//   open     fit, with border edges. Of these, wide: at 90% of its border vertices the opening spans at
+//            least three local spacings. An opening narrower than that looks like a larger triangle.
+//   smooth   fit and closed, and at 99% of its vertices no face turns more than 60 degrees from the
+//            vertex's normal: a smooth surface, sampled well enough to look like one.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline::tools {
+
+struct PointTruth {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3>
+        normals;  ///< The sum of the faces', by area; zero where that has no length.
+    std::vector<std::uint8_t> is_border;
+    std::uint32_t border_count = 0;
+    std::uint32_t wide_count = 0;  ///< Border vertices where the opening is wide.
+    double smooth_share = 0.0;     ///< Of vertices.
+    bool is_fit = false;
+
+    bool is_open() const noexcept { return is_fit && border_count > 0; }
+    bool is_wide() const noexcept { return is_open() && wide_count >= 0.9 * border_count; }
+    bool is_smooth() const noexcept { return is_fit && border_count == 0 && smooth_share >= 0.99; }
+};
+
+/// At a border vertex the opening is wide where its faces leave at least 100 degrees free and no other
+/// vertex lies in what they leave, seen along the vertex's normal: nearer than three times the mean length
+/// of its edges, within 45 degrees of the tangent plane, and 30 degrees away from its faces.
+PointTruth point_truth(const Mesh& mesh);
+
+}  // namespace rimline::tools
