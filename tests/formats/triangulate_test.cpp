@@ -209,6 +209,30 @@ TEST_CASE("Coordinates at the ends of the range are cut without overflow") {
                   {-small, small, 1}});
 }
 
+TEST_CASE("Polygons are cut one after another as each would be alone") {
+    // Convex ones after concave ones that lie elsewhere: nothing of one polygon is left for the next.
+    std::mt19937 random(31);
+    const auto unit = [&] { return float(random()) / 4294967296.0f; };
+    Triangulator triangulator;
+    for (int i = 0; i < 300; ++i) {
+        CAPTURE(i);
+        const std::uint32_t count = 5 + random() % 8;
+        const bool is_convex = i % 2 == 1;
+        const glm::vec3 place(200.0f * unit() - 100.0f, 200.0f * unit() - 100.0f, unit());
+        std::vector<glm::vec3> polygon;
+        std::vector<std::uint32_t> corners(count);
+        std::iota(corners.begin(), corners.end(), 0u);
+        for (std::uint32_t c = 0; c < count; ++c) {
+            const float angle = 6.2831853f * float(c) / float(count);
+            const float radius = is_convex ? 1.0f : 0.2f + unit();
+            polygon.push_back(place + radius * glm::vec3(std::cos(angle), std::sin(angle), 0.0f));
+        }
+        Triangles triangles;
+        triangulator.triangulate(polygon, corners, triangles);
+        CHECK(triangles == cut(polygon));
+    }
+}
+
 TEST_CASE("Ten thousand corners take well under a second, concave or crossing") {
     std::mt19937 random(14);
     const std::vector<glm::vec3> ragged = star(random, 10000, 0.05f);

@@ -137,6 +137,7 @@ private:
 void Triangulator::EarClipper::build_grid() {
     gridded_count_ = reflex_count_;
     bool first = true;
+    low_ = {};  // Not the last polygon's, where none is reflex.
     glm::dvec2 high{};
     for (const Node& n : nodes_) {
         if (!n.alive || !n.reflex) continue;
