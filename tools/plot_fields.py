@@ -125,7 +125,7 @@ def plot_alpha(folder):
             for i, (color, what) in enumerate(kinds))
         panels.append(f"set title '{title}'; plot {curves}")
     gnuplot(style(OUT / "alpha.png", 2000, 800)
-            + "set xlabel 'alpha'; set yrange [0:*]; set key at graph 0.95, 0.62; set multiplot layout 1,2; "
+            + "set xlabel 'alpha'; set yrange [0:*]; set key at graph 0.95, 0.41; set multiplot layout 1,2; "
             + "; ".join(panels), folder)
 
 
