@@ -8,14 +8,13 @@
 #include <glm/vec4.hpp>
 
 #include "engine/barrier.h"
+#include "engine/picture_readback.h"
 #include "engine/scene_data.h"
 #include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
 
 namespace {
-
-constexpr VkFormat k_picture_format = VK_FORMAT_R8G8B8A8_UNORM;
 
 AttachmentFormats surface_formats(std::uint32_t samples) {
     return {k_surface_format, k_depth_stencil_format, samples};
@@ -104,12 +103,7 @@ void Renderer::prepare_picture(VkExtent2D size) {
     if (old.width == size.width && old.height == size.height) return;
     wait_for(submitted_);
     picture_ = {};  // Free before making anew.
-    picture_ =
-        Image(context_,
-              {.format = k_picture_format,
-               .extent = size,
-               .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-              "the picture");
+    picture_ = make_picture_image(context_, size);
 }
 
 const ChangeStream& Renderer::follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point,
@@ -443,15 +437,9 @@ void Renderer::submit(const Scene& scene, std::uint32_t width, std::uint32_t hei
     count_differences(slot);
     frame.size = {width, height};
     prepare_picture(frame.size);
-    const VkDeviceSize picture_bytes = VkDeviceSize{4} * width * height;
-    if (frame.picture.size() < picture_bytes)
-        frame.picture = Buffer(context_, picture_bytes, BufferPlace::readback, "the picture");
-
-    const PictureTarget target{.image = picture_.handle(),
-                               .view = picture_.attachment_view(),
-                               .format = k_picture_format,
-                               .extent = frame.size,
-                               .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    if (frame.picture.size() < VkDeviceSize{4} * width * height)
+        frame.picture = make_picture_buffer(context_, frame.size);
+    const PictureTarget target = picture_target(picture_);
     prepare(scene, target, frame);
     const VkCommandBuffer commands = frame.commands;
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
@@ -460,12 +448,7 @@ void Renderer::submit(const Scene& scene, std::uint32_t width, std::uint32_t hei
     vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
     record_frame(commands, scene, target, frame);
     try {
-        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                       .imageExtent = {width, height, 1}};
-        vkCmdCopyImageToBuffer(commands, picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               frame.picture.handle(), 1, &region);
-        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                       {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+        record_read_back(commands, picture_.handle(), frame.size, frame.picture);
         vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
         queued_.push_back(slot);  // Before what cannot be taken back.
         submit(frame);
@@ -506,9 +489,7 @@ Picture Renderer::finish() {
         throw;
     }
     count_differences(slot);
-    Picture picture{frame.size.width, frame.size.height, {}};
-    const auto* pixels = reinterpret_cast<const std::uint8_t*>(frame.picture.mapped());
-    picture.rgba.assign(pixels, pixels + std::size_t{4} * picture.width * picture.height);
+    Picture picture = read_picture(frame.picture, frame.size);
     add_deformed_counts(frame);
     report_ = frame.report;
     report_.frame_ms =

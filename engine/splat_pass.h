@@ -5,8 +5,8 @@
 // A disc lies in the plane of its point's normal, so that discs as wide as the cloud is dense close to a
 // surface, and what lies behind it is hidden; its edge lies a little behind its middle, so that of discs
 // that overlap the nearest point's is seen. Lines are tested against the same
-// depth. Their ends lie on the surface that the discs only approximate: whoever makes them moves them
-// towards the camera by what discs may stand out.
+// depth. Their ends lie on the surface that the discs only approximate: they are moved towards the
+// camera by what discs may stand out (splat_layout.h).
 
 #include "engine/pipeline.h"
 #include "shaders/splat_layout.h"

@@ -1,15 +1,14 @@
 #include "engine/splat_renderer.h"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 
-#include "engine/barrier.h"
+#include "engine/picture_readback.h"
 
 namespace rimline {
 
 namespace {
-
-constexpr VkFormat k_picture_format = VK_FORMAT_R8G8B8A8_UNORM;
 
 gpu::SplatConstants constants_of(const SplatScene& scene, const RenderTargets& targets) {
     const VkExtent2D extent = targets.pass_extent();
@@ -37,61 +36,84 @@ SplatRenderer::SplatRenderer(const DeviceContext& context, const SplatRendererOp
                             .samples = options_.samples}),
       composite_pass_(context) {}
 
+void SplatRenderer::prepare_targets(VkExtent2D size) {
+    const std::uint32_t scale = fitting_scale(context_, size, options_.scale, options_.samples);
+    if (targets_ && targets_->size().width == size.width &&
+        targets_->size().height == size.height && targets_->scale() == scale)
+        return;
+    targets_.reset();  // Free before making anew.
+    auto targets = std::make_unique<RenderTargets>(context_, size, scale, options_.samples);
+    composite_pass_.set_images(targets->surfaces(), targets->lines());
+    targets_ = std::move(targets);
+}
+
+void SplatRenderer::prepare_cloud(const SplatCloud* cloud, Frame& frame) {
+    if (cloud == nullptr) {
+        frame.replaced = std::move(uploaded_);
+        return;
+    }
+    if (uploaded_ && uploaded_->cloud == cloud && uploaded_->revision == cloud->revision) return;
+    auto uploaded = std::make_unique<Uploaded>();
+    uploaded->splats =
+        upload_buffer(context_, std::span<const gpu::SplatRecord>(cloud->splats), "the points");
+    uploaded->strokes =
+        upload_buffer(context_, std::span<const gpu::StrokeRecord>(cloud->strokes), "the lines");
+    uploaded->splat_count = static_cast<std::uint32_t>(cloud->splats.size());
+    uploaded->stroke_count = static_cast<std::uint32_t>(cloud->strokes.size());
+    uploaded->cloud = cloud;
+    uploaded->revision = cloud->revision;
+    frame.replaced = std::move(uploaded_);
+    uploaded_ = std::move(uploaded);
+}
+
+void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
+                           const PictureTarget& target) {
+    prepare_targets(target.extent);
+    const CompositeKind kind{target.format, targets_->scale(), /*has_grid=*/false};
+    composite_pass_.prepare(context_, kind);
+    // The GPU is done with the frame that had this slot before.
+    Frame& frame = frames_[recorded_ % k_frames_in_flight];
+    frame.replaced.reset();
+    prepare_cloud(scene.cloud, frame);
+    const std::size_t bytes = scene.strokes.size() * sizeof(gpu::StrokeRecord);
+    if (frame.strokes.size() < std::max<std::size_t>(bytes, 4))
+        frame.strokes = Buffer(context_, bytes + bytes / 2, BufferPlace::upload, "the lines");
+    if (bytes > 0) std::memcpy(frame.strokes.mapped(), scene.strokes.data(), bytes);
+    ++recorded_;
+
+    targets_->record_before_surfaces(commands, target);
+    const glm::vec4 background(scene.background, 1.0f);
+    targets_->begin_surfaces(commands, &background[0]);
+    gpu::SplatConstants constants = constants_of(scene, *targets_);
+    if (uploaded_) {
+        constants.splats = uploaded_->splats.address();
+        constants.strokes = uploaded_->strokes.address();
+        splat_pass_.record(commands, constants, uploaded_->splat_count, uploaded_->stroke_count);
+    }
+    constants.strokes = frame.strokes.address();
+    splat_pass_.record(commands, constants, 0, static_cast<std::uint32_t>(scene.strokes.size()));
+    vkCmdEndRendering(commands);
+    // The composite pass reads lines' coverage too: there is none.
+    targets_->record_before_lines(commands);
+    targets_->begin_lines(commands);
+    vkCmdEndRendering(commands);
+    targets_->record_before_picture(commands);
+    RenderTargets::begin_picture(commands, target);
+    composite_pass_.record(commands, kind, {glm::vec4(0.0f), glm::vec4(0.0f)});
+    vkCmdEndRendering(commands);
+    RenderTargets::record_after_picture(commands, target);
+}
+
 Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std::uint32_t height) {
     const VkExtent2D size{width, height};
-    const RenderTargets targets(context_, size,
-                                fitting_scale(context_, size, options_.scale, options_.samples),
-                                options_.samples);
-    const CompositeKind kind{k_picture_format, targets.scale(), /*has_grid=*/false};
-    composite_pass_.prepare(context_, kind);
-    composite_pass_.set_images(targets.surfaces(), targets.lines());
-    const Image image(
-        context_,
-        {.format = k_picture_format,
-         .extent = size,
-         .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-        "the picture");
-    const Buffer pixels(context_, VkDeviceSize{4} * width * height, BufferPlace::readback,
-                        "the picture");
-    const Buffer splats =
-        upload_buffer(context_, std::span<const gpu::SplatRecord>(scene.splats), "the points");
-    const Buffer strokes =
-        upload_buffer(context_, std::span<const gpu::StrokeRecord>(scene.strokes), "the lines");
-    gpu::SplatConstants constants = constants_of(scene, targets);
-    constants.splats = splats.address();
-    constants.strokes = strokes.address();
-    const PictureTarget target{.image = image.handle(),
-                               .view = image.attachment_view(),
-                               .format = k_picture_format,
-                               .extent = size,
-                               .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    const Image image = make_picture_image(context_, size);
+    const Buffer pixels = make_picture_buffer(context_, size);
+    uploaded_.reset();  // Another cloud may be at the address by now.
     run_commands(context_, [&](VkCommandBuffer commands) {
-        targets.record_before_surfaces(commands, target);
-        const glm::vec4 background(scene.background, 1.0f);
-        targets.begin_surfaces(commands, &background[0]);
-        splat_pass_.record(commands, constants, static_cast<std::uint32_t>(scene.splats.size()),
-                           static_cast<std::uint32_t>(scene.strokes.size()));
-        vkCmdEndRendering(commands);
-        // The composite pass reads lines' coverage too: there is none.
-        targets.record_before_lines(commands);
-        targets.begin_lines(commands);
-        vkCmdEndRendering(commands);
-        targets.record_before_picture(commands);
-        RenderTargets::begin_picture(commands, target);
-        composite_pass_.record(commands, kind, {glm::vec4(0.0f), glm::vec4(0.0f)});
-        vkCmdEndRendering(commands);
-        RenderTargets::record_after_picture(commands, target);
-        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                       .imageExtent = {width, height, 1}};
-        vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               pixels.handle(), 1, &region);
-        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                       {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+        record(commands, scene, picture_target(image));
+        record_read_back(commands, image.handle(), size, pixels);
     });
-    Picture picture{width, height, {}};
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels.mapped());
-    picture.rgba.assign(bytes, bytes + std::size_t{4} * width * height);
-    return picture;
+    return read_picture(pixels, size);
 }
 
 }  // namespace rimline

@@ -70,10 +70,10 @@ glm::dvec3 default_view_direction(const glm::dvec3& up) {
     return glm::normalize(0.55 * first - 1.0 * second + 0.45 * glm::normalize(up));
 }
 
-Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_viewer,
+Camera fit_camera(Camera camera, const Subject& subject, const glm::dvec3& towards_viewer,
                   double aspect) {
-    const double radius = mesh.radius() > 0.0 ? mesh.radius() : 1.0;
-    camera.target = mesh.center();
+    const double radius = subject.radius > 0.0 ? subject.radius : 1.0;
+    camera.target = subject.center;
     camera.eye = camera.target + glm::normalize(towards_viewer) * radius;
     const glm::dmat3 axes = camera_from_world(camera);
     const glm::dvec3 back = glm::normalize(towards_viewer);
@@ -88,8 +88,8 @@ Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_vie
     glm::dvec2 high(-std::numeric_limits<double>::max());
     glm::dvec2 low(-std::numeric_limits<double>::max());
     double nearest = 0.0;
-    for (const glm::vec3& position : mesh.positions()) {
-        const glm::dvec3 p = axes * (glm::dvec3(position) - mesh.center());
+    for (const glm::vec3& position : subject.positions) {
+        const glm::dvec3 p = axes * (glm::dvec3(position) - subject.center);
         high = glm::max(high, glm::dvec2(p) + p.z * tangent);
         low = glm::max(low, -glm::dvec2(p) + p.z * tangent);
         nearest = std::max(nearest, p.z);
@@ -100,7 +100,7 @@ Camera fit_camera(Camera camera, const Mesh& mesh, const glm::dvec3& towards_vie
     const double back_off = std::max({distance.x, distance.y, nearest + 0.05 * radius});
     const glm::dvec3 right(axes[0][0], axes[1][0], axes[2][0]);
     const glm::dvec3 upward(axes[0][1], axes[1][1], axes[2][1]);
-    camera.target = mesh.center() + middle.x * right + middle.y * upward;
+    camera.target = subject.center + middle.x * right + middle.y * upward;
     camera.eye = camera.target + back_off * back;
     return camera;
 }

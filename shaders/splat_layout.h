@@ -30,12 +30,14 @@ struct SplatRecord {
     vec3 cuts[2];  // Zero: none.
 };
 
-// A line with round ends, of the same width near and far.
+// A line with round ends, of the same width near and far. Its ends lie on the surface that discs only
+// approximate: each is moved towards the camera by what discs may stand out, never more than half the way.
 struct StrokeRecord {
     vec3 from;
     float radius;  // Half its width, in pixels of the picture.
     vec3 to;
     uint color;  // As above; never shaded.
+    vec2 lifts;  // Of `from` and of `to`, lengths.
 };
 
 #ifndef __cplusplus
@@ -61,7 +63,7 @@ struct SplatConstants {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SplatRecord) == 56 && sizeof(StrokeRecord) == 32);
+static_assert(sizeof(SplatRecord) == 56 && sizeof(StrokeRecord) == 40);
 static_assert(sizeof(SplatConstants) == 104);
 }  // namespace rimline::gpu
 #endif

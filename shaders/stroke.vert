@@ -9,12 +9,18 @@ layout(location = 1) flat out vec4 ends;  // Of the line, in pixels.
 layout(location = 2) flat out float radius;
 layout(location = 3) flat out vec3 color;
 
+vec3 lifted(vec3 position, float lift) {
+    const bool is_orthographic = cloud.clip_w.x == 0.0;
+    const float most = is_orthographic ? lift : 0.5 * distance(cloud.camera, position);
+    return position + min(lift, most) * towards_camera(position);
+}
+
 vec2 pixel_of(vec4 clip) { return clip.xy / clip.w * cloud.guard * cloud.half_extent; }
 
 void main() {
     const StrokeRecord stroke = cloud.strokes.at[gl_InstanceIndex];
-    const vec4 from = clip_from_world(stroke.from);
-    const vec4 to = clip_from_world(stroke.to);
+    const vec4 from = clip_from_world(lifted(stroke.from, stroke.lifts.x));
+    const vec4 to = clip_from_world(lifted(stroke.to, stroke.lifts.y));
     radius = stroke.radius * cloud.scale;
     color = linear_from_srgb(unpackUnorm4x8(stroke.color).rgb);
     // Lines are short: what reaches behind the camera's near plane is left out whole.

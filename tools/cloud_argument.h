@@ -8,6 +8,7 @@
 
 #include "silhouette/points/point_cloud.h"
 #include "tools/command.h"
+#include "tools/model_argument.h"
 
 namespace rimline::tools {
 
@@ -18,9 +19,13 @@ struct CloudArgument {
     bool drop_bad = false;
 
     void add_to(CLI::App& app);
+    /// The flags alone, for a command whose argument may be either.
+    void add_flags_to(CLI::App& app);
 
     /// Reads it, with progress. Throws Error: also for a model with faces without --as-points.
     PointCloud load(const Context& context) const;
+    /// The same for a caller who shows progress in another way (model_argument.h).
+    PointCloud load(const BeginCall& begin) const;
 };
 
 }  // namespace rimline::tools

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/view_defaults.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
@@ -33,13 +32,14 @@ glm::vec3 srgb_from_linear(const glm::vec3& linear) {
     return {encoded(linear.x), encoded(linear.y), encoded(linear.z)};
 }
 
-glm::dvec3 up_of(const Mesh& mesh, const PictureOptions& options) {
+glm::dvec3 up_of(const Subject& subject, const PictureOptions& options) {
     if (options.up) return glm::dvec3(*options.up);
-    return mesh.up() == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+    return subject.up == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
 }
 
-Camera make_camera(const Mesh& mesh, const std::string& model, const PictureOptions& options) {
-    const glm::dvec3 up = up_of(mesh, options);
+Camera make_camera(const Subject& subject, const std::string& model,
+                   const PictureOptions& options) {
+    const glm::dvec3 up = up_of(subject, options);
     const double aspect = double(options.size.width) / options.size.height;
     Camera camera{.eye = {},
                   .target = {},
@@ -48,7 +48,7 @@ Camera make_camera(const Mesh& mesh, const std::string& model, const PictureOpti
                   .ortho_height = options.ortho_height.value_or(0.0)};
     if (options.eye) {
         camera.eye = glm::dvec3(*options.eye);
-        camera.target = options.target ? glm::dvec3(*options.target) : mesh.center();
+        camera.target = options.target ? glm::dvec3(*options.target) : subject.center;
         if (camera.eye == camera.target)
             throw UsageError(options.target ? "--eye and --target are the same point"
                                             : "--eye is the model's center, where it looks");
@@ -56,7 +56,7 @@ Camera make_camera(const Mesh& mesh, const std::string& model, const PictureOpti
     }
     const bool own_scene = model == k_default_model;
     camera =
-        fit_camera(camera, mesh, own_scene ? k_scene_view : default_view_direction(up), aspect);
+        fit_camera(camera, subject, own_scene ? k_scene_view : default_view_direction(up), aspect);
     if (options.target) {
         camera.eye += glm::dvec3(*options.target) - camera.target;
         camera.target = glm::dvec3(*options.target);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/scene.h"
+#include "engine/view_defaults.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/picture_options.h"
 
@@ -23,12 +24,12 @@ glm::vec3 linear_from_srgb(const Color& color);
 glm::vec3 linear_from_srgb(const glm::vec3& srgb);
 glm::vec3 srgb_from_linear(const glm::vec3& linear);
 
-/// --up, or what the model's format says.
-glm::dvec3 up_of(const Mesh& mesh, const PictureOptions& options);
+/// --up, or what the format says.
+glm::dvec3 up_of(const Subject& subject, const PictureOptions& options);
 
 /// The camera of the options; where they leave it open, one that shows the whole model. `model` is its
 /// name: the built-in scene has a view of its own. Throws UsageError where eye and target coincide.
-Camera make_camera(const Mesh& mesh, const std::string& model, const PictureOptions& options);
+Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
 
 /// An instance of make_ground(mesh, up, k_ground_end * radius), indexed by `octree`, that catches shadows
 /// in the style and the palette of `scene`.

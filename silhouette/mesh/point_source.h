@@ -32,4 +32,7 @@ struct PointSource {
     UpAxis up = UpAxis::y;
 };
 
+/// A mesh's positions, its faces kept aside.
+PointSource points_of(MeshSource mesh);
+
 }  // namespace rimline

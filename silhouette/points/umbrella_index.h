@@ -48,6 +48,11 @@ public:
         return glm::vec3((position - center_) * scale_);
     }
 
+    /// Of points that have umbrellas, some of them several times; and a sphere that holds them.
+    std::span<const glm::vec3> positions() const noexcept { return mesh_.positions(); }
+    glm::dvec3 center() const noexcept { return mesh_.center(); }
+    double radius() const noexcept { return mesh_.radius(); }
+
     /// A length there over the same length in positions; a power of two.
     double scale() const noexcept { return scale_; }
 

@@ -14,15 +14,22 @@ namespace {
 constexpr std::uint32_t k_size = 200;
 constexpr std::uint32_t k_red = 0xff0000ffu, k_green = 0xff00ff00u, k_blue = 0xffff0000u;
 
-// 100 pixels a unit, seen from far up the z axis.
-SplatScene scene_of(std::vector<gpu::SplatRecord> splats,
-                    std::vector<gpu::StrokeRecord> strokes = {}) {
-    SplatScene scene;
-    scene.splats = std::move(splats);
-    scene.strokes = std::move(strokes);
-    scene.camera = {.eye = {0, 0, 5}, .target = {0, 0, 0}, .ortho_height = 2.0};
-    scene.radius = 2.0;
-    return scene;
+// 100 pixels a unit, seen from far up the z axis; with what it refers to.
+struct TestScene : SplatScene {
+    TestScene(std::vector<gpu::SplatRecord> splats, std::vector<gpu::StrokeRecord> lines)
+        : own{std::move(splats), {}, 0} {
+        cloud = &own;
+        strokes = std::move(lines);
+        camera = {.eye = {0, 0, 5}, .target = {0, 0, 0}, .ortho_height = 2.0};
+        radius = 2.0;
+    }
+    TestScene(const TestScene&) = delete;
+    TestScene& operator=(const TestScene&) = delete;
+    SplatCloud own;
+};
+TestScene scene_of(std::vector<gpu::SplatRecord> splats,
+                   std::vector<gpu::StrokeRecord> strokes = {}) {
+    return {std::move(splats), std::move(strokes)};
 }
 
 struct Counts {
@@ -68,7 +75,7 @@ TEST_CASE("A disc covers its area, and of a tilted one what its plane shows") {
 TEST_CASE("A disc without a normal faces the camera, in perspective too") {
     RIMLINE_OPEN_GPU(gpu);
     SplatRenderer renderer(gpu->context());
-    SplatScene scene = scene_of({{{0.0f, 0.0f, 0.0f}, 0.5f, glm::vec3(0.0f), k_red, {}}});
+    TestScene scene = scene_of({{{0.0f, 0.0f, 0.0f}, 0.5f, glm::vec3(0.0f), k_red, {}}});
     scene.camera = {.eye = {3, 4, 5}, .target = {0, 0, 0}, .fov_y_deg = 40.0};
     const double distance = std::sqrt(50.0);
     const double pixels = k_size / 2.0 / std::tan(20.0 * std::numbers::pi / 180.0) * 0.5 / distance;
@@ -123,19 +130,29 @@ TEST_CASE("Cuts leave what lies on their side") {
 TEST_CASE("Lines are as wide as asked, have round ends and are hidden by what is nearer") {
     RIMLINE_OPEN_GPU(gpu);
     SplatRenderer renderer(gpu->context());
-    const gpu::StrokeRecord stroke{{-0.5f, 0.0f, 0.0f}, 3.0f, {0.5f, 0.0f, 0.0f}, k_blue};
+    const gpu::StrokeRecord stroke{{-0.5f, 0.0f, 0.0f}, 3.0f, {0.5f, 0.0f, 0.0f}, k_blue, {}};
     const double area = 6.0 * 100.0 + std::numbers::pi * 9.0;
     CHECK(count(renderer.render(scene_of({}, {stroke}), k_size, k_size)).blue ==
           doctest::Approx(area).epsilon(0.02));
     const gpu::SplatRecord disc{{0.0f, 0.0f, 0.1f}, 0.25f, k_up, k_red, {}};
     CHECK(count(renderer.render(scene_of({disc}, {stroke}), k_size, k_size)).blue ==
           doctest::Approx(area - 300.0).epsilon(0.02));
+    // Moved towards the camera by more than the disc stands before it, by less, and never beyond half way.
+    for (const auto& [lift, seen] : {std::pair{0.15f, area}, {0.05f, area - 300.0}, {1e9f, area}}) {
+        gpu::StrokeRecord lifted = stroke;
+        lifted.lifts = glm::vec2(lift);
+        TestScene scene = scene_of({disc}, {lifted});
+        if (lift > 1.0f) scene.camera.ortho_height = 0.0;  // 100 pixels a unit in z = 0.
+        scene.camera.fov_y_deg = 2.0 * std::atan(0.2) * 180.0 / std::numbers::pi;
+        CHECK(count(renderer.render(scene, k_size, k_size)).blue ==
+              doctest::Approx(seen).epsilon(0.02));
+    }
     // Of no length a dot.
-    CHECK(count(renderer.render(scene_of({}, {{stroke.from, 3.0f, stroke.from, k_blue}}), k_size,
-                                k_size))
+    CHECK(count(renderer.render(scene_of({}, {{stroke.from, 3.0f, stroke.from, k_blue, {}}}),
+                                k_size, k_size))
               .blue == doctest::Approx(std::numbers::pi * 9.0).epsilon(0.05));
     // From behind the camera's near plane nothing.
-    SplatScene scene = scene_of({}, {{{0.0f, 0.0f, 9.0f}, 3.0f, {0.0f, 0.5f, 0.0f}, k_blue}});
+    TestScene scene = scene_of({}, {{{0.0f, 0.0f, 9.0f}, 3.0f, {0.0f, 0.5f, 0.0f}, k_blue, {}}});
     scene.camera = {.eye = {0, 0, 5}, .target = {0, 0, 0}, .fov_y_deg = 40.0};
     CHECK(count(renderer.render(scene, k_size, k_size)).blue == 0.0);
 }
@@ -159,7 +176,7 @@ TEST_CASE("Discs are lit from the camera unless they say otherwise") {
 TEST_CASE("Nothing is the background, in any size") {
     RIMLINE_OPEN_GPU(gpu);
     SplatRenderer renderer(gpu->context());
-    SplatScene scene = scene_of({});
+    TestScene scene = scene_of({});
     scene.background = {0.0f, 1.0f, 0.0f};
     for (const auto& [width, height] :
          {std::pair{1u, 1u}, std::pair{7u, 300u}, std::pair{64u, 1u}}) {

@@ -16,6 +16,11 @@ std::unique_ptr<OpenedModel> open(const std::string& name) {
     return std::make_unique<OpenedModel>(name, 0, [](const std::string&) { return LongCall{}; });
 }
 
+std::unique_ptr<OpenedCloud> open_cloud(const std::string& name) {
+    return std::make_unique<OpenedCloud>(CloudArgument{.model = name, .as_points = true},
+                                         [](const std::string&) { return LongCall{}; });
+}
+
 // Whether every vertex of the shown model is in a picture of this aspect.
 bool all_in_view(const ViewSession& session, double aspect) {
     const ScreenView view(session.camera, {aspect, 1.0});
@@ -31,7 +36,7 @@ bool all_in_view(const ViewSession& session, double aspect) {
 
 TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look says") {
     ViewSession session;
-    CHECK_FALSE(session.has_model());
+    CHECK(session.is_empty());
     for (const double aspect : {0.5, 1.0, 2.5}) {
         session.show(open("shape:spring"), aspect);
         CHECK(all_in_view(session, aspect));
@@ -51,6 +56,44 @@ TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look s
     CHECK_FALSE(scene.silhouette_camera);
     session.look.ground = true;
     CHECK(session.scene().instances.size() == 2);
+}
+
+TEST_CASE(
+    "a cloud is wholly in view, and its lines are the silhouette from the camera or where it "
+    "froze") {
+    ViewSession session;
+    session.show(open_cloud("shape:torus:4000"), 1.5);
+    REQUIRE(session.is_cloud());
+    CHECK(session.lights.empty());
+    const UmbrellaIndex& umbrellas = session.cloud().umbrellas();
+    const ScreenView view(session.camera, {1.5, 1.0});
+    for (const glm::vec3& position : umbrellas.positions()) {
+        const auto pixel = view.pixel_of(glm::dvec3(position));
+        REQUIRE(pixel);
+        CHECK((pixel->x >= 0.0 && pixel->x <= 1.5 && pixel->y >= 0.0 && pixel->y <= 1.0));
+    }
+    const auto consensus_count = [&](const HomogeneousPoint& point) {
+        return PointSilhouette(umbrellas, point).consensus().size();
+    };
+    const SplatScene scene = std::get<SplatScene>(session.picture());
+    CHECK(scene.cloud->splats.size() >= session.cloud().surface().size());
+    CHECK(scene.strokes.size() == consensus_count(session.silhouette_point()));
+    CHECK(scene.strokes.size() > 20);
+    session.freeze();
+    const HomogeneousPoint frozen_at = session.silhouette_point();
+    orbit(session.camera, {0.9, 0.1});
+    CHECK(session.silhouette_point() == frozen_at);
+    CHECK(session.cloud_scene().strokes.size() == scene.strokes.size());
+    session.thaw();
+    CHECK(session.cloud_scene().strokes.size() == consensus_count(session.silhouette_point()));
+    CHECK(session.cloud().report().consensus_edges == session.cloud_scene().strokes.size());
+    const std::uint64_t revision = session.cloud_scene().cloud->revision;
+    CHECK(session.cloud_scene().cloud->revision == revision);
+    session.look.color = glm::vec3(1.0f, 0.0f, 0.0f);
+    CHECK(session.cloud_scene().cloud->revision != revision);
+    session.look.lines = false;
+    CHECK(session.cloud_scene().strokes.empty());
+    CHECK(session.cloud_scene().cloud->strokes.empty());
 }
 
 TEST_CASE("a frozen silhouette stays that of where the camera was") {

@@ -31,11 +31,11 @@ constexpr int k_height = 240;
 // A window with a small model in it, and everything it needs; validation on where it is installed.
 class Shown {
 public:
-    explicit Shown(ViewLoopOptions options)
+    explicit Shown(ViewLoopOptions options, bool as_points = false)
         : window("test", k_width, k_height), instance(make_instance(window)) {
         session.look.ground = true;
-        session.show(std::make_unique<OpenedModel>("shape:knot:3000", 0,
-                                                   [](const std::string&) { return LongCall{}; }),
+        session.show(open_named({.model = "shape:knot:3000", .as_points = as_points},
+                                [](const std::string&) { return LongCall{}; }),
                      double(k_width) / k_height);
         loop.emplace(window, *instance, session, options);
     }
@@ -57,8 +57,9 @@ public:
     Picture rendered(std::uint32_t width, std::uint32_t height) const {
         const VulkanInstance own;
         const Device device(own);
-        Renderer renderer(device.context());
-        return renderer.render(session.scene(), width, height);
+        if (session.is_cloud())
+            return SplatRenderer(device.context()).render(session.cloud_scene(), width, height);
+        return Renderer(device.context()).render(session.scene(), width, height);
     }
 
     void resize(int width, int height) {
@@ -151,6 +152,26 @@ TEST_CASE(
     }
     const Picture last = shown.capture();
     CHECK(difference(last, shown.rendered(last.width, last.height)) <= 1);
+}
+
+TEST_CASE("a cloud in a window without its panel is the picture that points draws, as it turns") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false}, /*as_points=*/true);
+    REQUIRE(shown.session.is_cloud());
+    const Picture first = shown.capture();
+    CHECK(contrast(first) > 100);
+    CHECK(difference(first, shown.rendered(k_width, k_height)) <= 1);
+    for (int i = 0; i < 6; ++i) {
+        orbit(shown.session.camera, {0.15, 0.03});
+        if (i == 2) shown.session.freeze();
+        if (i == 4) shown.session.look.line_width_px = 4.0f;
+        const Picture turned = shown.capture();
+        CHECK(difference(turned, shown.rendered(k_width, k_height)) <= 1);
+        CHECK(difference(turned, first) > 50);
+    }
+    shown.loop->renderer().remake();
+    shown.resize(401, 203);
+    CHECK(difference(shown.capture(), shown.rendered(401, 203)) <= 1);
 }
 
 TEST_CASE("after a lost device the window shows the same picture again") {
@@ -263,6 +284,41 @@ TEST_CASE("a model opened in the window takes the other's place, and a broken on
     load("shape:box");
     CHECK(shown.session.model().name() == "shape:box");
     CHECK(shown.loop->message().empty());
+}
+
+TEST_CASE("clouds and models take each other's place in the window") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const auto open = [](const std::string& name, bool as_points) {
+        return open_named({.model = name, .as_points = as_points},
+                          [](const std::string&) { return LongCall{}; });
+    };
+    for (const bool as_points : {true, true, false, true, false}) {
+        const std::string name = as_points ? "shape:torus:3000" : "shape:knot:2000";
+        shown.session.show(open(name, as_points), double(k_width) / k_height);
+        for (int frame = 0; frame < 4; ++frame) shown.loop->turn(true);
+        shown.session.forget_previous();
+        CHECK(difference(shown.capture(), shown.rendered(k_width, k_height)) <= 1);
+    }
+}
+
+TEST_CASE("the panel of a cloud says what it is and what it cannot have") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true, .inspector = true, .fits = false}, /*as_points=*/true);
+    shown.resize(900, 700);
+    shown.capture();
+    const Picture with_panel = shown.capture();
+    const Picture picture = shown.rendered(900, 700);
+    std::size_t changed_left = 0;
+    std::size_t changed_right = 0;
+    for (std::uint32_t y = 0; y < 700; ++y)
+        for (std::uint32_t x = 0; x < 900; ++x) {
+            const std::size_t at = 4 * (std::size_t{y} * 900 + x);
+            const bool changed = std::abs(int(with_panel.rgba[at]) - int(picture.rgba[at])) > 1;
+            (x < 320 ? changed_left : changed_right) += changed;
+        }
+    CHECK(changed_left > 10'000);
+    CHECK(changed_right == 0);  // Neither lights nor Hough space.
 }
 
 TEST_CASE("without a display the error says what to set and what else to use") {

@@ -26,12 +26,11 @@ void ModelLoader::cancel() {
     result_.reset();
 }
 
-void ModelLoader::open(std::string name, std::uint32_t subdivide) {
+void ModelLoader::open(CloudArgument named) {
     cancel();
-    stage_ = Stage{"opening " + name, 0.0};
-    thread_ = std::jthread([this, name = std::move(name), subdivide](std::stop_token stop) {
-        load(std::move(stop), name, subdivide);
-    });
+    stage_ = Stage{"opening " + named.model, 0.0};
+    thread_ = std::jthread(
+        [this, named = std::move(named)](std::stop_token stop) { load(std::move(stop), named); });
 }
 
 std::optional<ModelLoader::Stage> ModelLoader::stage() const {
@@ -44,7 +43,8 @@ std::optional<ModelLoader::Result> ModelLoader::take() {
     return std::exchange(result_, std::nullopt);
 }
 
-void ModelLoader::load(std::stop_token stop, const std::string& name, std::uint32_t subdivide) {
+void ModelLoader::load(std::stop_token stop, const CloudArgument& named) {
+    const std::string& name = named.model;
     const auto begin = [&](const std::string& doing) {
         {
             const std::lock_guard lock(mutex_);
@@ -62,7 +62,7 @@ void ModelLoader::load(std::stop_token stop, const std::string& name, std::uint3
     };
     Result result;
     try {
-        result.model = std::make_unique<OpenedModel>(name, subdivide, begin);
+        result.opened = open_named(named, begin);
     } catch (const Error& error) {
         result.error = error.code() == ErrorCode::cancelled ? "" : error.what();
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Opens models on a thread of its own, so that the window goes on while a large file is read.
+// Opens models and clouds on a thread of its own, so that the window goes on while a large file is read.
 //
 // One at a time: asking for another stops the one before. What comes of it is picked up by the window's
 // thread; what fails is a message, never the end of the program.
@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "tools/view/opened_model.h"
+#include "tools/view/opened.h"
 
 namespace rimline::tools {
 
@@ -25,8 +25,9 @@ public:
     ModelLoader(const ModelLoader&) = delete;
     ModelLoader& operator=(const ModelLoader&) = delete;
 
-    /// Stops what is being loaded and begins with `name`.
-    void open(std::string name, std::uint32_t subdivide = 0);
+    /// Stops what is being loaded and begins with a file or shape: as open_named() tells which it is.
+    void open(CloudArgument named);
+    void open(std::string name) { open(CloudArgument{.model = std::move(name)}); }
     /// Stops what is being loaded. Its result, if there is one already, is dropped.
     void cancel();
 
@@ -38,14 +39,14 @@ public:
     std::optional<Stage> stage() const;
 
     struct Result {
-        std::unique_ptr<OpenedModel> model;  ///< Null when it failed.
-        std::string error;                   ///< Why.
+        Opened opened;      ///< Nothing when it failed.
+        std::string error;  ///< Why.
     };
     /// What has come of the last open(), once.
     std::optional<Result> take();
 
 private:
-    void load(std::stop_token stop, const std::string& name, std::uint32_t subdivide);
+    void load(std::stop_token stop, const CloudArgument& named);
     void wake() const {
         if (wake_) wake_();
     }

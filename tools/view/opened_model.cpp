@@ -11,11 +11,6 @@ namespace rimline::tools {
 
 namespace {
 
-Mesh load(const std::string& name, std::uint32_t subdivide, const BeginCall& begin) {
-    const MeshSource source = load_model(name, subdivide, FaceRequirement::faces, begin);
-    return about_model(name, [&] { return Mesh(source); });
-}
-
 // A camera, a light and a ground beside the model need room within the coordinates there are.
 const Mesh& checked(const std::string& name, const Mesh& mesh) {
     const glm::dvec3 reach = glm::abs(mesh.center()) + 1.5 * k_ground_end * mesh.radius();
@@ -31,8 +26,11 @@ OpenedModel::Ground::Ground(const Mesh& model, const glm::dvec3& upwards)
     : up(upwards), mesh(make_ground(model, upwards, k_ground_end * model.radius())), octree(mesh) {}
 
 OpenedModel::OpenedModel(std::string name, std::uint32_t subdivide, const BeginCall& begin)
+    : OpenedModel(name, load_model(name, subdivide, FaceRequirement::faces, begin), begin) {}
+
+OpenedModel::OpenedModel(std::string name, const MeshSource& source, const BeginCall& begin)
     : name_(std::move(name)),
-      mesh_(load(name_, subdivide, begin)),
+      mesh_(about_model(name_, [&] { return Mesh(source); })),
       octree_(about_model(
           name_,
           [&] { return HoughOctree(checked(name_, mesh_), {}, begin("building the octree")); })),

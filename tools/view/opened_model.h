@@ -21,6 +21,8 @@ public:
     /// of the parts (model_argument.h). Throws Error naming the model; CLI::ValidationError where there
     /// is no such shape.
     OpenedModel(std::string name, std::uint32_t subdivide, const BeginCall& begin);
+    /// The same of what was read already.
+    OpenedModel(std::string name, const MeshSource& source, const BeginCall& begin);
     OpenedModel(const OpenedModel&) = delete;
     OpenedModel& operator=(const OpenedModel&) = delete;
 

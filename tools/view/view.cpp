@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/vulkan_instance.h"
+#include "tools/cloud_argument.h"
 #include "tools/command.h"
 #include "tools/model_argument.h"
 #include "tools/output_file.h"
@@ -19,10 +20,13 @@ namespace {
 class ViewCommand final : public Command {
 public:
     std::string name() const override { return "view"; }
-    std::string summary() const override { return "Open a window to walk around a model in"; }
+    std::string summary() const override {
+        return "Open a window to walk around a model or a cloud in";
+    }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
+        cloud_.add_flags_to(app);
         scene_.add_to(app);
         picture_.add_camera_to(app);
         add_point(app, "--silhouette-from", silhouette_from_,
@@ -43,8 +47,12 @@ public:
             ->type_name("FILE.png")
             ->group(k_window);
         app.footer(
-            "Without a model a built-in scene is shown; drop a file on the window to open it. Drag "
-            "to turn,\n"
+            "Without a model a built-in scene is shown; drop a file on the window to open it. A "
+            "file "
+            "without\n"
+            "faces is a cloud: its points, borders and features, and its silhouette in ink. Drag "
+            "to "
+            "turn,\n"
             "with the right button to move, the wheel zooms; take the lights by their handles. The "
             "panel has\n"
             "the rest: flying, styles, the silhouette frozen to be looked at from elsewhere, Hough "
@@ -52,6 +60,7 @@ public:
             "Examples:\n"
             "  rimline view horse.ply\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"
+            "  rimline view scan.xyz\n"
             "  rimline view --frames 1 --screenshot window.png");
     }
 
@@ -92,13 +101,50 @@ public:
 private:
     void open(ViewSession& session, const Context& context) const {
         std::optional<Progress> progress;
-        auto model = std::make_unique<OpenedModel>(model_.model, model_.subdivide,
-                                                   [&](const std::string& doing) {
-                                                       progress.emplace(context, doing);
-                                                       return progress->call();
-                                                   });
+        CloudArgument named = cloud_;
+        named.model = model_.model;
+        named.subdivide = model_.subdivide;
+        Opened opened = open_named(named, [&](const std::string& doing) {
+            progress.emplace(context, doing);
+            return progress->call();
+        });
         progress.reset();
         context.checkpoint();
+        if (opened.cloud() != nullptr)
+            show_cloud(session, std::move(opened));
+        else
+            show_model(session, std::move(opened));
+    }
+
+    void show_cloud(ViewSession& session, Opened opened) const {
+        const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
+                            picture_.has_chosen_sun || scene_.ground;
+        if (is_lit || scene_.hidden || scene_.crease_degrees || scene_.style != "ink" || inspect_)
+            throw UsageError(model_.model +
+                             " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
+                             "space are of models");
+        const OpenedCloud& cloud = *opened.cloud();
+        const auto exact = [](const std::optional<glm::vec3>& point) {
+            return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
+        };
+        const Camera camera =
+            make_cloud_camera(cloud.umbrellas(), cloud.cloud().up(), model_.model,
+                              exact(picture_.eye), exact(picture_.target), picture_);
+        session.look = ViewLook(Style::ink);
+        if (picture_.background) session.look.background = linear_from_srgb(*picture_.background);
+        if (scene_.color) session.look.color = linear_from_srgb(*scene_.color);
+        if (scene_.line_color) session.look.line_color = linear_from_srgb(*scene_.line_color);
+        session.look.lines = scene_.lines == "on";
+        if (scene_.line_width) session.look.line_width_px = float(*scene_.line_width);
+        std::optional<glm::dvec3> from;
+        if (silhouette_from_)
+            from = glm::dvec3(cloud.umbrellas().to_index(glm::dvec3(*silhouette_from_)));
+        session.show(std::move(opened), camera, {});
+        freeze(session, from);
+    }
+
+    void show_model(ViewSession& session, Opened opened) const {
+        const OpenedModel* const model = opened.model();
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.look = ViewLook(scene.style);
@@ -112,16 +158,24 @@ private:
         session.look.shadows = scene.shadows;
         session.look.shadow_method = scene.shadow_method;
         session.look.ground = scene_.ground;
-        const glm::dvec3 center = model->mesh().center();
-        session.show(std::move(model), camera, std::move(scene.lights));
-        if (!silhouette_from_) return;
-        const glm::dvec3 from(*silhouette_from_);
-        if (from == center) throw UsageError("--silhouette-from is the model's center");
-        session.freeze_at(
-            {.eye = from, .target = center, .up = camera.up, .fov_y_deg = picture_.fov_degrees});
+        session.show(std::move(opened), camera, std::move(scene.lights));
+        std::optional<glm::dvec3> from;
+        if (silhouette_from_) from = glm::dvec3(*silhouette_from_);
+        freeze(session, from);
+    }
+
+    void freeze(ViewSession& session, const std::optional<glm::dvec3>& from) const {
+        if (!from) return;
+        const glm::dvec3 center = session.bounds().center;
+        if (*from == center) throw UsageError("--silhouette-from is the model's center");
+        session.freeze_at({.eye = *from,
+                           .target = center,
+                           .up = session.camera.up,
+                           .fov_y_deg = picture_.fov_degrees});
     }
 
     ModelArgument model_;
+    CloudArgument cloud_;  // Its flags.
     PictureOptions picture_;
     SceneOptions scene_;
     std::optional<glm::vec3> silhouette_from_;

@@ -6,13 +6,15 @@
 #include <cstddef>
 
 #include "engine/renderer.h"
+#include "tools/view/opened_cloud.h"
 
 namespace rimline::tools {
 
 struct ViewCounters {
     static constexpr std::size_t k_times = 120;
 
-    FrameReport report;                  ///< Of the frame drawn last.
+    FrameReport report;                  ///< Of the frame drawn last, of a model.
+    CloudReport cloud;                   ///< The same of a cloud.
     std::array<float, k_times> times{};  ///< Of frames, in ms; the oldest at `next`.
     std::size_t next = 0;
     std::size_t frames = 0;

@@ -31,7 +31,7 @@ constexpr double k_longest_step_s = 0.1;
 
 void ViewHand::take_light(ViewSession& session, const glm::dvec2& size) {
     const ImGuiIO& io = ImGui::GetIO();
-    const SceneBounds bounds = session.model_bounds();
+    const SceneBounds bounds = session.bounds();
     const ScreenView view(session.camera, size);
     const glm::dvec2 mouse(io.MousePos.x, io.MousePos.y);
     if (!io.MouseDown[0] || (held_ && *held_ >= session.lights.size())) held_.reset();
@@ -69,7 +69,7 @@ void ViewHand::move_camera(ViewSession& session, const glm::dvec2& size) const {
             orbit(session.camera, k_turn_rad_per_unit * glm::dvec2(-moved.x, moved.y));
     }
     if (io.MouseWheel != 0.0f && !io.WantCaptureMouse && !hovered_) {
-        const double radius = session.model_bounds().radius;
+        const double radius = session.bounds().radius;
         zoom(session.camera, std::pow(k_zoom_per_notch, double(io.MouseWheel)), k_nearest * radius,
              k_farthest * radius);
     }
@@ -85,14 +85,13 @@ bool ViewHand::fly_on(ViewSession& session) const {
                                along(GLFW_KEY_W, GLFW_KEY_S));
     if (direction == glm::dvec3(0.0)) return false;
     const double seconds = std::min(double(io.DeltaTime), k_longest_step_s);
-    const double speed =
-        k_fly_speed * session.model_bounds().radius * (io.KeyShift ? k_fast_times : 1.0);
+    const double speed = k_fly_speed * session.bounds().radius * (io.KeyShift ? k_fast_times : 1.0);
     const glm::dvec3 step = seconds * speed * glm::normalize(direction);
     // Only as far out as silhouettes are found to.
     const Camera before = session.camera;
     fly(session.camera, step);
-    const double reach = glm::distance(session.camera.eye, session.model_bounds().center);
-    if (reach > 2.0 * k_farthest * session.model_bounds().radius) session.camera = before;
+    const double reach = glm::distance(session.camera.eye, session.bounds().center);
+    if (reach > 2.0 * k_farthest * session.bounds().radius) session.camera = before;
     return true;
 }
 

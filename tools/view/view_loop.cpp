@@ -60,23 +60,24 @@ void ViewLoop::fit() {
     pan(session_.camera, {0.5 * (size.x / std::max(size.y, 1.0) - free_aspect()), 0.0});
 }
 
-void ViewLoop::take_loaded() {
+bool ViewLoop::take_loaded() {
     std::vector<std::string> dropped = window_.take_dropped();
     if (!dropped.empty()) {
         if (dropped.size() > 1) panel_.tell("one model at a time: opening the first", false);
         loader_.open(dropped.front());
     }
     std::optional<ModelLoader::Result> result = loader_.take();
-    if (!result) return;
-    if (!result->model) {
+    if (!result) return false;
+    if (!result->opened) {
         panel_.tell(result->error, true);
-        return;
+        return false;
     }
     panel_.message.clear();
-    session_.show(std::move(result->model), free_aspect());
+    session_.show(std::move(result->opened), free_aspect());
     frames_of_model_ = 0;
     fit();
-    window_.set_title("Rimline - " + session_.model().name());
+    window_.set_title("Rimline - " + session_.opened().name());
+    return true;
 }
 
 void ViewLoop::take_keys() {
@@ -99,7 +100,7 @@ void ViewLoop::save(const PanelRequests::Save& save) {
     try {
         OutputFile file(save.path);
         const std::vector<std::byte> png =
-            encode_png(renderer_.picture(session_.scene(), save.size.width, save.size.height));
+            encode_png(renderer_.picture(session_.picture(), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
         file.commit();
         panel_.tell("saved " + save.path, false);
@@ -131,7 +132,7 @@ void ViewLoop::build_panel() {
                                  .device = renderer_.device_facts().name,
                                  .scale = window_.content_scale()});
     }
-    if (options_.panel && hough_.open) {
+    if (options_.panel && hough_.open && !session_.is_cloud()) {
         if (inspected_ != &session_.model()) {
             inspected_ = &session_.model();
             inspection_.emplace(session_.model());
@@ -157,7 +158,7 @@ bool ViewLoop::draw() {
     const std::uint32_t frame_scale = scale();
     std::optional<WindowRenderer::Drawn> drawn;
     try {
-        drawn = renderer_.draw(session_.scene(), context_.drawing(), frame_scale, captures_);
+        drawn = renderer_.draw(session_.picture(), context_.drawing(), frame_scale, captures_);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_aspect())) throw;
         panel_.tell(error.what(), true);
@@ -172,6 +173,7 @@ bool ViewLoop::draw() {
     if (captures_) captured_ = std::move(drawn->shown);
     captures_ = false;
     counters_.add(drawn->report, 1e3 * (now_s() - begun_s));
+    if (session_.is_cloud()) counters_.cloud = session_.cloud().report();
     return true;
 }
 
@@ -189,9 +191,8 @@ bool ViewLoop::turn(bool always) {
         frames_due_ = k_frames_after_event;
         last_change_s_ = now_s();
     }
-    const OpenedModel* const before = &session_.model();
-    take_loaded();
-    if (before != &session_.model() || loader_.stage()) frames_due_ = k_frames_after_event;
+    const bool has_new = take_loaded();
+    if (has_new || loader_.stage()) frames_due_ = k_frames_after_event;
     const bool refines = is_coarse_ && now_s() - last_change_s_ >= k_rest_s;
     if (!always && frames_due_ == 0 && !moving_ && !refines) return false;
     frames_due_ = std::max(frames_due_ - 1, 0);

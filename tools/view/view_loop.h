@@ -64,7 +64,7 @@ public:
     double free_aspect() const;
 
 private:
-    void take_loaded();
+    bool take_loaded();  // Whether there is something new to show.
     void take_keys();
     void serve(const PanelRequests& requests);
     void save(const PanelRequests::Save& save);

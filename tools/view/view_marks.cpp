@@ -54,7 +54,7 @@ void draw_lamp(ImDrawList& list, const glm::dvec2& at, bool chosen) {
 
 void draw_lights(ImDrawList& list, const ViewSession& session, const ScreenView& view,
                  std::optional<std::size_t> chosen) {
-    const SceneBounds bounds = session.model_bounds();
+    const SceneBounds bounds = session.bounds();
     for (std::size_t i = 0; i < session.lights.size(); ++i) {
         const Light& light = session.lights[i];
         const glm::dvec3 handle = light_handle(light, bounds);
@@ -114,9 +114,8 @@ void draw_marks(const ViewSession& session, const glm::dvec2& size,
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ScreenView view(session.camera, size);
     if (session.frozen())
-        draw_frozen(list, *session.frozen(), view, size.x / size.y,
-                    0.5 * session.model_bounds().radius);
-    draw_lights(list, session, view, chosen);
+        draw_frozen(list, *session.frozen(), view, size.x / size.y, 0.5 * session.bounds().radius);
+    if (!session.is_cloud()) draw_lights(list, session, view, chosen);
 }
 
 }  // namespace rimline::tools

@@ -62,18 +62,36 @@ std::optional<glm::vec3> chosen_color(const char* name, const glm::vec3& linear)
     return linear_from_srgb(glm::clamp(color, 0.0f, 1.0f));
 }
 
+void draw_cloud_counts(const PointSurface& surface) {
+    const auto count = [&](PointLabel label) { return grouped(surface.count(label)); };
+    ImGui::TextDisabled("%s points", grouped(surface.size()).c_str());
+    ImGui::TextDisabled("%s border, %s feature, %s undecided", count(PointLabel::border).c_str(),
+                        count(PointLabel::feature).c_str(), count(PointLabel::undecided).c_str());
+}
+
+// What is drawn between these is greyed out for clouds, and why is said.
+void begin_models_only(const ViewSession& session, const char* reason) {
+    if (session.is_cloud()) ImGui::TextDisabled("%s", reason);
+    ImGui::BeginDisabled(session.is_cloud());
+}
+void end_models_only() { ImGui::EndDisabled(); }
+
 void same_width() { ImGui::SetNextItemWidth(-0.42f * ImGui::GetWindowWidth()); }
 
 }  // namespace
 
 void ViewPanel::draw_model(const ViewSession& session, const Shown& shown,
                            PanelRequests& requests) {
-    if (session.has_model()) {
-        const Mesh& mesh = session.model().mesh();
-        const std::string name = std::filesystem::path(session.model().name()).filename().string();
+    if (!session.is_empty()) {
+        const std::string name = std::filesystem::path(session.opened().name()).filename().string();
         ImGui::TextUnformatted(name.c_str());
-        ImGui::TextDisabled("%s faces, %s edges", grouped(mesh.face_count()).c_str(),
-                            grouped(mesh.edge_count()).c_str());
+        if (session.is_cloud()) {
+            draw_cloud_counts(session.cloud().surface());
+        } else {
+            const Mesh& mesh = session.model().mesh();
+            ImGui::TextDisabled("%s faces, %s edges", grouped(mesh.face_count()).c_str(),
+                                grouped(mesh.edge_count()).c_str());
+        }
     }
     if (shown.loading) {
         ImGui::TextWrapped("%s", shown.loading->doing.c_str());
@@ -132,14 +150,15 @@ void ViewPanel::draw_view(ViewSession& session, ViewHand& hand, PanelRequests& r
 
 void ViewPanel::draw_look(ViewSession& session) {
     ViewLook& look = session.look;
-    int style = static_cast<int>(look.style);
-    if (choose("style", k_styles, style)) look.set_style(static_cast<Style>(style));
     ImGui::Checkbox("lines", &look.lines);
-    ImGui::SameLine();
-    ImGui::Checkbox("hidden too", &look.hidden);
     same_width();
     ImGui::SliderFloat("line width", &look.line_width_px, 0.5f, 12.0f, "%.1f px");
     look.line_width_px = std::clamp(look.line_width_px, 0.1f, 100.0f);
+    draw_colors(session);
+    begin_models_only(session, "a cloud is drawn as ink on discs");
+    int style = static_cast<int>(look.style);
+    if (choose("style", k_styles, style)) look.set_style(static_cast<Style>(style));
+    ImGui::Checkbox("hidden lines too", &look.hidden);
     bool creases = look.crease_angle_deg > 0.0f;
     if (ImGui::Checkbox("creases", &creases)) look.crease_angle_deg = creases ? 40.0f : 0.0f;
     if (creases) {
@@ -148,24 +167,39 @@ void ViewPanel::draw_look(ViewSession& session) {
         ImGui::SliderFloat("from", &look.crease_angle_deg, 10.0f, 120.0f, "%.0f deg");
         look.crease_angle_deg = std::clamp(look.crease_angle_deg, 10.0f, 180.0f);
     }
+    end_models_only();
+}
+
+void ViewPanel::draw_colors(ViewSession& session) {
+    ViewLook& look = session.look;
     if (const auto paper = chosen_color("paper", look.background)) look.background = *paper;
     ImGui::SameLine();
-    const Material shown = session.scene().instances.front().material;
-    if (const auto color = chosen_color("surface", shown.color)) look.color = color;
+    const glm::vec3 surface =
+        session.is_cloud()
+            ? linear_from_srgb(Color{k_cloud_clay[0], k_cloud_clay[1], k_cloud_clay[2]})
+            : default_surface_color(look.style, look.background);
+    if (const auto color = chosen_color("surface", look.color.value_or(surface)))
+        look.color = color;
     ImGui::SameLine();
     const glm::vec3 ink = default_palette(look.style, look.background).ink;
-    if (const auto color = chosen_color("ink", shown.line_color.value_or(ink)))
+    if (const auto color = chosen_color("ink", look.line_color.value_or(ink)))
         look.line_color = color;
 }
 
 void ViewPanel::draw_lights(ViewSession& session) {
+    begin_models_only(session, "a cloud has no faces to cast shadows");
+    draw_enabled_lights(session);
+    end_models_only();
+}
+
+void ViewPanel::draw_enabled_lights(ViewSession& session) {
     int shadows = session.look.shadows ? 1 + static_cast<int>(session.look.shadow_method) : 0;
     if (choose("shadows", k_shadows, shadows)) {
         session.look.shadows = shadows > 0;
         if (shadows > 0) session.look.shadow_method = static_cast<ShadowMethod>(shadows - 1);
     }
     ImGui::Checkbox("ground (G)", &session.look.ground);
-    const SceneBounds bounds = session.model_bounds();
+    const SceneBounds bounds = session.bounds();
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < session.lights.size(); ++i) {
         Light& light = session.lights[i];
@@ -205,8 +239,18 @@ void ViewPanel::draw_picture(PanelRequests& requests) {
                           static_cast<std::uint32_t>(picture_size_[1])}};
 }
 
-void ViewPanel::draw_counters(const Shown& shown) {
-    const FrameReport& report = shown.counters.report;
+void draw_cloud_counters(const CloudReport& report) {
+    row("silhouette points", grouped(report.silhouette_points));
+    row("consensus edges", grouped(report.consensus_edges));
+    row("points joined, left", grouped(report.joined) + ", " + grouped(report.left));
+    row("boxes, faces checked",
+        grouped(report.counters.box_checks) + ", " + grouped(report.counters.face_checks));
+    char time[32];
+    std::snprintf(time, sizeof time, "%.2f ms", report.move_ms);
+    row("silhouette moved in", time);
+}
+
+void draw_model_counters(const FrameReport& report) {
     row("silhouette edges", grouped(report.silhouette));
     if (report.creases > 0) row("creases", grouped(report.creases));
     row("shadow edges", grouped(report.shadow_edges));
@@ -216,6 +260,13 @@ void ViewPanel::draw_counters(const Shown& shown) {
                                     grouped(report.camera.counters.face_checks));
     row("bytes streamed", grouped(report.bytes_streamed));
     row("bytes of all", grouped(report.bytes_full));
+}
+
+void ViewPanel::draw_counters(const ViewSession& session, const Shown& shown) {
+    if (session.is_cloud())
+        draw_cloud_counters(shown.counters.cloud);
+    else
+        draw_model_counters(shown.counters.report);
     char time[32];
     std::snprintf(time, sizeof time, "%.1f ms", double(shown.counters.last_ms()));
     row("frame", time);
@@ -246,13 +297,15 @@ PanelRequests ViewPanel::draw(ViewSession& session, ViewHand& hand, HoughPanel& 
         if (ImGui::SmallButton("Dismiss")) message.clear();
     }
     if (section("Model")) draw_model(session, shown, requests);
-    if (session.has_model()) {
+    if (!session.is_empty()) {
         if (section("View")) draw_view(session, hand, requests);
         if (section("Style")) draw_look(session);
         if (section("Light")) draw_lights(session);
+        begin_models_only(session, "Hough space is shown of models");
         ImGui::Checkbox("Hough space (I)", &hough.open);
+        end_models_only();
         if (section("Picture", false)) draw_picture(requests);
-        if (section("Frame")) draw_counters(shown);
+        if (section("Frame")) draw_counters(session, shown);
     }
     ImGui::TextDisabled("Tab hides this");
     ImGui::End();

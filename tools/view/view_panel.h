@@ -54,9 +54,11 @@ private:
     void draw_model(const ViewSession& session, const Shown& shown, PanelRequests& requests);
     void draw_view(ViewSession& session, ViewHand& hand, PanelRequests& requests);
     void draw_look(ViewSession& session);
+    static void draw_colors(ViewSession& session);
     void draw_lights(ViewSession& session);
+    void draw_enabled_lights(ViewSession& session);
     void draw_picture(PanelRequests& requests);
-    void draw_counters(const Shown& shown);
+    void draw_counters(const ViewSession& session, const Shown& shown);
 
     std::array<char, 1024> path_{};
     std::array<char, 1024> picture_path_{"view.png"};

@@ -23,22 +23,23 @@ void ViewLook::set_style(Style chosen) {
     crease_angle_deg = defaults.crease_angle_deg;
 }
 
-void ViewSession::show(std::unique_ptr<OpenedModel> model, double aspect) {
+void ViewSession::show(Opened opened, double aspect) {
     PictureOptions defaults;
     defaults.fov_degrees = look.fov_y_deg;
-    Camera fitted = make_camera(model->mesh(), model->name(), defaults);
-    fitted = fit_camera(fitted, model->mesh(), fitted.eye - fitted.target, aspect);
-    const Light sun = default_sun(fitted);
+    const Subject subject = opened.subject();
+    Camera fitted = make_camera(subject, opened.name(), defaults);
+    fitted = fit_camera(fitted, subject, fitted.eye - fitted.target, aspect);
+    std::vector<Light> fitted_lights;
+    if (opened.model() != nullptr) fitted_lights.push_back(default_sun(fitted));
     const bool orthographic = look.orthographic;
-    show(std::move(model), fitted, {sun});
+    show(std::move(opened), fitted, std::move(fitted_lights));
     look.orthographic = orthographic;
     apply_lens();
 }
 
-void ViewSession::show(std::unique_ptr<OpenedModel> model, const Camera& chosen,
-                       std::vector<Light> chosen_lights) {
-    if (model_) previous_ = std::move(model_);
-    model_ = std::move(model);
+void ViewSession::show(Opened opened, const Camera& chosen, std::vector<Light> chosen_lights) {
+    if (opened_) previous_ = std::move(opened_);
+    opened_ = std::move(opened);
     camera = chosen;
     lights = std::move(chosen_lights);
     look.orthographic = chosen.is_orthographic();
@@ -49,21 +50,21 @@ void ViewSession::show(std::unique_ptr<OpenedModel> model, const Camera& chosen,
 bool ViewSession::show_previous(double aspect) {
     if (!previous_) return false;
     // What cannot be drawn is gone before it could be asked for again.
-    model_.reset();
-    show(std::move(previous_), aspect);
+    opened_ = {};
+    show(std::exchange(previous_, {}), aspect);
     return true;
 }
 
-SceneBounds ViewSession::model_bounds() const {
-    const double radius = model_->mesh().radius();
-    return {.center = model_->mesh().center(), .radius = radius > 0.0 ? radius : 1.0};
+SceneBounds ViewSession::bounds() const {
+    const Subject subject = opened_.subject();
+    return {.center = subject.center, .radius = subject.radius > 0.0 ? subject.radius : 1.0};
 }
 
 void ViewSession::fit(double aspect) {
     const bool orthographic = look.orthographic;
     look.orthographic = false;
     apply_lens();
-    camera = fit_camera(camera, model_->mesh(), camera.eye - camera.target, aspect);
+    camera = fit_camera(camera, opened_.subject(), camera.eye - camera.target, aspect);
     look.orthographic = orthographic;
     apply_lens();
 }
@@ -84,7 +85,7 @@ void ViewSession::add_light() {
         return;
     }
     // Each a golden angle further around the up axis, so that no two coincide.
-    const Light last = as_sun(lights.back(), model_bounds());
+    const Light last = as_sun(lights.back(), bounds());
     Camera around{.eye = last.vector, .target = glm::dvec3(0.0), .up = camera.up};
     orbit(around, {std::numbers::pi * (3.0 - std::sqrt(5.0)), 0.0});
     lights.push_back({.vector = around.eye, .directional = true});
@@ -95,10 +96,26 @@ void ViewSession::remove_light(std::size_t light) {
 }
 
 HomogeneousPoint ViewSession::silhouette_point() const {
-    const Camera& from = frozen_ ? *frozen_ : camera;
-    if (from.is_orthographic())
-        return HomogeneousPoint::direction(glm::vec3(glm::normalize(from.eye - from.target)));
-    return HomogeneousPoint::viewpoint(glm::vec3(from.eye));
+    return silhouette_point_of(frozen_ ? *frozen_ : camera);
+}
+
+ViewPicture ViewSession::picture() const {
+    if (is_cloud()) return cloud_scene();
+    return scene();
+}
+
+SplatScene ViewSession::cloud_scene() const {
+    OpenedCloud& cloud = *opened_.cloud();
+    const SceneBounds around = bounds();
+    SplatScene scene{
+        .cloud = &cloud.drawn(look.color, look.line_width_px),
+        .strokes = cloud.follow(silhouette_point(), look.line_color, look.line_width_px),
+        .background = look.background,
+        .camera = camera,
+        .center = around.center,
+        .radius = around.radius};
+    if (!look.lines) scene.strokes.clear();
+    return scene;
 }
 
 Scene ViewSession::scene() const {
@@ -114,14 +131,14 @@ Scene ViewSession::scene() const {
                     look.hidden ? style_defaults(look.style).hidden_line_strength : 0.0f,
                 .crease_angle_deg = look.crease_angle_deg};
     scene.lights = lights;
-    scene.instances.push_back({.octree = &model_->octree(),
-                               .name = model_->name(),
+    OpenedModel& model = *opened_.model();
+    scene.instances.push_back({.octree = &model.octree(),
+                               .name = model.name(),
                                .material = {.color = look.color.value_or(
                                                 default_surface_color(look.style, look.background)),
                                             .line_color = look.line_color}});
     if (look.ground)
-        scene.instances.push_back(
-            ground_instance(scene, model_->mesh(), model_->ground(camera.up)));
+        scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(camera.up)));
     return scene;
 }
 

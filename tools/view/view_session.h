@@ -1,16 +1,18 @@
 #pragma once
 
-// What the window shows, apart from windows: the model, the camera, the lights, the look, and the
-// silhouette when it is frozen. Everything that hands and panels change is here, and scene() is what is
-// drawn of it.
+// What the window shows, apart from windows: the model or the cloud, the camera, the lights, the look, and
+// the silhouette when it is frozen. Everything that hands and panels change is here, and picture() is what
+// is drawn of it.
 
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "engine/scene.h"
+#include "engine/splat_renderer.h"
 #include "tools/option_types.h"
-#include "tools/view/opened_model.h"
+#include "tools/view/opened.h"
 
 namespace rimline::tools {
 
@@ -35,29 +37,35 @@ struct ViewLook {
     bool orthographic = false;
 };
 
+/// Of a model, and of a cloud.
+using ViewPicture = std::variant<Scene, SplatScene>;
+
 class ViewSession {
 public:
     ViewLook look;
     Camera camera;
     std::vector<Light> lights;
 
-    /// Shows another model, wholly in view and lit by a sun; the look stays, the silhouette thaws. The
-    /// model before is kept until forget_previous(), for frames in flight know it by its address.
-    void show(std::unique_ptr<OpenedModel> model, double aspect);
+    /// Shows another model or cloud, wholly in view, a model lit by a sun; the look stays, the silhouette thaws.
+    /// What was shown before is kept until forget_previous(), for frames in flight know it by its address.
+    void show(Opened opened, double aspect);
     /// The same with a camera and lights that were chosen already; the look is taken to fit them.
-    void show(std::unique_ptr<OpenedModel> model, const Camera& chosen,
-              std::vector<Light> chosen_lights);
-    /// Goes back to the model before, where there is one: the device could not hold the new one.
+    void show(Opened opened, const Camera& chosen, std::vector<Light> chosen_lights);
+    /// Goes back to what was shown before, where there is something: the device could not hold the new one.
     bool show_previous(double aspect);
-    /// A frame of the new model has been drawn.
-    void forget_previous() noexcept { previous_.reset(); }
+    /// A frame of the new one has been drawn.
+    void forget_previous() noexcept { previous_ = {}; }
 
-    bool has_model() const noexcept { return model_ != nullptr; }
-    const OpenedModel& model() const noexcept { return *model_; }
-    /// The sphere around the model, which handles and speeds are measured by.
-    SceneBounds model_bounds() const;
+    bool is_empty() const noexcept { return !opened_; }
+    const Opened& opened() const noexcept { return opened_; }
+    /// Where it is shown.
+    bool is_cloud() const noexcept { return opened_.cloud() != nullptr; }
+    const OpenedModel& model() const noexcept { return *opened_.model(); }
+    const OpenedCloud& cloud() const noexcept { return *opened_.cloud(); }
+    /// The sphere around what is shown, which handles and speeds are measured by.
+    SceneBounds bounds() const;
 
-    /// Looks at the whole model from where the camera stands.
+    /// Looks at the whole of it from where the camera stands.
     void fit(double aspect);
     /// Brings the camera in line with look.fov_y_deg and look.orthographic: what lies at the target
     /// keeps its size.
@@ -74,15 +82,18 @@ public:
     void add_light();
     void remove_light(std::size_t light);
 
-    /// Where the lines' silhouette is seen from, in the model's coordinates.
+    /// Where the lines' silhouette is seen from, in the coordinates of what is shown.
     HomogeneousPoint silhouette_point() const;
 
-    /// Valid until the session changes. A model must be shown.
+    /// Valid until the session changes. The one of what is shown.
+    ViewPicture picture() const;
     Scene scene() const;
+    /// Moves the cloud's silhouette to silhouette_point().
+    SplatScene cloud_scene() const;
 
 private:
-    std::unique_ptr<OpenedModel> model_;
-    std::unique_ptr<OpenedModel> previous_;
+    Opened opened_;
+    Opened previous_;
     std::optional<Camera> frozen_;
 };
 

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <utility>
+#include <variant>
 
 #include "engine/barrier.h"
 #include "engine/device_loss.h"
+#include "engine/picture_readback.h"
 
 namespace rimline::tools {
 
@@ -27,16 +29,6 @@ OwnedFence make_signalled_fence(VkDevice device) {
     return {device, fence};
 }
 
-Picture picture_from(const Buffer& pixels, VkExtent2D extent, VkFormat format) {
-    Picture picture{extent.width, extent.height, {}};
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels.mapped());
-    picture.rgba.assign(bytes, bytes + std::size_t{4} * extent.width * extent.height);
-    if (format == VK_FORMAT_B8G8R8A8_UNORM)
-        for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-            std::swap(picture.rgba[i], picture.rgba[i + 2]);
-    return picture;
-}
-
 }  // namespace
 
 // In the order in which they need one another.
@@ -52,7 +44,6 @@ struct WindowRenderer::OnDevice {
         : surface(window.make_surface(instance.handle())),
           device(instance, request),
           swapchain(device.context(), surface.get(), k_ring_slots),
-          renderer(device.context()),
           overlay(device.context(), swapchain.format(), k_ring_slots),
           pool(make_command_pool(device.context(), device.context().queue_family)) {
         overlay.set_texture(letters.width, letters.height, letters.opacity);
@@ -88,13 +79,17 @@ struct WindowRenderer::OnDevice {
 
     void record_overlay(VkCommandBuffer commands, std::uint32_t ring_slot,
                         const OverlayDrawing& drawing);
-    void record_capture(VkCommandBuffer commands, const Buffer& pixels) const;
+    void prepare(const ViewPicture& scene, std::uint32_t scale);
+    FrameReport record_picture(VkCommandBuffer commands, const ViewPicture& scene,
+                               const PictureTarget& target);
     void submit(const RingSlot& slot);
 
     WindowSurface surface;
     Device device;
     Swapchain swapchain;
-    Renderer renderer;
+    // The one of what is shown. Both know what they drew by its address, which is another's after a while.
+    std::unique_ptr<Renderer> renderer;
+    std::unique_ptr<SplatRenderer> splat_renderer;
     OverlayPass overlay;
     OwnedCommandPool pool;
     std::array<RingSlot, k_ring_slots> ring;
@@ -122,15 +117,28 @@ void WindowRenderer::OnDevice::record_overlay(VkCommandBuffer commands, std::uin
     vkCmdEndRendering(commands);
 }
 
-void WindowRenderer::OnDevice::record_capture(VkCommandBuffer commands,
-                                              const Buffer& pixels) const {
-    const VkExtent2D extent = swapchain.extent();
-    const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                   .imageExtent = {extent.width, extent.height, 1}};
-    vkCmdCopyImageToBuffer(commands, swapchain.image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                           pixels.handle(), 1, &region);
-    record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                   {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+void WindowRenderer::OnDevice::prepare(const ViewPicture& scene, std::uint32_t scale) {
+    const bool is_model = std::holds_alternative<Scene>(scene);
+    if (is_model ? !renderer : !splat_renderer) {
+        wait_for_all();
+        renderer.reset();
+        splat_renderer.reset();
+        if (is_model)
+            renderer = std::make_unique<Renderer>(device.context());
+        else
+            splat_renderer = std::make_unique<SplatRenderer>(device.context());
+    }
+    if (renderer) renderer->set_scale(scale);
+    if (splat_renderer) splat_renderer->set_scale(scale);
+}
+
+FrameReport WindowRenderer::OnDevice::record_picture(VkCommandBuffer commands,
+                                                     const ViewPicture& scene,
+                                                     const PictureTarget& target) {
+    if (const Scene* model = std::get_if<Scene>(&scene))
+        return renderer->record(commands, *model, target);
+    splat_renderer->record(commands, std::get<SplatScene>(scene), target);
+    return {};
 }
 
 void WindowRenderer::OnDevice::submit(const RingSlot& slot) {
@@ -174,7 +182,7 @@ void WindowRenderer::remake() {
     ++remade_;
 }
 
-std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const Scene& scene,
+std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const ViewPicture& scene,
                                                           const OverlayDrawing& overlay,
                                                           std::uint32_t scale, bool capture) {
     for (int losses = 0;; ++losses) {
@@ -197,7 +205,7 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const Scene& scene,
     }
 }
 
-std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const Scene& scene,
+std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const ViewPicture& scene,
                                                                const OverlayDrawing& overlay,
                                                                std::uint32_t scale, bool capture) {
     const auto ring_slot = static_cast<std::uint32_t>(gpu_->frames % k_ring_slots);
@@ -210,7 +218,7 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const Scene& scen
         gpu_->wait_for_all();
     gpu_->last_extent = extent;
     gpu_->last_scale = scale;
-    gpu_->renderer.set_scale(scale);
+    gpu_->prepare(scene, scale);
 
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                          .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
@@ -220,16 +228,15 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const Scene& scen
                                .view = gpu_->swapchain.view(),
                                .format = gpu_->swapchain.format(),
                                .extent = extent};
-    Drawn drawn{.report = gpu_->renderer.record(slot.commands, scene, target), .shown = {}};
+    Drawn drawn{.report = gpu_->record_picture(slot.commands, scene, target), .shown = {}};
     gpu_->record_overlay(slot.commands, ring_slot, overlay);
     constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
     if (capture) {
-        slot.pixels = Buffer(gpu_->device.context(), VkDeviceSize{4} * extent.width * extent.height,
-                             BufferPlace::readback, "what the window shows");
+        slot.pixels = make_picture_buffer(gpu_->device.context(), extent);
         record_barrier(slot.commands, k_drawing, k_copying, {{target, k_drawn, k_copied}});
-        gpu_->record_capture(slot.commands, slot.pixels);
+        record_read_back(slot.commands, target.image, extent, slot.pixels);
         record_barrier(slot.commands, k_copying, k_nothing_more, {{target, k_copied, k_shown}});
     } else {
         record_barrier(slot.commands, k_drawing, k_nothing_more, {{target, k_drawn, k_shown}});
@@ -240,18 +247,21 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const Scene& scen
     gpu_->swapchain.present();
     if (capture) {
         gpu_->wait_for(slot);
-        drawn.shown = picture_from(slot.pixels, extent, gpu_->swapchain.format());
+        drawn.shown = read_picture(slot.pixels, extent, gpu_->swapchain.format());
     }
     return drawn;
 }
 
-Picture WindowRenderer::picture(const Scene& scene, std::uint32_t width, std::uint32_t height) {
+Picture WindowRenderer::picture(const ViewPicture& scene, std::uint32_t width,
+                                std::uint32_t height) {
     if (!gpu_) remake();
     gpu_->wait_for_all();
     // The next frame has another size for the renderer's targets.
     gpu_->last_extent = {};
-    gpu_->renderer.set_scale(RendererOptions{}.scale);
-    return gpu_->renderer.render(scene, width, height);
+    gpu_->prepare(scene, RendererOptions{}.scale);
+    if (const Scene* model = std::get_if<Scene>(&scene))
+        return gpu_->renderer->render(*model, width, height);
+    return gpu_->splat_renderer->render(std::get<SplatScene>(scene), width, height);
 }
 
 }  // namespace rimline::tools

@@ -3,7 +3,8 @@
 // Everything of Vulkan that a window needs: device, surface, swapchain, renderer, panel; frames in
 // flight, and the way back when the device or the surface is lost.
 //
-//     wait until the ring slot's last frame is done --> acquire --> the scene (Renderer::record)
+//     wait until the ring slot's last frame is done --> acquire --> the picture (Renderer::record, of a
+//         cloud SplatRenderer::record)
 //         --> the panel over it --> submit --> present
 //
 // A lost device takes all of this with it, but no mesh, octree or scene: it is made again and the frame
@@ -20,7 +21,9 @@
 #include "engine/device.h"
 #include "engine/overlay_pass.h"
 #include "engine/renderer.h"
+#include "engine/splat_renderer.h"
 #include "engine/vulkan_instance.h"
+#include "tools/view/view_session.h"
 #include "tools/view/window.h"
 
 namespace rimline::tools {
@@ -43,17 +46,17 @@ public:
     WindowRenderer& operator=(const WindowRenderer&) = delete;
 
     struct Drawn {
-        FrameReport report;
-        Picture shown;  ///< What the window shows, where it was asked for.
+        FrameReport report;  ///< Of a model.
+        Picture shown;       ///< What the window shows, where it was asked for.
     };
     /// Draws and presents a frame of `scale` x `scale` samples a pixel (RendererOptions). Nothing where
     /// the window has no size. `capture` waits for the frame and brings it back. Throws what
     /// Renderer::record() does, after which the next frame is as good as the first.
-    std::optional<Drawn> draw(const Scene& scene, const OverlayDrawing& overlay,
+    std::optional<Drawn> draw(const ViewPicture& scene, const OverlayDrawing& overlay,
                               std::uint32_t scale, bool capture = false);
 
-    /// Draws a picture apart from the window, without the panel, as `rimline render` does.
-    Picture picture(const Scene& scene, std::uint32_t width, std::uint32_t height);
+    /// Draws a picture apart from the window, without the panel, as `rimline render` and `points` do.
+    Picture picture(const ViewPicture& scene, std::uint32_t width, std::uint32_t height);
 
     /// Makes everything again, as after a loss.
     void remake();
@@ -66,7 +69,7 @@ public:
 private:
     struct OnDevice;
 
-    std::optional<Drawn> draw_once(const Scene& scene, const OverlayDrawing& overlay,
+    std::optional<Drawn> draw_once(const ViewPicture& scene, const OverlayDrawing& overlay,
                                    std::uint32_t scale, bool capture);
 
     const VulkanInstance* instance_;

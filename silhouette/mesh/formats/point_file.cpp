@@ -17,14 +17,6 @@ bool is_finite(const glm::dvec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-PointSource points_of(MeshSource mesh) {
-    PointSource source;
-    source.positions.assign(mesh.positions.begin(), mesh.positions.end());
-    source.triangles = std::move(mesh.triangles);
-    source.up = mesh.up;
-    return source;
-}
-
 PointSource read_points(const KnownFile& known, BadPoints bad, const LongCall& call) {
     PointRecords records;
     switch (known.format) {

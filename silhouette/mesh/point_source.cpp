@@ -1,0 +1,15 @@
+#include "silhouette/mesh/point_source.h"
+
+#include <utility>
+
+namespace rimline {
+
+PointSource points_of(MeshSource mesh) {
+    PointSource source;
+    source.positions.assign(mesh.positions.begin(), mesh.positions.end());
+    source.triangles = std::move(mesh.triangles);
+    source.up = mesh.up;
+    return source;
+}
+
+}  // namespace rimline
