@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 
+#include "silhouette/points/border_bend.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/supplement.h"
 
@@ -20,15 +21,16 @@ namespace {
 constexpr double k_degree = std::numbers::pi / 180.0;
 constexpr double k_weak_excess = 2.0;
 constexpr double k_least_apart = 70.0 * k_degree;
-constexpr double k_ear = 150.0 * k_degree;
+constexpr double k_ear = 130.0 * k_degree;
+constexpr double k_most_bend = 5.5;
 constexpr int k_most_rounds = 6;
 constexpr std::size_t k_least_points = 5;
 constexpr double k_loose_share = 0.12;
 // Of a chain's points with a supplement: a crease above. A closed chain is more likely a border.
 constexpr double k_crease_share = 0.35;
-constexpr std::size_t k_crease_run = 12;
-
 constexpr double k_closed_crease_share = 0.7;
+constexpr std::size_t k_crease_run = 12;
+constexpr double k_cosine_of_fold = 0.7071;  // 45 degrees: no crease of a run.
 constexpr std::uint32_t k_closed = std::numeric_limits<std::uint32_t>::max();
 
 // The points where an open point's gaps end; those of its first four gaps.
@@ -48,6 +50,7 @@ struct Link {
 // A closed point whose sector lies on a link of open ones.
 struct Ear {
     std::uint32_t point, sector;
+    std::uint32_t from, to;
     auto operator<=>(const Ear&) const = default;
 };
 
@@ -138,13 +141,22 @@ public:
     void judge_chains() {
         using Verdict = OpenPoint::Verdict;
         // Long runs of supplemented points are creases wherever they lie; what they part may end there.
+        // But where the second umbrella nearly folds back, it may lie on a sheet behind the border.
+        std::vector<std::uint8_t> is_crease(open_.size(), 0);
+        Neighbourhood around;
+        for (std::uint32_t n = 0; n < open_.size(); ++n) {
+            const OpenPoint& open = open_[n];
+            if (!open.supplement.is_umbrella()) continue;
+            around.look_from(points_, open.point, neighbours_.of(open.point));
+            is_crease[n] = glm::dot(around.normal(open.fan), around.normal(open.supplement)) >=
+                           -k_cosine_of_fold;
+        }
         const std::vector<std::uint32_t> runs =
-            connected([&](std::uint32_t n) { return open_[n].supplement.is_umbrella(); });
+            connected([&](std::uint32_t n) { return is_crease[n] != 0; });
         std::vector<std::size_t> run_size(open_.size(), 0);
-        for (std::uint32_t n = 0; n < open_.size(); ++n)
-            run_size[runs[n]] += open_[n].supplement.is_umbrella();
+        for (std::uint32_t n = 0; n < open_.size(); ++n) run_size[runs[n]] += is_crease[n];
         const auto is_in_run = [&](std::uint32_t n) {
-            return open_[n].supplement.is_umbrella() && run_size[runs[n]] >= k_crease_run;
+            return is_crease[n] != 0 && run_size[runs[n]] >= k_crease_run;
         };
 
         const std::vector<std::uint32_t> chain_of =
@@ -245,7 +257,7 @@ private:
             for (std::size_t j = 0; j < star.size; ++j) {
                 const std::uint32_t x = list[star.ring[j]], y = list[star.ring[star.next(j)]];
                 if ((x == a && y == b) || (x == b && y == a))
-                    ears.push_back({point, static_cast<std::uint32_t>(j)});
+                    ears.push_back({point, static_cast<std::uint32_t>(j), a, b});
             }
         }
     }
@@ -253,15 +265,18 @@ private:
     std::optional<Fan> cut_ear(const Neighbourhood& around, std::span<const Ear> ears) const {
         const Fan& star = stars_.fans[ears[0].point];
         std::optional<std::size_t> best;
-        double greatest = k_ear;
+        double least = k_most_bend;
         for (const Ear& ear : ears) {
             Fan rest = star;
             rest.open(ear.sector);
             const double deviation = around.deviation(star, ear.sector, around.normal(rest));
-            const double measure =
-                around.angle(star, ear.sector) * (1.0 + 2.0 / std::numbers::pi * deviation);
-            if (measure > greatest) {
-                greatest = measure;
+            if (around.angle(star, ear.sector) * (1.0 + 2.0 / std::numbers::pi * deviation) <=
+                k_ear)
+                continue;
+            const double bend = bend_through(points_, beyond(ear.from, ear.to), ear.from, ear.point,
+                                             ear.to, beyond(ear.to, ear.from));
+            if (bend < least) {
+                least = bend;
                 best = ear.sector;
             }
         }
@@ -270,6 +285,14 @@ private:
         fan.open(*best);
         merge_gaps(fan);
         return fan.is_umbrella() ? std::optional(fan) : std::nullopt;
+    }
+
+    // The other end of the open point's gap that ends at `end`.
+    std::optional<std::uint32_t> beyond(std::uint32_t point, std::uint32_t end) const {
+        const Ends& ends = ends_[slot_[point]];
+        for (std::uint32_t e = 0; e < ends.count; ++e)
+            if (ends.points[e] == end) return ends.points[e ^ 1u];
+        return std::nullopt;
     }
 
     static std::optional<std::size_t> place_in(const Fan& fan, const Neighbourhood& around,
@@ -373,7 +396,9 @@ std::vector<OpenPoint> trace_borders(std::span<const glm::dvec3> points,
         call.checkpoint(0.5 + 0.3 * (round + 1) / k_most_rounds);
     tracing.find_supplements({call, 0.8, 1.0});
     tracing.judge_chains();
-    return tracing.take();
+    std::vector<OpenPoint> open = tracing.take();
+    straighten_borders(points, neighbours, open);
+    return open;
 }
 
 }  // namespace rimline

@@ -10,16 +10,19 @@
 //   round       an open point names the ends of its gap. A closed point that two open ones name, from
 //               directions at least 70 degrees apart, opens between them (the thesis's first case). One
 //               that is named by an open point opens a sector beside it whose excess is above 2. A
-//               triangle that stands outside, on the line between two open points that are each other's
-//               next, is taken off where its angle at the closed third, times 1 + 2 d / π for a
-//               deviation of d from what remains, is above 150 degrees. An open point whose gap ends one
-//               triangle short of the point that names it gives that triangle up (the second case).
+//               triangle that stands outside, on the line between two open points, is taken off where its
+//               angle at the closed third, times 1 + 2 d / π for a deviation of d from what remains, is
+//               above 130 degrees, and the border bends less than 5.5 times as much through that third
+//               as past it (border_bend.h). An open point whose gap ends one triangle short of the point
+//               that names it gives that triangle up (the second case).
 //               Six rounds at most; each sees the state before it.
 //   creases     an open point may have a second partial umbrella between the same ends (supplement.h):
 //               there two smooth patches meet, and no surface ends. Runs of twelve such points and more are
-//               creases, and so are 35% of a chain, 70% where it closes.
+//               creases, but for umbrellas within 45 degrees of folding back: there another sheet may lie
+//               behind a border. So are 35% of a chain, 70% where it closes.
 //   verdict     points that name each other are one chain. A chain is a border where fewer than 12% of its
-//               points are loose, linked to fewer than two others; from 5 points on.
+//               points are loose, linked to fewer than two others; from 5 points on. Points that stand
+//               back from their border are taken off it last.
 //
 // Sampled surfaces without borders have hundreds of gaps, in chains of a few points with two loose ends;
 // real borders hardly ever have one (docs/points.md).

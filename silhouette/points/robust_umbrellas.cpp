@@ -24,7 +24,8 @@ FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
         const std::uint32_t point = open.point;
         around.look_from(points, point, neighbours.of(point));
         // What only this point sees closes again, where its star is whole.
-        const bool is_spurious = open.verdict == OpenPoint::Verdict::none;
+        const bool is_whole = open.fan.gaps == 0;
+        const bool is_spurious = open.verdict == OpenPoint::Verdict::none && !is_whole;
         if (is_spurious && found.fans[point].gaps == 0) continue;
         found.fans[point] = open.fan;
         found.normals[point] = around.normal(open.fan);
@@ -32,7 +33,9 @@ FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
             found.reasons[point] = UndecidedReason::no_normal;
             continue;
         }
-        if (open.verdict == OpenPoint::Verdict::border) {
+        if (is_whole) {
+            found.labels[point] = PointLabel::interior;
+        } else if (open.verdict == OpenPoint::Verdict::border) {
             found.labels[point] = PointLabel::border;
         } else if (is_spurious) {
             found.reasons[point] = UndecidedReason::unconfirmed_border;

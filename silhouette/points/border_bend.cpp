@@ -1,0 +1,150 @@
+#include "silhouette/points/border_bend.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+
+#include "silhouette/points/border_tracing.h"
+
+namespace rimline {
+
+namespace {
+
+// A straight border's turns are zero but for rounding.
+constexpr double k_least_bend = 1e-6;
+constexpr double k_standing_back = 10.0;
+constexpr double k_least_turn = 10.0 * std::numbers::pi / 180.0;
+// Where several in a row stand back, each waits for the one that does most.
+constexpr int k_rounds = 3;
+
+double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const glm::dvec3 p = points[b] - points[a], q = points[c] - points[b];
+    return std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
+}
+
+// The gap that ends at `old_end` then ends at `new_end`, with a triangle between the two. False, and as it
+// was, where that is no neighbour or in the ring already.
+bool move_end(Fan& fan, std::span<const std::uint32_t> list, std::uint32_t old_end,
+              std::uint32_t new_end) {
+    const auto found = std::find(list.begin(), list.end(), new_end);
+    if (found == list.end() || fan.size == k_most_neighbours) return false;
+    const auto place = static_cast<std::uint8_t>(found - list.begin());
+    const auto ring_end = fan.ring.begin() + fan.size;
+    if (std::find(fan.ring.begin(), ring_end, place) != ring_end) return false;
+    const auto gap = static_cast<std::size_t>(std::countr_zero(fan.gaps));
+    const bool is_first = list[fan.ring[gap]] == old_end;
+    // Between the gap's two ends: the sector on the side of the old one is a triangle.
+    const std::size_t at = gap + 1;
+    std::copy_backward(fan.ring.begin() + static_cast<std::ptrdiff_t>(at), ring_end, ring_end + 1);
+    fan.ring[at] = place;
+    ++fan.size;
+    fan.gaps = std::uint64_t{1} << (is_first ? at : gap);
+    return true;
+}
+
+class Straightening {
+public:
+    Straightening(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
+                  std::vector<OpenPoint>& open)
+        : points_(points), neighbours_(neighbours), open_(open) {}
+
+    // Whether anything changed.
+    bool round() {
+        std::vector<double> bends(open_.size(), 0.0);
+        for (std::size_t n = 0; n < open_.size(); ++n) bends[n] = bend_of(open_[n]);
+        bool is_changed = false;
+        for (std::size_t n = 0; n < open_.size(); ++n) {
+            if (bends[n] == 0.0) continue;
+            const auto [a, b] = ends(open_[n]);
+            const std::size_t before = *place_of(a), after = *place_of(b);
+            const auto stands_less = [&](std::size_t other) {
+                return bends[other] < bends[n] || (bends[other] == bends[n] && other > n);
+            };
+            if (!stands_less(before) || !stands_less(after)) continue;
+            take_off(open_[n], open_[before], open_[after]);
+            is_changed = true;
+        }
+        return is_changed;
+    }
+
+private:
+    struct Ends {
+        std::uint32_t first, last;
+        bool has(std::uint32_t point) const { return first == point || last == point; }
+        std::uint32_t other(std::uint32_t point) const { return first == point ? last : first; }
+    };
+    // Of a point with one gap.
+    Ends ends(const OpenPoint& open) const {
+        const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
+        const auto list = neighbours_.of(open.point);
+        return {list[open.fan.ring[gap]], list[open.fan.ring[open.fan.next(gap)]]};
+    }
+    static bool is_simple(const OpenPoint& open) {
+        return open.verdict == OpenPoint::Verdict::border && std::popcount(open.fan.gaps) == 1;
+    }
+    std::optional<std::size_t> place_of(std::uint32_t point) const {
+        const auto found = std::ranges::lower_bound(open_, point, {}, &OpenPoint::point);
+        if (found == open_.end() || found->point != point) return std::nullopt;
+        return static_cast<std::size_t>(found - open_.begin());
+    }
+
+    // Above k_standing_back, or zero.
+    double bend_of(const OpenPoint& open) {
+        if (!is_simple(open)) return 0.0;
+        const std::uint32_t e = open.point;
+        const auto [a, b] = ends(open);
+        const auto at_a = place_of(a), at_b = place_of(b);
+        if (!at_a || !at_b || !is_simple(open_[*at_a]) || !is_simple(open_[*at_b])) return 0.0;
+        const Ends of_a = ends(open_[*at_a]), of_b = ends(open_[*at_b]);
+        if (!of_a.has(e) || !of_b.has(e) || of_a.has(b) || of_b.has(a)) return 0.0;
+        if (turn(points_, a, e, b) < k_least_turn) return 0.0;
+        // Back, not out.
+        const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
+        around_.look_from(points_, e, neighbours_.of(e));
+        if (glm::dot(around_.cross(open.fan, gap), around_.normal(open.fan)) <= 0.0) return 0.0;
+        const double bend = bend_through(points_, of_a.other(e), a, e, b, of_b.other(e));
+        return bend > k_standing_back ? bend : 0.0;
+    }
+
+    void take_off(OpenPoint& open, OpenPoint& before, OpenPoint& after) const {
+        Fan of_before = before.fan, of_after = after.fan;
+        if (move_end(of_before, neighbours_.of(before.point), open.point, after.point) &&
+            move_end(of_after, neighbours_.of(after.point), open.point, before.point)) {
+            before.fan = of_before;
+            after.fan = of_after;
+        }
+        open.fan.gaps = 0;
+        open.verdict = OpenPoint::Verdict::none;
+    }
+
+    std::span<const glm::dvec3> points_;
+    const NeighbourLists& neighbours_;
+    std::vector<OpenPoint>& open_;
+    Neighbourhood around_;
+};
+
+}  // namespace
+
+double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint32_t> c,
+                    std::uint32_t a, std::uint32_t e, std::uint32_t b,
+                    std::optional<std::uint32_t> d) {
+    const auto square = [](double angle) { return angle * angle; };
+    double through = square(turn(points, a, e, b)), past = k_least_bend;
+    if (c) past += square(turn(points, *c, a, b));
+    if (d) past += square(turn(points, a, b, *d));
+    if (c && *c != e) through += square(turn(points, *c, a, e));
+    if (d && *d != e) through += square(turn(points, e, b, *d));
+    return through / past;
+}
+
+void straighten_borders(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
+                        std::vector<OpenPoint>& open) {
+    Straightening straightening(points, neighbours, open);
+    for (int round = 0; round < k_rounds && straightening.round(); ++round) {
+    }
+}
+
+}  // namespace rimline
