@@ -87,6 +87,7 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, const
     result.feature = surface.count(PointLabel::feature);
     result.undecided = surface.count(PointLabel::undecided);
     measure_normals(surface, truth, result);
+    result.silhouettes = compare_silhouettes(mesh, surface, {call.stop, {}});
     PointSurfaceOptions thesis;
     thesis.method = PointSurfaceOptions::Method::thesis;
     const PointSurface by_thesis(truth.positions, thesis, {call.stop, {}});

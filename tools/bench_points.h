@@ -13,6 +13,7 @@
 
 #include "silhouette/mesh/mesh.h"
 #include "tools/command.h"
+#include "tools/silhouette_hits.h"
 
 namespace rimline::tools {
 
@@ -30,6 +31,7 @@ struct PointsBenchResult {
     std::uint32_t feature = 0, undecided = 0;
     double median_error_deg = 0.0, high_error_deg = 0.0;  ///< Of normals; the 99th percentile.
     std::uint32_t wrong_normals = 0;                      ///< Errors above 60 degrees.
+    SilhouetteComparison silhouettes;
     double points_per_second = 0.0;  ///< robust, one thread, the best of three.
 
     /// By count `n` of counts.

@@ -126,6 +126,16 @@ void print_summary(const std::vector<PointsBenchResult>& results) {
         std::printf("robust, one thread, all models: %.0f points a second\n", points / seconds);
 }
 
+// Those that have silhouettes: a flat one has none.
+std::vector<ComparedModel> compared_models(const std::vector<PointsBenchResult>& results) {
+    std::vector<ComparedModel> models;
+    for (const PointsBenchResult& result : results)
+        if (result.silhouettes.umbrellas.truth > 0)
+            models.push_back(
+                {std::filesystem::path(result.model).filename().string(), &result.silhouettes});
+    return models;
+}
+
 Json to_json(const PointsBenchResult& result) {
     Json counts = Json::array();
     for (std::size_t n = 0; n < result.counts.size(); ++n)
@@ -143,6 +153,7 @@ Json to_json(const PointsBenchResult& result) {
             {"normal_error_median_deg", result.median_error_deg},
             {"normal_error_99_deg", result.high_error_deg},
             {"wrong_normals", result.wrong_normals},
+            {"silhouettes", to_json(result.silhouettes)},
             {"points_per_second", result.points_per_second}};
 }
 
@@ -203,6 +214,7 @@ ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_
         print_json(object);
     } else {
         print_summary(results);
+        print_silhouettes(compared_models(results));
         print_targets(targets);
     }
     const std::string missed = first_missed(targets);

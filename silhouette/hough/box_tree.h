@@ -112,4 +112,8 @@ private:
     BoxQuery() = default;
 };
 
+/// Whether moving from one to the other is better asked of the one thick v-sphere between them than of two.
+bool is_small_step(const HomogeneousPoint& from, const HomogeneousPoint& to,
+                   const BoxTree& tree) noexcept;
+
 }  // namespace rimline

@@ -10,17 +10,6 @@ namespace rimline {
 
 namespace {
 
-// A v-sphere thick enough for both points is tested once where two are tested twice, but holds up to
-// twice as much as differs between the two, and cannot tell what certainly flips. Measured: it wins up
-// to steps of six (igea) to twelve (bunny) times the radius of a block's box.
-constexpr double k_thick_step = 6.0;
-
-bool is_small_step(const HomogeneousPoint& from, const HomogeneousPoint& to, const BoxTree& tree) {
-    if (from.w != to.w) return false;
-    const double step = glm::length(glm::dvec3(to.xyz()) - glm::dvec3(from.xyz()));
-    return step <= k_thick_step * tree.mean_block_radius();
-}
-
 // Whoever asks for flips will look at the faces next: fetched as they are named, they are there by then.
 std::uint32_t* list_flips(std::uint32_t block, std::uint32_t lanes,
                           const HoughOctree::PlacedFace* faces, std::uint32_t* out) {

@@ -45,26 +45,6 @@ void set_frame(std::vector<NodeFrames>& frames, std::size_t block, const BlockFr
     node.longest[lane] = longest;
 }
 
-// How long a segment is against most of them, in powers of two: long ones would widen the boxes of the
-// short ones beside them. (Left among the others, igea's cost a fifth more blocks at each extraction.)
-std::vector<std::uint8_t> length_classes(std::span<const double> squares) {
-    std::int64_t sum = 0;
-    std::int64_t count = 0;
-    const auto exponent_of = [](double square) { return std::ilogb(square) / 2; };
-    for (const double square : squares) {
-        if (!(square > 0.0)) continue;
-        sum += exponent_of(square);
-        ++count;
-    }
-    const std::int64_t usual = count > 0 ? sum / count : 0;
-    std::vector<std::uint8_t> classes(squares.size(), 0);
-    for (std::size_t i = 0; i < squares.size(); ++i)
-        if (squares[i] > 0.0)
-            classes[i] = static_cast<std::uint8_t>(
-                std::clamp<std::int64_t>(exponent_of(squares[i]) - usual - 1, 0, 255));
-    return classes;
-}
-
 }  // namespace
 
 // Fills an octree that has its mesh and its origins.

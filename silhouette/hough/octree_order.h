@@ -27,4 +27,8 @@ namespace rimline {
 std::vector<std::uint32_t> octree_order(std::span<const glm::dvec3> points,
                                         std::span<const std::uint8_t> sizes = {});
 
+/// Sizes for octree_order(), from the squares of what is as long or wide: how much against most of them, in
+/// powers of two. Long ones would widen the boxes of the short ones beside them.
+std::vector<std::uint8_t> length_classes(std::span<const double> squares);
+
 }  // namespace rimline

@@ -1,93 +1,143 @@
 #include "silhouette/points/point_silhouette.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "silhouette/hough/reserved_bytes.h"
 
 namespace rimline {
 
 namespace {
 
-constexpr std::uint8_t k_untouched = 0xff;
+// Eight bytes are read at once, also of the last.
+constexpr std::size_t k_slack = 8;
 
 }  // namespace
 
 PointSilhouette::PointSilhouette(const UmbrellaIndex& umbrellas, const HomogeneousPoint& point)
     : umbrellas_(&umbrellas),
-      tracker_(umbrellas.octree(), point),
-      spoke_counts_(umbrellas.point_count(), 0),
-      is_on_(umbrellas.mesh().vertex_count(), 0),
-      consensus_slots_(umbrellas.mesh().vertex_count()),
-      was_on_(umbrellas.point_count(), k_untouched) {
-    count_spokes(tracker_.silhouette(), 1);
-    for (const PointId p : touched_) was_on_[index(p)] = k_untouched;
-    touched_.clear();
-    size_ = static_cast<std::uint32_t>(
-        std::ranges::count_if(spoke_counts_, [](std::uint8_t count) { return count > 0; }));
+      point_(point),
+      scratch_(umbrellas.make_scratch()),
+      front_(umbrellas.most_planes() + k_slack),
+      spoke_counts_(umbrellas.patch_count(), 0),
+      on_bits_(umbrellas.spoke_count() / 8 + k_slack) {
+    RIMLINE_CHECK(point.is_valid());
+    TraversalCounters counters;
+    for (std::uint32_t block = 0; block < umbrellas.block_count(); ++block)
+        update_block(block, counters);
+    size_ = static_cast<std::uint32_t>(added_.size());
+    added_ = {};
 }
 
-// A point's rings hold at most 64 different points: counts fit a byte.
-void PointSilhouette::count_spokes(std::span<const EdgeId> edges, int step) {
-    for (const EdgeId edge : edges) {
-        if (!umbrellas_->is_spoke(edge)) continue;
-        const std::uint32_t spoke = umbrellas_->spoke_of(edge);
-        const PointId owner = umbrellas_->owner(spoke);
-        std::uint8_t& count = spoke_counts_[index(owner)];
-        if (was_on_[index(owner)] == k_untouched) {
-            was_on_[index(owner)] = count > 0;
-            touched_.push_back(owner);
-        }
-        count = static_cast<std::uint8_t>(count + step);
-        is_on_[spoke] = step > 0;
-        const std::uint32_t twin = umbrellas_->twin(spoke);
-        if (twin == UmbrellaIndex::k_no_spoke || is_on_[twin] == 0) continue;
-        if (step > 0)
-            join_consensus(spoke, twin);
+PointSilhouette::Change PointSilhouette::move_to(const HomogeneousPoint& point) {
+    TraversalCounters counters;
+    added_.clear();
+    removed_.clear();
+    const std::uint32_t count = umbrellas_->find_changing(point_, point, scratch_, counters);
+    point_ = point;
+    for (std::uint32_t i = 0; i < count; ++i) update_block(scratch_.block[i], counters);
+    size_ += static_cast<std::uint32_t>(added_.size());
+    size_ -= static_cast<std::uint32_t>(removed_.size());
+    return {added_, removed_, counters};
+}
+
+void PointSilhouette::update_block(std::uint32_t block, TraversalCounters& counters) {
+    const UmbrellaIndex& index = *umbrellas_;
+    counters.face_checks += index.evaluate(block, point_, front_);
+    const auto [first_patch, last_patch] = index.patches_of(block);
+    const std::uint8_t* front = front_.data();
+    std::uint32_t first_spoke = index.spokes_of(first_patch).first;
+    std::uint32_t first_plane = index.planes_of(first_patch).first;
+    for (std::uint32_t patch = first_patch; patch < last_patch; ++patch) {
+        const std::uint32_t last_spoke = index.spokes_of(patch).last;
+        const std::uint32_t last_plane = index.planes_of(patch).last;
+        const std::uint8_t was_on = spoke_counts_[patch];
+        if (index.shape(patch) == UmbrellaIndex::Shape::fan)
+            update_fan(patch, first_spoke, last_spoke - first_spoke, front);
         else
-            leave_consensus(spoke, twin);
+            update_spokes(patch, front);
+        const std::uint8_t is_now_on = spoke_counts_[patch];
+        if ((was_on > 0) != (is_now_on > 0))
+            (is_now_on > 0 ? added_ : removed_).push_back(index.point_of(patch));
+        counters.edge_checks += last_spoke - first_spoke;
+        front += last_plane - first_plane;
+        first_spoke = last_spoke;
+        first_plane = last_plane;
     }
 }
 
-void PointSilhouette::join_consensus(std::uint32_t spoke, std::uint32_t twin) {
-    const std::uint32_t lesser = std::min(spoke, twin);
-    const PointId a = umbrellas_->owner(spoke);
-    const PointId b = umbrellas_->target(spoke);
-    consensus_slots_[lesser] = static_cast<std::uint32_t>(consensus_.size());
-    consensus_.push_back({std::min(a, b), std::max(a, b)});
-    consensus_spokes_.push_back(lesser);
+// All spokes at once: a bit a plane, and of each two neighbours whether they differ.
+void PointSilhouette::update_fan(std::uint32_t patch, std::uint32_t first_spoke, std::uint32_t size,
+                                 const std::uint8_t* front) {
+    std::uint64_t bytes;
+    std::memcpy(&bytes, front, sizeof bytes);
+    const std::uint32_t mask = (1u << size) - 1;
+    // Byte i to bit i: no two products meet in a bit.
+    const auto bits = static_cast<std::uint32_t>(bytes * 0x0102040810204080u >> 56) & mask;
+    const std::uint32_t on = (bits ^ (bits << 1 | bits >> (size - 1))) & mask;
+    std::uint32_t was;
+    std::memcpy(&was, on_bits_.data() + first_spoke / 8, sizeof was);
+    for (std::uint32_t changed = on ^ (was >> first_spoke % 8 & mask); changed != 0;
+         changed &= changed - 1)
+        toggle(patch, first_spoke + static_cast<std::uint32_t>(std::countr_zero(changed)));
 }
 
-void PointSilhouette::leave_consensus(std::uint32_t spoke, std::uint32_t twin) {
+void PointSilhouette::update_spokes(std::uint32_t patch, const std::uint8_t* front) {
+    const auto spokes = umbrellas_->spokes_of(patch);
+    for (std::uint32_t spoke = spokes.first; spoke < spokes.last; ++spoke)
+        if (umbrellas_->is_on(spoke, front) != is_on(spoke)) toggle(patch, spoke);
+}
+
+// A patch has at most 64 spokes: counts fit a byte.
+void PointSilhouette::toggle(std::uint32_t patch, std::uint32_t spoke) {
+    on_bits_[spoke / 8] = static_cast<std::uint8_t>(on_bits_[spoke / 8] ^ 1u << spoke % 8);
+    const bool joins = is_on(spoke);
+    std::uint8_t& count = spoke_counts_[patch];
+    count = static_cast<std::uint8_t>(joins ? count + 1 : count - 1);
+    const std::uint32_t target = umbrellas_->target(spoke);
+    if (target == UmbrellaIndex::k_none) return;
+    const std::uint32_t twin = umbrellas_->find_spoke(target, patch);
+    if (twin == UmbrellaIndex::k_none || !is_on(twin)) return;
+    const std::uint32_t lesser = std::min(spoke, twin);
+    if (!joins) return leave_consensus(lesser);
+    const PointId a = umbrellas_->point_of(patch);
+    const PointId b = umbrellas_->point_of(target);
+    join_consensus(lesser, {std::min(a, b), std::max(a, b)});
+}
+
+void PointSilhouette::join_consensus(std::uint32_t spoke, const PointEdge& edge) {
+    consensus_slots_[spoke] = static_cast<std::uint32_t>(consensus_.size());
+    consensus_.push_back(edge);
+    consensus_spokes_.push_back(spoke);
+}
+
+void PointSilhouette::leave_consensus(std::uint32_t spoke) {
     // The last takes its place.
-    const std::uint32_t slot = consensus_slots_[std::min(spoke, twin)];
+    const auto found = consensus_slots_.find(spoke);
+    const std::uint32_t slot = found->second;
     consensus_[slot] = consensus_.back();
     consensus_spokes_[slot] = consensus_spokes_.back();
     consensus_slots_[consensus_spokes_[slot]] = slot;
+    consensus_slots_.erase(spoke);
     consensus_.pop_back();
     consensus_spokes_.pop_back();
 }
 
-PointSilhouette::Change PointSilhouette::move_to(const HomogeneousPoint& point) {
-    const ChangeSet& changes = tracker_.move_to(point);
-    touched_.clear();
-    added_.clear();
-    removed_.clear();
-    count_spokes(changes.added, 1);
-    count_spokes(changes.removed, -1);
-    for (const PointId p : touched_) {
-        const bool was_on = was_on_[index(p)] != 0;
-        was_on_[index(p)] = k_untouched;
-        if (was_on == contains(p)) continue;
-        (was_on ? removed_ : added_).push_back(p);
-    }
-    size_ += static_cast<std::uint32_t>(added_.size());
-    size_ -= static_cast<std::uint32_t>(removed_.size());
-    return {added_, removed_, changes.counters};
+std::uint64_t PointSilhouette::size_bytes() const noexcept {
+    // A node of the map holds a link beside what it maps.
+    return scratch_.size_bytes() +
+           reserved_bytes(front_, spoke_counts_, on_bits_, consensus_, consensus_spokes_, added_,
+                          removed_) +
+           consensus_slots_.size() * 16 + consensus_slots_.bucket_count() * sizeof(void*);
 }
 
 std::vector<PointId> PointSilhouette::points() const {
     std::vector<PointId> points;
     points.reserve(size_);
-    for (std::uint32_t p = 0; p < spoke_counts_.size(); ++p)
-        if (spoke_counts_[p] > 0) points.push_back(PointId{p});
+    for (std::uint32_t patch = 0; patch < spoke_counts_.size(); ++patch)
+        if (spoke_counts_[patch] > 0) points.push_back(umbrellas_->point_of(patch));
+    std::ranges::sort(points);
     return points;
 }
 

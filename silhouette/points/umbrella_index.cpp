@@ -5,8 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "silhouette/error.h"
-#include "silhouette/points/umbrella_triangles.h"
+#include "silhouette/hough/block_kernels.h"
+#include "silhouette/hough/reserved_bytes.h"
 
 namespace rimline {
 
@@ -22,71 +22,6 @@ HomogeneousPoint limited_direction(const glm::dvec3& v) {
 
 }  // namespace
 
-UmbrellaIndex::UmbrellaIndex(const PointSurface& surface, const LongCall& call)
-    : point_count_(surface.size()),
-      mesh_(make_patches(surface), Welding::none),
-      octree_(mesh_, {}, call) {
-    find_twins();
-}
-
-MeshSource UmbrellaIndex::make_patches(const PointSurface& surface) {
-    const std::span<const glm::dvec3> positions = surface.positions();
-    if (!positions.empty()) {
-        glm::dvec3 low = positions[0];
-        glm::dvec3 high = positions[0];
-        for (const glm::dvec3& p : positions) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-        center_ = 0.5 * low + 0.5 * high;
-        const glm::dvec3 half = 0.5 * high - 0.5 * low;
-        const double size = std::max({half.x, half.y, half.z});
-        int exponent = 0;
-        std::frexp(size, &exponent);
-        if (size > 0.0) scale_ = std::ldexp(1.0, std::min(-exponent, 1000));
-    }
-    MeshSource source;
-    patch_begin_.reserve(surface.size() + 1);
-    for (std::uint32_t p = 0; p < surface.size(); ++p) {
-        const PointId point{p};
-        const auto first = static_cast<std::uint32_t>(point_of_.size());
-        patch_begin_.push_back(first);
-        if (surface.umbrellas_of(point).size() == 0) continue;
-        const auto vertex_of = [&](PointId q) {
-            const auto found = std::find(point_of_.begin() + first, point_of_.end(), q);
-            const auto vertex = static_cast<std::uint32_t>(found - point_of_.begin());
-            if (found == point_of_.end()) {
-                point_of_.push_back(q);
-                owner_.push_back(point);
-                is_middle_.push_back(q == point);
-                source.positions.push_back(to_index(positions[index(q)]));
-            }
-            return vertex;
-        };
-        vertex_of(point);
-        for_each_triangle(surface, point, [&](PointId from, PointId to, UmbrellaId) {
-            const std::uint32_t first_corner = vertex_of(from);
-            source.triangles.push_back({first, first_corner, vertex_of(to)});
-        });
-    }
-    patch_begin_.push_back(static_cast<std::uint32_t>(point_of_.size()));
-    return source;
-}
-
-void UmbrellaIndex::find_twins() {
-    // Every vertex is a triangle's, so that the mesh's numbers are the patches'.
-    RIMLINE_CHECK(mesh_.vertex_count() == point_of_.size());
-    twin_.assign(point_of_.size(), k_no_spoke);
-    for (std::uint32_t v = 0; v < point_of_.size(); ++v) {
-        if (is_middle_[v]) continue;
-        const std::uint32_t target = index(point_of_[v]);
-        const auto begin = point_of_.begin() + patch_begin_[target];
-        const auto end = point_of_.begin() + patch_begin_[target + 1];
-        const auto found = std::find(begin, end, owner_[v]);
-        if (found != end) twin_[v] = static_cast<std::uint32_t>(found - point_of_.begin());
-    }
-}
-
 HomogeneousPoint UmbrellaIndex::viewpoint(const glm::dvec3& point) const noexcept {
     RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
     const glm::dvec3 to = point - center_;
@@ -98,6 +33,67 @@ HomogeneousPoint UmbrellaIndex::viewpoint(const glm::dvec3& point) const noexcep
 HomogeneousPoint UmbrellaIndex::direction(const glm::dvec3& v) const noexcept {
     RIMLINE_CHECK(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
     return limited_direction(v);
+}
+
+std::uint64_t UmbrellaIndex::size_bytes() const noexcept {
+    return reserved_bytes(positions_, patch_of_, patches_, shapes_, targets_, sides_, specials_,
+                          special_planes_, planes_, frames_) +
+           tree_.node_count() * sizeof(BoxNode);
+}
+
+std::uint32_t UmbrellaIndex::find_spoke(std::uint32_t from, std::uint32_t to) const noexcept {
+    const auto [first, last] = spokes_of(from);
+    for (std::uint32_t spoke = first; spoke < last; ++spoke)
+        if (targets_[spoke] == to) return spoke;
+    return k_none;
+}
+
+std::uint32_t UmbrellaIndex::find_changing(const HomogeneousPoint& from, const HomogeneousPoint& to,
+                                           BlockScratch& scratch,
+                                           TraversalCounters& counters) const noexcept {
+    RIMLINE_CHECK(from.is_valid() && to.is_valid());
+    if (from == to) return 0;
+    const float reach = tree_.greatest_reach();
+    // Of use where frames are; here a block is settled by its box.
+    const BlockPoint no_threshold(to, patch_center_, 1.0);
+    std::uint64_t nodes = 0;
+    std::uint32_t certain_count = 0;  // All their bits flip, and no spoke changes.
+    const std::uint32_t count =
+        is_small_step(from, to, tree_)
+            ? kernels::find_mixed(tree_, frames_, BoxQuery::between(from, to, patch_center_, reach),
+                                  no_threshold, kernels::SettledBy::box, scratch, nodes)
+            : kernels::find_changing(tree_, frames_, BoxQuery(from, patch_center_, reach),
+                                     BoxQuery(to, patch_center_, reach), no_threshold, scratch,
+                                     certain_count, nodes);
+    counters.box_checks += nodes * k_node_width;
+    return count;
+}
+
+// The face bit of plane.h, over arrays.
+std::uint32_t UmbrellaIndex::evaluate(std::uint32_t block, const HomogeneousPoint& point,
+                                      std::span<std::uint8_t> front) const noexcept {
+    const auto [first_patch, last_patch] = patches_of(block);
+    const std::uint32_t first = patches_[first_patch].first_plane;
+    const std::uint32_t count = patches_[last_patch].first_plane - first;
+    RIMLINE_CHECK(front.size() >= count);
+    const float* const nx = planes_.data() + std::size_t{4} * first;
+    const float* const ny = nx + count;
+    const float* const nz = ny + count;
+    const float* const d = nz + count;
+    std::uint8_t* const out = front.data();
+    for (std::uint32_t i = 0; i < count; ++i)
+        out[i] = (nx[i] * point.x + ny[i] * point.y) + nz[i] * point.z > point.w * d[i];
+    return count;
+}
+
+bool UmbrellaIndex::is_special_on(std::uint32_t spoke, const std::uint8_t* front) const noexcept {
+    const auto special = std::ranges::lower_bound(specials_, spoke, {}, &Special::spoke);
+    const std::uint32_t first = special->first_plane;
+    const std::uint32_t last = std::next(special)->first_plane;
+    bool differ = false;
+    for (std::uint32_t i = first; i < last; ++i)
+        differ = differ || front[special_planes_[i]] != front[special_planes_[first]];
+    return last - first == 2 ? differ != special->turn_the_same : differ;
 }
 
 }  // namespace rimline

@@ -9,9 +9,11 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <stop_token>
 
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/plane.h"
+#include "silhouette/points/umbrella_triangles.h"
 #include "tests/models.h"
 #include "tests/points/sample_clouds.h"
 
@@ -161,6 +163,34 @@ TEST_CASE("extraction and every update of point silhouettes equal a scan of all 
     check_against_brute_force(make_cube(7), 40, options);
 }
 
+TEST_CASE(
+    "so they do where umbrellas overlap: spokes of three triangles, or of two on the same side") {
+    PointSurfaceOptions options;
+    options.method = PointSurfaceOptions::Method::thesis;
+    // Noise as wide as the spacing.
+    Random random(7);
+    std::vector<glm::dvec3> points = tests::make_sphere(1500);
+    for (glm::dvec3& p : points)
+        p += 0.05 * glm::dvec3(tests::jitter(random), tests::jitter(random), tests::jitter(random));
+    std::size_t three = 0;
+    std::size_t same_side = 0;
+    const PointSurface surface(points, options);
+    for (std::uint32_t p = 0; p < surface.size(); ++p) {
+        std::map<PointId, std::vector<bool>> spokes;
+        for_each_triangle(surface, PointId{p}, [&](PointId from, PointId to, UmbrellaId) {
+            spokes[from].push_back(false);
+            spokes[to].push_back(true);
+        });
+        for (const auto& [target, turns_in] : spokes) {
+            three += turns_in.size() > 2;
+            same_side += turns_in.size() == 2 && turns_in[0] == turns_in[1];
+        }
+    }
+    REQUIRE(three > 10);
+    REQUIRE(same_side > 10);
+    check_against_brute_force(points, 60, options);
+}
+
 TEST_CASE("point silhouettes equal a scan far from the origin and at any scale") {
     for (const double spacing : {1e-3, 1e3, 1e-20}) {
         std::vector<glm::dvec3> points = tests::make_sphere(800);
@@ -212,6 +242,36 @@ TEST_CASE("silhouette points do not depend on where a cloud lies and how large i
             CHECK(there.points() == here.points());
             CHECK(there.consensus_edges() == here.consensus_edges());
         }
+}
+
+TEST_CASE("an index tells how far it is, and stops where it is asked to") {
+    const PointSurface surface(tests::make_sphere(20000));
+    std::vector<double> shares;
+    const UmbrellaIndex index(surface, {{}, [&](double share) { shares.push_back(share); }});
+    REQUIRE(shares.size() > 10);
+    CHECK(std::ranges::is_sorted(shares));
+    CHECK(shares.front() == 0.0);
+    CHECK(shares.back() == 1.0);
+    for (const double at : {0.0, 0.3, 0.55, 0.7}) {
+        std::stop_source stop;
+        const LongCall call{stop.get_token(), [&](double share) {
+                                if (share >= at) stop.request_stop();
+                            }};
+        try {
+            const UmbrellaIndex stopped(surface, call);
+            FAIL("it went on");
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::cancelled);
+        }
+    }
+}
+
+TEST_CASE("index and silhouette of a sphere take less than 200 bytes a point together") {
+    const PointSurface surface(tests::make_sphere(20000));
+    const UmbrellaIndex index(surface);
+    const PointSilhouette silhouette(index, index.viewpoint({3.0, 0.0, 0.0}));
+    CHECK(index.patch_count() == 20000);
+    CHECK(index.size_bytes() + silhouette.size_bytes() < 200 * 20000);
 }
 
 TEST_CASE("a sphere's silhouette is a band one umbrella wide around its contour") {

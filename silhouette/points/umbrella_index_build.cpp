@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "silhouette/hough/hough_point.h"
+#include "silhouette/hough/octree_order.h"
+#include "silhouette/points/each_point.h"
+#include "silhouette/points/umbrella_index.h"
+#include "silhouette/points/umbrella_triangles.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr std::uint64_t k_most_triangles = std::uint64_t{1} << 30;
+
+struct Box {
+    glm::dvec3 low{0.0};
+    glm::dvec3 high{0.0};
+    // The sums that halves avoid may be beyond what a double holds.
+    glm::dvec3 middle() const { return 0.5 * low + 0.5 * high; }
+};
+
+template <typename Positions>
+Box box_of(const Positions& positions) {
+    if (positions.empty()) return {};
+    Box box{glm::dvec3(positions[0]), glm::dvec3(positions[0])};
+    for (const auto& p : positions) {
+        box.low = glm::min(box.low, glm::dvec3(p));
+        box.high = glm::max(box.high, glm::dvec3(p));
+    }
+    return box;
+}
+
+// What the patch of a point is made of.
+struct Described {
+    struct Triangle {
+        std::uint32_t from, to;  // Spokes.
+    };
+    std::vector<PointId> targets;  // Of each spoke.
+    std::vector<Triangle> triangles;
+
+    void describe(const PointSurface& surface, PointId point) {
+        targets.clear();
+        triangles.clear();
+        const auto spoke_to = [&](PointId q) {
+            const auto found = std::ranges::find(targets, q);
+            const auto spoke = static_cast<std::uint32_t>(found - targets.begin());
+            if (found == targets.end()) targets.push_back(q);
+            return spoke;
+        };
+        for_each_triangle(surface, point, [&](PointId from, PointId to, UmbrellaId) {
+            const std::uint32_t first = spoke_to(from);
+            triangles.push_back({first, spoke_to(to)});
+        });
+    }
+};
+
+}  // namespace
+
+// Fills an empty index.
+class UmbrellaIndexBuilder {
+public:
+    UmbrellaIndexBuilder(UmbrellaIndex& index, const PointSurface& surface, const LongCall& call)
+        : index_(index), surface_(surface), call_(call) {}
+
+    void build() {
+        call_.checkpoint(0.0);
+        choose_units();
+        std::vector<std::uint32_t> points;
+        for (std::uint32_t p = 0; p < surface_.size(); ++p)
+            if (surface_.umbrellas_of(PointId{p}).size() > 0) points.push_back(p);
+        place_origin(points);
+        put_in_order(points);
+        count_parts(points);
+        fill_patches();
+        add_specials();
+        call_.checkpoint(1.0);
+    }
+
+private:
+    glm::vec3 at(PointId point) const {
+        return index_.to_index(surface_.positions()[index(point)]);
+    }
+
+    void choose_units() {
+        const Box box = box_of(surface_.positions());
+        index_.center_ = box.middle();
+        const glm::dvec3 half = 0.5 * box.high - 0.5 * box.low;
+        const double size = std::max({half.x, half.y, half.z});
+        int exponent = 0;
+        std::frexp(size, &exponent);
+        if (size > 0.0) index_.scale_ = std::ldexp(1.0, std::min(-exponent, 1000));
+    }
+
+    void place_origin(const std::vector<std::uint32_t>& points) {
+        index_.positions_.reserve(points.size());
+        for (const std::uint32_t p : points) index_.positions_.push_back(at(PointId{p}));
+        index_.patch_center_ = box_of(index_.positions_).middle();
+        for (const glm::vec3& p : index_.positions_)
+            index_.patch_radius_ =
+                std::max(index_.patch_radius_, glm::distance(glm::dvec3(p), index_.patch_center_));
+    }
+
+    // visit(from, to, plane) for each triangle.
+    template <typename Visit>
+    void for_each_plane(PointId point, Visit&& visit) const {
+        const glm::vec3 middle = at(point);
+        for_each_triangle(surface_, point, [&](PointId from, PointId to, UmbrellaId) {
+            visit(supporting_plane({middle, at(from), at(to)}));
+        });
+    }
+
+    // With what has no plane, whose bit is the same from everywhere, the origin itself: no box that holds
+    // it settles anything.
+    void include(HoughBounds& bounds, const Plane& plane) const {
+        if (plane.has_normal()) bounds.include(hough_point(plane, index_.patch_center_));
+    }
+    static void fill_empty(HoughBounds& bounds) {
+        if (bounds.is_empty()) bounds.include(HoughPoint{glm::dvec3(0.0), 0.0, 0});
+    }
+
+    // By the middles of the patches' boxes, wide ones by themselves.
+    void put_in_order(std::vector<std::uint32_t>& points) const {
+        const auto count = static_cast<std::uint32_t>(points.size());
+        std::vector<glm::dvec3> middles(count);
+        std::vector<double> squares(count);
+        each_point(count, {call_, 0.0, 0.4}, [&](std::uint32_t first, std::uint32_t last) {
+            for (std::uint32_t i = first; i < last; ++i) {
+                HoughBounds bounds;
+                for_each_plane(PointId{points[i]},
+                               [&](const Plane& plane) { include(bounds, plane); });
+                fill_empty(bounds);
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const double size = bounds.high[axis] - bounds.low[axis];
+                    middles[i][static_cast<glm::length_t>(axis)] =
+                        0.5 * (bounds.low[axis] + bounds.high[axis]);
+                    squares[i] += size * size;
+                }
+            }
+        });
+        const std::vector<std::uint8_t> classes = length_classes(squares);
+        squares = {};
+        std::vector<std::uint32_t> order = octree_order(middles, classes);
+        for (std::uint32_t& place : order) place = points[place];
+        points = std::move(order);
+        call_.checkpoint(0.5);
+    }
+
+    void count_parts(const std::vector<std::uint32_t>& points) {
+        index_.patch_of_.assign(surface_.size(), UmbrellaIndex::k_none);
+        index_.patches_.resize(points.size() + 1);
+        each_point(size(), {call_, 0.5, 0.6}, [&](std::uint32_t first, std::uint32_t last) {
+            Described patch;
+            for (std::uint32_t i = first; i < last; ++i) {
+                patch.describe(surface_, PointId{points[i]});
+                index_.patch_of_[points[i]] = i;
+                index_.positions_[i] = at(PointId{points[i]});
+                index_.patches_[i] = {PointId{points[i]},
+                                      static_cast<std::uint32_t>(patch.targets.size()),
+                                      static_cast<std::uint32_t>(patch.triangles.size())};
+            }
+        });
+        std::uint64_t spokes = 0;
+        std::uint64_t planes = 0;
+        for (UmbrellaIndex::Patch& patch : index_.patches_) {
+            if (planes > k_most_triangles)
+                throw Error(ErrorCode::too_large, "more than 2^30 triangles in umbrellas");
+            const std::uint32_t own_spokes = patch.first_spoke;
+            const std::uint32_t own_planes = patch.first_plane;
+            patch.first_spoke = static_cast<std::uint32_t>(spokes);
+            patch.first_plane = static_cast<std::uint32_t>(planes);
+            spokes += own_spokes;
+            planes += own_planes;
+        }
+        index_.shapes_.assign(points.size(), UmbrellaIndex::Shape::plain);
+        index_.targets_.resize(spokes);
+        index_.sides_.resize(spokes);
+        index_.planes_.resize(4 * planes);
+    }
+
+    void fill_patches() {
+        const std::uint32_t blocks = index_.block_count();
+        std::vector<HoughBounds> bounds(blocks);
+        each_point(blocks, {call_, 0.6, 0.95}, [&](std::uint32_t first, std::uint32_t last) {
+            Described patch;
+            for (std::uint32_t block = first; block < last; ++block) {
+                const auto [begin, end] = index_.patches_of(block);
+                for (std::uint32_t i = begin; i < end; ++i) {
+                    patch.describe(surface_, index_.point_of(i));
+                    fill_spokes(i, patch);
+                }
+                bounds[block] = fill_planes(block);
+            }
+        });
+        for (std::uint32_t block = 0; block < blocks; ++block) {
+            const auto [begin, end] = index_.patches_of(block);
+            index_.most_planes_ = std::max(index_.most_planes_, index_.planes_of(end - 1).last -
+                                                                    index_.planes_of(begin).first);
+        }
+        index_.tree_ = BoxTree(std::move(bounds));
+        index_.frames_.resize((blocks + k_node_width - 1) / k_node_width);
+    }
+
+    HoughBounds fill_planes(std::uint32_t block) {
+        const auto [begin, end] = index_.patches_of(block);
+        const std::uint32_t first = index_.planes_of(begin).first;
+        const std::uint32_t count = index_.planes_of(end - 1).last - first;
+        float* out = index_.planes_.data() + std::size_t{4} * first;
+        HoughBounds bounds;
+        for (std::uint32_t i = begin; i < end; ++i)
+            for_each_plane(index_.point_of(i), [&](const Plane& plane) {
+                include(bounds, plane);
+                out[0] = plane.nx;
+                out[count] = plane.ny;
+                out[std::size_t{2} * count] = plane.nz;
+                out[std::size_t{3} * count] = plane.d;
+                ++out;
+            });
+        fill_empty(bounds);
+        return bounds;
+    }
+
+    void fill_spokes(std::uint32_t number, const Described& patch) {
+        const std::uint32_t first = index_.spokes_of(number).first;
+        if (is_fan(patch)) index_.shapes_[number] = UmbrellaIndex::Shape::fan;
+        for (std::uint32_t s = 0; s < patch.targets.size(); ++s) {
+            index_.targets_[first + s] = index_.patch_of(patch.targets[s]);
+            const SpokeSides sides = sides_of(s, patch);
+            UmbrellaIndex::Sides& packed = index_.sides_[first + s];
+            packed = {0, 0};
+            if (sides.count < 2) continue;  // One plane beside itself never differs.
+            if (sides.count > 2 || patch.triangles.size() > UmbrellaIndex::k_most_planes_of_sides)
+                packed.first = UmbrellaIndex::k_special;
+            else
+                packed = {static_cast<std::uint8_t>(
+                              sides.triangles[0] |
+                              (sides.turn_the_same ? UmbrellaIndex::k_turn_the_same : 0u)),
+                          static_cast<std::uint8_t>(sides.triangles[1])};
+            if (sides.count > 2 || sides.turn_the_same || packed.first == UmbrellaIndex::k_special)
+                index_.shapes_[number] = UmbrellaIndex::Shape::odd;
+        }
+    }
+
+    static bool is_fan(const Described& patch) {
+        const auto size = static_cast<std::uint32_t>(patch.targets.size());
+        if (patch.triangles.size() != size || size > UmbrellaIndex::k_most_of_fan || size < 3)
+            return false;
+        for (std::uint32_t t = 0; t < size; ++t)
+            if (patch.triangles[t].from != t || patch.triangles[t].to != (t + 1) % size)
+                return false;
+        return true;
+    }
+
+    struct SpokeSides {
+        std::uint32_t count = 0;
+        std::array<std::uint32_t, 2> triangles{};  // The first two.
+        bool turn_the_same = false;                // These.
+    };
+    static SpokeSides sides_of(std::uint32_t spoke, const Described& patch) {
+        SpokeSides sides;
+        bool turns_in = false;
+        for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
+            const Described::Triangle& triangle = patch.triangles[t];
+            if (triangle.from != spoke && triangle.to != spoke) continue;
+            const bool comes_in = triangle.to == spoke;
+            if (sides.count < 2) sides.triangles[sides.count] = t;
+            if (sides.count == 1) sides.turn_the_same = comes_in == turns_in;
+            turns_in = comes_in;
+            ++sides.count;
+        }
+        return sides;
+    }
+
+    // Rare: those that sides cannot say, again.
+    void add_specials() {
+        Described patch;
+        const auto end_list = [&](std::uint32_t spoke, bool turn_the_same) {
+            index_.specials_.push_back(
+                {spoke, static_cast<std::uint32_t>(index_.special_planes_.size()), turn_the_same});
+        };
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            if (index_.shape(i) != UmbrellaIndex::Shape::odd) continue;
+            patch.describe(surface_, index_.point_of(i));
+            const std::uint32_t first = index_.spokes_of(i).first;
+            for (std::uint32_t s = 0; s < patch.targets.size(); ++s) {
+                if (index_.sides_[first + s].first != UmbrellaIndex::k_special) continue;
+                end_list(first + s, sides_of(s, patch).turn_the_same);
+                for (std::uint32_t t = 0; t < patch.triangles.size(); ++t)
+                    if (patch.triangles[t].from == s || patch.triangles[t].to == s)
+                        index_.special_planes_.push_back(t);
+            }
+        }
+        end_list(UmbrellaIndex::k_none, false);
+    }
+
+    std::uint32_t size() const { return index_.patch_count(); }
+
+    UmbrellaIndex& index_;
+    const PointSurface& surface_;
+    const LongCall& call_;
+};
+
+UmbrellaIndex::UmbrellaIndex(const PointSurface& surface, const LongCall& call) {
+    UmbrellaIndexBuilder(*this, surface, call).build();
+}
+
+}  // namespace rimline
