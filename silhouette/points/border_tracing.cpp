@@ -66,7 +66,7 @@ public:
         each_point(count, part, [&](std::uint32_t first, std::uint32_t last) {
             Neighbourhood around;
             for (std::uint32_t i = first; i < last; ++i) {
-                if (stars_.reasons[i] != UndecidedReason::none) continue;
+                if (stars_.reasons[i] != UndecidedReason::none || stars_.is_clean[i]) continue;
                 const Fan& star = stars_.fans[i];
                 around.look_from(points_, i, neighbours_.of(i));
                 for (std::size_t j = 0; j < star.size; ++j)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <nanoflann.hpp>
@@ -37,10 +38,17 @@ struct Near {
     }
 };
 
+// The least number above one that is positive or zero.
+double next_above(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
+
 // The nearest so far, ascending, for nanoflann, whose own set drops ties in the order it meets them.
 class NearestSet {
 public:
-    NearestSet(std::uint32_t self, std::uint32_t k) : self_(self), k_(k) {}
+    /// k points are known to lie no farther than the square root of `known`.
+    NearestSet(std::uint32_t self, std::uint32_t k, double known)
+        : self_(self), k_(k), limit_(known) {
+        if (known < std::numeric_limits<double>::infinity()) limit_ = next_above(known);
+    }
     std::size_t size() const { return count_; }
     bool full() const { return count_ == k_; }
     // Beyond it nothing is offered; what lies just there must be.
@@ -51,8 +59,7 @@ public:
         std::uint32_t i = full() ? k_ - 1 : count_++;
         for (; i > 0 && near < near_[i - 1]; --i) near_[i] = near_[i - 1];
         near_[i] = near;
-        if (full())
-            limit_ = std::nextafter(near_[k_ - 1].square, std::numeric_limits<double>::infinity());
+        if (full()) limit_ = next_above(near_[k_ - 1].square);
         return true;
     }
     const Near& operator[](std::uint32_t i) const { return near_[i]; }
@@ -60,7 +67,7 @@ public:
 private:
     std::uint32_t self_, k_;
     std::uint32_t count_ = 0;
-    double limit_ = std::numeric_limits<double>::max();
+    double limit_;
     std::array<Near, k_most_neighbours> near_;
 };
 
@@ -76,12 +83,23 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
     if (k_ == 0) return;
 
     const PointSource source{points};
-    const Tree tree(3, source, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+    const Tree tree(3, source, nanoflann::KDTreeSingleIndexAdaptorParams(12));
     std::vector<std::uint32_t> nearest(std::size_t{count} * k_);
     std::vector<Near> farthest(count);
+    const auto square = [&](std::uint32_t i, std::uint32_t j) {
+        const glm::dvec3 d = points[i] - points[j];
+        return glm::dot(d, d);
+    };
     each_point(count, {call, 0.0, 0.9}, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i) {
-            NearestSet set(i, k_);
+            // The point before, near in memory and mostly in space, and its neighbours are k others.
+            double known = std::numeric_limits<double>::infinity();
+            if (i > first) {
+                known = square(i, i - 1);
+                for (std::uint32_t j = 0; j < k_; ++j)
+                    known = std::max(known, square(i, nearest[std::size_t{i - 1} * k_ + j]));
+            }
+            NearestSet set(i, k_, known);
             tree.findNeighbors(set, &points[i].x, nanoflann::SearchParams());
             for (std::uint32_t j = 0; j < k_; ++j) nearest[std::size_t{i} * k_ + j] = set[j].number;
             farthest[i] = set[k_ - 1];
@@ -89,21 +107,20 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
     });
 
     // i among the k nearest of j is i no farther than the farthest of them.
-    const auto square = [&](std::uint32_t i, std::uint32_t j) {
-        const glm::dvec3 d = points[i] - points[j];
-        return glm::dot(d, d);
-    };
     const auto counts = [&](std::uint32_t j, std::uint32_t i) {
         return !(farthest[j] < Near{square(i, j), i});
     };
     std::vector<std::uint64_t> end(count, 0);
+    std::vector<std::uint64_t> is_counted(count, 0);  // Bit n: by its n-th.
     for (std::uint32_t i = 0; i < count; ++i)
         for (std::uint32_t n = 0; n < k_; ++n) {
             const std::uint32_t j = nearest[std::size_t{i} * k_ + n];
-            if (counts(j, i))
+            if (counts(j, i)) {
                 is_mutual_[i] = 1;
-            else
+                is_counted[i] |= std::uint64_t{1} << n;
+            } else {
                 ++end[j];
+            }
         }
     std::uint64_t total = 0;
     std::vector<std::uint64_t> all_begin(std::size_t{count} + 1, 0);
@@ -117,7 +134,7 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
     for (std::uint32_t i = 0; i < count; ++i)
         for (std::uint32_t n = 0; n < k_; ++n) {
             const std::uint32_t j = nearest[std::size_t{i} * k_ + n];
-            if (!counts(j, i)) others[end[j]++] = i;
+            if ((is_counted[i] >> n & 1u) == 0) others[end[j]++] = i;
         }
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint64_t more =

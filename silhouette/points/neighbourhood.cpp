@@ -30,10 +30,17 @@ struct Image {
     std::uint8_t place;
 };
 
+// Sorts by angle; of equal ones the nearer comes first, for neighbours come by distance.
+std::uint64_t sort_key(double angle, std::size_t place) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(angle * 0x1p54)) << 6 | place;
+}
+
 // Not a corner of the hull: a, b, c turn right, or not enough to the left.
 bool is_inside(const Image& a, const Image& b, const Image& c) {
     const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
-    return ux * vy - uy * vx <= k_tie * std::sqrt((ux * ux + uy * uy) * (vx * vx + vy * vy));
+    const double turn = ux * vy - uy * vx;
+    return turn <= 0.0 ||
+           turn * turn <= (k_tie * k_tie) * ((ux * ux + uy * uy) * (vx * vx + vy * vy));
 }
 
 }  // namespace
@@ -97,9 +104,9 @@ Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle,
                         std::uint64_t among) const noexcept {
     const glm::dvec3 u = any_perpendicular(normal);
     const glm::dvec3 v = glm::cross(normal, u);
-    std::array<Image, k_most_neighbours> images;
+    std::array<Image, k_most_neighbours> by_place;
+    std::array<std::uint64_t, k_most_neighbours> keys;
     std::size_t count = 0;
-    std::size_t nearest = 0;
     for (std::uint32_t i = 0; i < size_; ++i) {
         const glm::dvec3& d = edges_[i];
         if ((among >> i & 1u) == 0) continue;
@@ -108,37 +115,38 @@ Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle,
         const double projected = std::sqrt(x * x + y * y);
         if (!(projected > 0.0)) continue;
         const double factor = 1.0 / (projected * lengths_[i]);
-        const Image image{diamond_angle(x, y), x * factor, y * factor,
-                          static_cast<std::uint8_t>(i)};
-        // Neighbours come by distance: of equal angles the nearest stays first.
+        by_place[i] = {diamond_angle(x, y), x * factor, y * factor, static_cast<std::uint8_t>(i)};
+        const std::uint64_t key = sort_key(by_place[i].angle, i);
         std::size_t at = count++;
-        for (; at > 0 && image.angle < images[at - 1].angle; --at) images[at] = images[at - 1];
-        images[at] = image;
+        for (; at > 0 && key < keys[at - 1]; --at) keys[at] = keys[at - 1];
+        keys[at] = key;
     }
     Fan fan;
     if (count < 2) return fan;
 
     // From where to begin: behind a sector of π or more, else at the nearest, which is on the hull.
+    const auto image = [&](std::size_t i) -> const Image& { return by_place[keys[i] & 63u]; };
+    std::size_t begin = 0;
     bool is_open = false;
     for (std::size_t i = 0; i < count && !is_open; ++i) {
         const std::size_t next = i + 1 == count ? 0 : i + 1;
-        is_open = images[next].angle + (next == 0 ? 4.0 : 0.0) - images[i].angle >= 2.0 - k_tie;
-        if (is_open || images[i].place < images[nearest].place) nearest = is_open ? next : i;
+        is_open = image(next).angle + (next == 0 ? 4.0 : 0.0) - image(i).angle >= 2.0 - k_tie;
+        if (is_open || image(i).place < image(begin).place) begin = is_open ? next : i;
     }
-    std::rotate(images.begin(), images.begin() + static_cast<std::ptrdiff_t>(nearest),
-                images.begin() + static_cast<std::ptrdiff_t>(count));
-    std::array<Image, k_most_neighbours + 1> hull;
+    std::rotate(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(begin),
+                keys.begin() + static_cast<std::ptrdiff_t>(count));
+    std::array<const Image*, k_most_neighbours + 1> hull;
     std::size_t size = 0;
     for (std::size_t i = 0; i < count + (is_open ? 0 : 1); ++i) {
-        const Image& image = images[i == count ? 0 : i];
-        while (size >= 2 && is_inside(hull[size - 2], hull[size - 1], image)) --size;
-        hull[size++] = image;
+        const Image& next = image(i == count ? 0 : i);
+        while (size >= 2 && is_inside(*hull[size - 2], *hull[size - 1], next)) --size;
+        hull[size++] = &next;
     }
     if (!is_open) --size;
     fan.size = static_cast<std::uint8_t>(size);
-    for (std::size_t i = 0; i < size; ++i) fan.ring[i] = hull[i].place;
+    for (std::size_t i = 0; i < size; ++i) fan.ring[i] = hull[i]->place;
     for (std::size_t i = 0; i + 1 < size + (is_open ? 0 : 1); ++i) {
-        const double turn = hull[i + 1 == size ? 0 : i + 1].angle - hull[i].angle;
+        const double turn = hull[i + 1 == size ? 0 : i + 1]->angle - hull[i]->angle;
         if ((turn < 0.0 ? turn + 4.0 : turn) >= 2.0 - k_tie) fan.gaps |= std::uint64_t{1} << i;
     }
     if (is_open) fan.gaps |= std::uint64_t{1} << (size - 1);
@@ -149,19 +157,6 @@ glm::dvec3 Neighbourhood::cross(const Fan& fan, std::size_t j) const noexcept {
     return glm::cross(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]);
 }
 
-double Neighbourhood::angle(const Fan& fan, std::size_t j) const noexcept {
-    return std::atan2(glm::length(cross(fan, j)),
-                      glm::dot(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]));
-}
-
-double Neighbourhood::deviation(const Fan& fan, std::size_t j,
-                                const glm::dvec3& normal) const noexcept {
-    const glm::dvec3 product = cross(fan, j);
-    const double length = glm::length(product);
-    if (!(length > 0.0)) return std::numbers::pi / 2;
-    return std::acos(std::clamp(glm::dot(product, normal) / length, -1.0, 1.0));
-}
-
 double Neighbourhood::circumradius(const Fan& fan, std::size_t j) const noexcept {
     const std::size_t a = fan.ring[j], b = fan.ring[fan.next(j)];
     const double twice_area = glm::length(cross(fan, j));
@@ -169,30 +164,74 @@ double Neighbourhood::circumradius(const Fan& fan, std::size_t j) const noexcept
     return lengths_[a] * lengths_[b] * glm::length(edges_[b] - edges_[a]) / (2.0 * twice_area);
 }
 
-glm::dvec3 Neighbourhood::normal(const Fan& fan) const noexcept {
+double Neighbourhood::angle(const Fan& fan, std::size_t j) const noexcept {
+    return std::atan2(glm::length(cross(fan, j)),
+                      glm::dot(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]));
+}
+
+double Neighbourhood::Triangle::deviation(const glm::dvec3& from) const noexcept {
+    return std::acos(std::clamp(glm::dot(normal, from), -1.0, 1.0));
+}
+
+double Neighbourhood::deviation(const Fan& fan, std::size_t j,
+                                const glm::dvec3& normal) const noexcept {
+    return triangle(fan, j).deviation(normal);
+}
+
+Neighbourhood::Triangle Neighbourhood::triangle(const Fan& fan, std::size_t j) const noexcept {
+    const std::size_t a = fan.ring[j], b = fan.ring[fan.next(j)];
+    const glm::dvec3 product = glm::cross(edges_[a], edges_[b]);
+    const double twice_area = glm::length(product);
+    const double cosine = glm::dot(edges_[a], edges_[b]);
+    if (!(twice_area > 0.0))
+        return {glm::dvec3(0.0), std::numeric_limits<double>::infinity(), 0.0, cosine, 0.0};
+    const double factor = 1.0 / twice_area;
+    const double circumradius =
+        0.5 * factor * lengths_[a] * lengths_[b] * glm::length(edges_[b] - edges_[a]);
+    return {product * factor, circumradius, twice_area, cosine, 0.0};
+}
+
+void Neighbourhood::triangles(const Fan& fan, Triangles& result) const noexcept {
+    for (std::size_t j = 0; j < fan.size; ++j)
+        if (!fan.is_gap(j)) result[j] = triangle(fan, j);
+}
+
+void Neighbourhood::set_angles(const Fan& fan, Triangles& triangles) noexcept {
+    for (std::size_t j = 0; j < fan.size; ++j)
+        if (!fan.is_gap(j)) triangles[j].angle = std::atan2(triangles[j].sine, triangles[j].cosine);
+}
+
+glm::dvec3 Neighbourhood::normal(const Fan& fan, const Triangles& triangles) noexcept {
     glm::dvec3 sum(0.0);
-    for (std::size_t j = 0; j < fan.size; ++j) {
-        if (fan.is_gap(j)) continue;
-        const glm::dvec3 product = cross(fan, j);
-        const double sine = glm::length(product);
-        if (!(sine > 0.0)) continue;
-        const double cosine = glm::dot(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]);
-        sum += product * (std::atan2(sine, cosine) / sine);
-    }
+    for (std::size_t j = 0; j < fan.size; ++j)
+        if (!fan.is_gap(j)) sum += triangles[j].angle * triangles[j].normal;
     const double length = glm::length(sum);
     return length > 0.0 ? sum / length : glm::dvec3(0.0);
 }
 
-double Neighbourhood::scale(const Fan& fan) const noexcept {
+double Neighbourhood::scale(const Fan& fan, const Triangles& triangles) noexcept {
     std::array<double, k_most_neighbours> radii;
     std::size_t count = 0;
     for (std::size_t j = 0; j < fan.size; ++j)
-        if (!fan.is_gap(j)) radii[count++] = circumradius(fan, j);
+        if (!fan.is_gap(j)) radii[count++] = triangles[j].circumradius;
     if (count == 0) return 0.0;
     const std::size_t middle = (count - 1) / 2;
     std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(middle),
                      radii.begin() + static_cast<std::ptrdiff_t>(count));
     return radii[middle];
+}
+
+glm::dvec3 Neighbourhood::normal(const Fan& fan) const noexcept {
+    Triangles all;
+    triangles(fan, all);
+    set_angles(fan, all);
+    return normal(fan, all);
+}
+
+double Neighbourhood::scale(const Fan& fan) const noexcept {
+    Triangles all;
+    triangles(fan, all);
+    return scale(fan, all);
 }
 
 }  // namespace rimline

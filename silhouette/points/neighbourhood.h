@@ -36,16 +36,34 @@ public:
     /// the plane; gaps are the sectors of π and more.
     Fan star(const glm::dvec3& normal, double sine_of_angle,
              std::uint64_t among = ~std::uint64_t{0}) const noexcept;
-    /// Of the triangle with the ring's j-th point and the next.
-    double circumradius(const Fan& fan, std::size_t j) const noexcept;
+
+    /// With the ring's j-th point and the next.
+    struct Triangle {
+        glm::dvec3 normal;    ///< Of length 1, or zero where it has no area.
+        double circumradius;  ///< Infinite where it has no area.
+        double sine, cosine;  ///< Of its angle at the point, times the lengths of both edges.
+        double angle;         ///< In radians.
+
+        /// Of its normal with another, of length 1, in radians.
+        double deviation(const glm::dvec3& from) const noexcept;
+    };
+    /// All but its angle, which costs as much as the rest.
+    Triangle triangle(const Fan& fan, std::size_t j) const noexcept;
+    /// The triangles of a fan, but for those of its gaps.
+    using Triangles = std::array<Triangle, k_most_neighbours>;
+    void triangles(const Fan& fan, Triangles& result) const noexcept;
+    static void set_angles(const Fan& fan, Triangles& triangles) noexcept;
+    /// The mean of the triangles' normals by their angles. Of length 1, or zero.
+    static glm::dvec3 normal(const Fan& fan, const Triangles& triangles) noexcept;
+    /// The median circumradius of the triangles, the lower one of two; 0 where there is none.
+    static double scale(const Fan& fan, const Triangles& triangles) noexcept;
+
+    // One at a time.
     glm::dvec3 cross(const Fan& fan, std::size_t j) const noexcept;
-    /// Of the edges to the ring's j-th point and the next, in radians.
+    double circumradius(const Fan& fan, std::size_t j) const noexcept;
     double angle(const Fan& fan, std::size_t j) const noexcept;
-    /// Of that triangle's normal with another, of length 1, in radians.
     double deviation(const Fan& fan, std::size_t j, const glm::dvec3& normal) const noexcept;
-    /// The mean of the triangles' normals by their angles at the point. Of length 1, or zero.
     glm::dvec3 normal(const Fan& fan) const noexcept;
-    /// The median circumradius of its triangles, the lower one of two; 0 where there is none.
     double scale(const Fan& fan) const noexcept;
 
 private:

@@ -12,9 +12,17 @@ namespace rimline {
 
 namespace {
 
-glm::dvec3 scaled(const glm::dvec3& p, int exponent) {
-    return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-}
+// Multiplies by a power of two, in two steps, each of which is a number.
+class Scaling {
+public:
+    explicit Scaling(int exponent)
+        : first_(std::ldexp(1.0, exponent / 2)),
+          second_(std::ldexp(1.0, exponent - exponent / 2)) {}
+    glm::dvec3 operator()(const glm::dvec3& p) const { return p * first_ * second_; }
+
+private:
+    double first_, second_;
+};
 
 double largest(const glm::dvec3& p) { return std::max({p.x, p.y, p.z}); }
 
@@ -50,15 +58,17 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions) {
         greatest = std::max(greatest, largest(glm::abs(p)));
     }
     const int first_exponent = greatest > 0.0 ? -std::ilogb(greatest) - 1 : 0;
+    const Scaling first_scaling(first_exponent);
     glm::dvec3 low(1.0);
     glm::dvec3 high(-1.0);
     for (const glm::dvec3& p : positions) {
-        low = glm::min(low, scaled(p, first_exponent));
-        high = glm::max(high, scaled(p, first_exponent));
+        low = glm::min(low, first_scaling(p));
+        high = glm::max(high, first_scaling(p));
     }
     const glm::dvec3 middle = 0.5 * (low + high);
     const double side = largest(high - low);
     const int second_exponent = side > 0.0 ? -std::ilogb(side) : 0;
+    const Scaling second_scaling(second_exponent);
     ordered.unit = std::ldexp(1.0, -first_exponent - second_exponent);
 
     struct Entry {
@@ -68,7 +78,7 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions) {
     std::vector<glm::dvec3> units(positions.size());
     std::vector<Entry> entries(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const glm::dvec3 p = scaled(scaled(positions[i], first_exponent) - middle, second_exponent);
+        const glm::dvec3 p = second_scaling(first_scaling(positions[i]) - middle);
         units[i] = glm::round(p * 0x1p50) * 0x1p-50;
         entries[i] = {morton_code(units[i]), static_cast<std::uint32_t>(i)};
     }

@@ -18,10 +18,11 @@ constexpr double k_greatest_deviation = 85.0 * k_degree;
 constexpr double k_sine_of_candidates = 0.766;         // 50 degrees.
 constexpr double k_clean_deviation = 15.0 * k_degree;  // Mean, of a star that needs no other.
 constexpr double k_gap_cost = 1.0;
+constexpr double k_tie = 1e-9;  // Of costs: of mirror images the first that was asked stays.
 constexpr std::uint32_t k_fits[] = {k_most_neighbours, 8, 5};  // Capped by k.
 constexpr int k_rounds = 2;
 constexpr std::uint32_t k_asked = 8;         // Neighbours for their normals.
-constexpr double k_cosine_of_same = 0.9962;  // 5 degrees: too near to a normal that was tried.
+constexpr double k_cosine_of_same = 0.9659;  // 15 degrees: too near to a normal that was tried.
 
 double excess_of(double circumradius, double deviation, double scale) {
     if (deviation > k_greatest_deviation) return k_infinity;
@@ -31,6 +32,7 @@ double excess_of(double circumradius, double deviation, double scale) {
 struct Choice {
     Fan fan;
     glm::dvec3 normal{0.0};
+    double scale = 0.0;
     double cost = k_infinity;
     bool is_clean = false;
 };
@@ -44,7 +46,8 @@ public:
         stars_.normals.assign(points.size(), glm::dvec3(0.0));
         stars_.scales.assign(points.size(), 0.0);
         stars_.reasons.assign(points.size(), UndecidedReason::none);
-        is_clean_.assign(points.size(), 0);
+        stars_.is_clean.assign(points.size(), 0);
+        was_changed_.assign(points.size(), 1);
     }
 
     void fit(const CallPart& part) {
@@ -55,11 +58,16 @@ public:
                    });
     }
 
-    // Every point sees the normals and scales that its neighbours had before the round.
+    // Every point sees the normals and scales that its neighbours had before the round. Who asked before,
+    // and nothing has changed around it since, would hear the same again.
     void ask_neighbours(const CallPart& part) {
         std::vector<std::uint32_t> asking;
         for (std::uint32_t i = 0; i < points_.size(); ++i)
-            if (!is_clean_[i] && stars_.reasons[i] == UndecidedReason::none) asking.push_back(i);
+            if (!stars_.is_clean[i] && stars_.reasons[i] == UndecidedReason::none &&
+                (was_changed_[i] || std::ranges::any_of(neighbours_.of(i), [&](std::uint32_t q) {
+                     return was_changed_[q] != 0;
+                 })))
+                asking.push_back(i);
         std::vector<Choice> choices(asking.size());
         each_point(static_cast<std::uint32_t>(asking.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
@@ -67,36 +75,46 @@ public:
                        for (std::uint32_t n = first; n < last; ++n)
                            choices[n] = ask_neighbours(asking[n], around);
                    });
+        was_changed_.assign(points_.size(), 0);
         for (std::size_t n = 0; n < asking.size(); ++n) {
-            Neighbourhood around;
-            around.look_from(points_, asking[n], neighbours_.of(asking[n]));
-            take(asking[n], choices[n], around);
+            was_changed_[asking[n]] = choices[n].normal != stars_.normals[asking[n]] ||
+                                      choices[n].scale != stars_.scales[asking[n]];
+            take(asking[n], choices[n]);
         }
     }
 
     Stars stars() { return std::move(stars_); }
 
 private:
-    // scale(j): the greatest of the scales of sector j's corners.
+    // scale(j, own): the greatest of the scales of sector j's corners; own is the star's. What is sure to
+    // cost `limit` or more is not worked out.
     template <typename Scale>
-    Choice judge(const Neighbourhood& around, const Fan& fan, Scale&& scale) const {
+    Choice judge(const Neighbourhood& around, const Fan& fan, double limit, Scale&& scale) const {
         Choice choice{fan};
         if (!fan.is_umbrella()) return choice;
-        choice.normal = around.normal(fan);
+        Neighbourhood::Triangles triangles;
+        around.triangles(fan, triangles);
+        choice.scale = Neighbourhood::scale(fan, triangles);
+        int sure_gaps = 0;
+        for (std::size_t j = 0; j < fan.size; ++j)
+            sure_gaps +=
+                fan.is_gap(j) || triangles[j].circumradius > gap_ratio_ * scale(j, choice.scale);
+        if (k_gap_cost * sure_gaps >= limit) return choice;
+        Neighbourhood::set_angles(fan, triangles);
+        choice.normal = Neighbourhood::normal(fan, triangles);
         if (choice.normal == glm::dvec3(0.0)) return choice;
         double sum = 0.0;
         double total = 0.0;
         int gaps = 0;
-        for (std::size_t j = 0; j < choice.fan.size; ++j) {
-            const double deviation =
-                choice.fan.is_gap(j) ? k_infinity : around.deviation(choice.fan, j, choice.normal);
-            if (excess_of(around.circumradius(choice.fan, j), deviation, scale(j)) > gap_ratio_) {
+        for (std::size_t j = 0; j < fan.size; ++j) {
+            const double deviation = fan.is_gap(j) ? 0.0 : triangles[j].deviation(choice.normal);
+            if (fan.is_gap(j) || excess_of(triangles[j].circumradius, deviation,
+                                           scale(j, choice.scale)) > gap_ratio_) {
                 ++gaps;
                 continue;
             }
-            const double angle = around.angle(choice.fan, j);
-            sum += angle * deviation;
-            total += angle;
+            sum += triangles[j].angle * deviation;
+            total += triangles[j].angle;
         }
         if (!(total > 0.0)) return choice;
         choice.cost = sum / total + k_gap_cost * gaps;
@@ -105,20 +123,21 @@ private:
     }
 
     // Before its neighbours have scales, a star's own is all there is.
-    Choice judge_alone(const Neighbourhood& around, const Fan& fan) const {
-        return judge(around, fan, [own = around.scale(fan)](std::size_t) { return own; });
+    Choice judge_alone(const Neighbourhood& around, const Fan& fan, double limit) const {
+        return judge(around, fan, limit, [](std::size_t, double own) { return own; });
     }
-    Choice judge_among(std::uint32_t point, const Neighbourhood& around, const Fan& fan) const {
-        return judge(around, fan, [&](std::size_t j) {
+    Choice judge_among(std::uint32_t point, const Neighbourhood& around, const Fan& fan,
+                       double limit) const {
+        return judge(around, fan, limit, [&](std::size_t j, double) {
             return std::max({stars_.scales[point], stars_.scales[around.number(fan.ring[j])],
                              stars_.scales[around.number(fan.ring[fan.next(j)])]});
         });
     }
 
-    void take(std::uint32_t point, const Choice& choice, const Neighbourhood& around) {
+    void take(std::uint32_t point, const Choice& choice) {
         stars_.fans[point] = choice.fan;
         stars_.normals[point] = choice.normal;
-        stars_.scales[point] = around.scale(choice.fan);
+        stars_.scales[point] = choice.scale;
     }
 
     void fit(std::uint32_t point, Neighbourhood& around) {
@@ -134,15 +153,16 @@ private:
             const glm::dvec3 plane =
                 around.fitted_normal(std::min(fit, neighbours_.nearest_count()));
             if (plane == glm::dvec3(0.0)) continue;
-            const Choice choice = judge_alone(around, around.star(plane, k_sine_of_candidates));
-            if (choice.cost < best.cost) best = choice;
+            const Choice choice =
+                judge_alone(around, around.star(plane, k_sine_of_candidates), best.cost);
+            if (choice.cost < best.cost - k_tie) best = choice;
             if (best.is_clean) break;
         }
-        is_clean_[point] = best.is_clean;
+        stars_.is_clean[point] = best.is_clean;
         if (around.is_collinear())
             reason = UndecidedReason::collinear;
         else if (best.cost < k_infinity)
-            take(point, best, around);
+            take(point, best);
         else
             reason = UndecidedReason::no_normal;
     }
@@ -151,15 +171,15 @@ private:
         around.look_from(points_, point, neighbours_.of(point));
         std::array<glm::dvec3, k_asked + 1> tried;
         std::size_t count = 0;
-        Choice best = judge_among(point, around, stars_.fans[point]);
+        Choice best = judge_among(point, around, stars_.fans[point], k_infinity);
         const auto ask = [&](const glm::dvec3& plane) {
             if (plane == glm::dvec3(0.0)) return;
             for (std::size_t t = 0; t < count; ++t)
                 if (std::abs(glm::dot(tried[t], plane)) > k_cosine_of_same) return;
             tried[count++] = plane;
             const Choice choice =
-                judge_among(point, around, around.star(plane, k_sine_of_candidates));
-            if (choice.cost < best.cost) best = choice;
+                judge_among(point, around, around.star(plane, k_sine_of_candidates), best.cost);
+            if (choice.cost < best.cost - k_tie) best = choice;
         };
         ask(stars_.normals[point]);
         for (std::uint32_t n = 0; n < std::min(around.size(), k_asked); ++n)
@@ -171,7 +191,7 @@ private:
     const NeighbourLists& neighbours_;
     double gap_ratio_;
     Stars stars_;
-    std::vector<std::uint8_t> is_clean_;
+    std::vector<std::uint8_t> was_changed_;  // In the last round.
 };
 
 }  // namespace
@@ -181,8 +201,8 @@ double Stars::excess(const Neighbourhood& around, std::uint32_t point, const Fan
     if (fan.is_gap(sector)) return k_infinity;
     const double scale = std::max({scales[point], scales[around.number(fan.ring[sector])],
                                    scales[around.number(fan.ring[fan.next(sector)])]});
-    return excess_of(around.circumradius(fan, sector),
-                     around.deviation(fan, sector, normals[point]), scale);
+    const Neighbourhood::Triangle triangle = around.triangle(fan, sector);
+    return excess_of(triangle.circumradius, triangle.deviation(normals[point]), scale);
 }
 
 Stars choose_stars(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,

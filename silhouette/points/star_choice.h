@@ -27,6 +27,7 @@ struct Stars {
     std::vector<glm::dvec3> normals;
     std::vector<double> scales;  ///< Neighbourhood::scale of the star.
     std::vector<UndecidedReason> reasons;
+    std::vector<std::uint8_t> is_clean;  ///< By its own scale alone no sector of it is a gap.
 
     /// How little a triangle looks like surface: its circumradius as a multiple of the greatest of its
     /// corners' scales, times 1 + 2 d / π for a deviation of d from the star's normal; infinite for a gap,
