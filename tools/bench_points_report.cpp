@@ -131,8 +131,8 @@ std::vector<ComparedModel> compared_models(const std::vector<PointsBenchResult>&
     std::vector<ComparedModel> models;
     for (const PointsBenchResult& result : results)
         if (result.silhouettes.umbrellas.truth > 0)
-            models.push_back(
-                {std::filesystem::path(result.model).filename().string(), &result.silhouettes});
+            models.push_back({std::filesystem::path(result.model).filename().string(),
+                              name_of(result.kind), &result.silhouettes});
     return models;
 }
 

@@ -45,7 +45,8 @@ std::string format_labels(const LabeledPoints& points) {
         "property float nx\nproperty float ny\nproperty float nz\n"
         "property uchar red\nproperty uchar green\nproperty uchar blue\n"
         "property uchar label\nproperty uchar reason\nproperty float weight\n"
-        "property uchar silhouette\nproperty uint number\nend_header\n";
+        "property uchar silhouette\nproperty uint number\n" +
+        (cloud.intensities().empty() ? "" : "property float intensity\n") + "end_header\n";
     bytes.reserve(bytes.size() + std::size_t{50} * cloud.size());
     for (std::uint32_t i = 0; i < cloud.size(); ++i) {
         const PointId point{i};
@@ -61,6 +62,7 @@ std::string format_labels(const LabeledPoints& points) {
         append(bytes,
                static_cast<std::uint8_t>(std::ranges::binary_search(points.silhouette, point)));
         append(bytes, cloud.file_point(i));
+        if (!cloud.intensities().empty()) append(bytes, cloud.intensities()[i]);
     }
     return bytes;
 }

@@ -58,6 +58,7 @@ SilhouetteComparison compare_silhouettes(const Mesh& mesh, const PointSurface& s
 
 struct ComparedModel {
     std::string name;
+    std::string kind;  ///< Means are of each by itself, and of all.
     const SilhouetteComparison* silhouettes;
 };
 

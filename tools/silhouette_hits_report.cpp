@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string>
 #include <utility>
 
 #include "tools/silhouette_hits.h"
@@ -33,34 +35,57 @@ struct Columns {
 
 }  // namespace
 
+namespace {
+
+// Of umbrellas, of the model's own threshold, and of the one common to all.
+using Line = std::array<Columns, 3>;
+
+void print_line(const std::string& name, const Line& line, const std::string& own_threshold) {
+    std::printf("%-28s", name.c_str());
+    line[0].print();
+    line[1].print();
+    std::printf("  %5s", own_threshold.c_str());
+    line[2].print();
+    std::printf("\n");
+}
+
+// Of the lines of a kind, or of all for "".
+void print_mean(const std::vector<ComparedModel>& models, const std::vector<Line>& lines,
+                const std::string& kind) {
+    std::size_t count = 0;
+    for (const ComparedModel& model : models) count += kind.empty() || model.kind == kind;
+    if (count == 0) return;
+    Line mean{};
+    for (std::size_t m = 0; m < models.size(); ++m)
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            if (kind.empty() || models[m].kind == kind)
+                mean[i].add(lines[m][i], 1.0 / double(count));
+    print_line("mean of " + (kind.empty() ? "all" : kind) + ", " + std::to_string(count), mean, "");
+}
+
+}  // namespace
+
 void print_silhouettes(const std::vector<ComparedModel>& models) {
     if (models.empty()) return;
     const std::uint32_t common = best_threshold(models);
     std::printf(
         "\nsilhouettes: recall, precision and score in %%, of the very vertices and within a "
-        "ring\n%-28s%s  %-37s  %-37s%s   t = %.3f\n",
-        "", "", "umbrellas", "normals, the model's best t", "     t", threshold(common));
-    std::array<Columns, 3> means;
-    const double share = 1.0 / double(models.size());
+        "ring\n%-28s  %-37s  %-37s  %5s  t = %.3f\n",
+        "", "umbrellas", "normals, at the model's best t", "t", threshold(common));
+    std::vector<Line> lines;
+    std::vector<std::string> kinds;
     for (const ComparedModel& model : models) {
         const std::uint32_t own = best_threshold({model});
-        const std::array columns{Columns::of(model.silhouettes->umbrellas),
-                                 Columns::of(model.silhouettes->thresholds[own]),
-                                 Columns::of(model.silhouettes->thresholds[common])};
-        std::printf("%-28s", model.name.c_str());
-        columns[0].print();
-        columns[1].print();
-        std::printf("  %.3f", threshold(own));
-        columns[2].print();
-        std::printf("\n");
-        for (std::size_t i = 0; i < means.size(); ++i) means[i].add(columns[i], share);
+        lines.push_back({Columns::of(model.silhouettes->umbrellas),
+                         Columns::of(model.silhouettes->thresholds[own]),
+                         Columns::of(model.silhouettes->thresholds[common])});
+        char text[16];
+        std::snprintf(text, sizeof text, "%.3f", threshold(own));
+        print_line(model.name, lines.back(), text);
+        if (std::ranges::find(kinds, model.kind) == kinds.end()) kinds.push_back(model.kind);
     }
-    std::printf("%-28s", "mean");
-    means[0].print();
-    means[1].print();
-    std::printf("  %5s", "");
-    means[2].print();
-    std::printf("\n");
+    for (const std::string& kind : kinds) print_mean(models, lines, kind);
+    print_mean(models, lines, "");
 }
 
 nlohmann::ordered_json to_json(const SilhouetteComparison& silhouettes) {

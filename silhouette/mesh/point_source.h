@@ -25,6 +25,8 @@ struct PointSource {
     std::vector<glm::vec3> normals;
     /// One a position, or empty.
     std::vector<PointColor> colors;
+    /// How strongly a scanner's light came back, in the file's own unit; one a position, or empty.
+    std::vector<float> intensities;
     /// The faces of a file that holds a mesh, as positions' indices: not for finding silhouettes, but to
     /// know what is true of its points. Empty where a position is not finite.
     std::vector<std::array<std::uint32_t, 3>> triangles;

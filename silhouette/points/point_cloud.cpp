@@ -36,6 +36,7 @@ PointCloud::PointCloud(PointSource source) : up_(source.up) {
         throw Error(ErrorCode::too_large, "the cloud has more than 2^32 points");
     RIMLINE_CHECK(source.normals.empty() || source.normals.size() == count);
     RIMLINE_CHECK(source.colors.empty() || source.colors.size() == count);
+    RIMLINE_CHECK(source.intensities.empty() || source.intensities.size() == count);
     file_point_count_ = static_cast<std::uint32_t>(count);
 
     // Which positions are points, in place of their numbers for now.
@@ -72,6 +73,7 @@ PointCloud::PointCloud(PointSource source) : up_(source.up) {
         file_points_.push_back(file_point);
         if (!source.normals.empty()) normals_.push_back(unit_or_zero(source.normals[file_point]));
         if (!source.colors.empty()) colors_.push_back(source.colors[file_point]);
+        if (!source.intensities.empty()) intensities_.push_back(source.intensities[file_point]);
     }
     for (const auto& t : source.triangles) {
         const std::array<std::uint32_t, 3> points{point_of[t[0]], point_of[t[1]], point_of[t[2]]};

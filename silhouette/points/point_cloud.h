@@ -2,7 +2,7 @@
 
 // Points without faces, each position once: what umbrellas are built over.
 //
-// Equal positions are one point, the first of them, with its normal and colour. Positions that are not
+// Equal positions are one point, the first of them, with its normal, colour and intensity. Positions that are not
 // finite are left out. Where the source holds a mesh, its points are the vertices that faces use, and the
 // faces are kept aside: they say what is true of borders and normals, and nothing looks at them to find it.
 
@@ -18,7 +18,7 @@ namespace rimline {
 
 class PointCloud {
 public:
-    /// An empty source gives an empty cloud. Triangles' indices must be in range, normals and colours be
+    /// An empty source gives an empty cloud. Triangles' indices must be in range, normals, colours and intensities be
     /// one a position or none, and finite positions within k_max_coordinate. Throws Error{too_large} from
     /// 2^32 positions on. O(positions + triangles).
     explicit PointCloud(PointSource source);
@@ -29,6 +29,8 @@ public:
     /// As the file says, unit or zero; empty where it says nothing.
     std::span<const glm::vec3> normals() const noexcept { return normals_; }
     std::span<const PointColor> colors() const noexcept { return colors_; }
+
+    std::span<const float> intensities() const noexcept { return intensities_; }
 
     /// The file's number of a point.
     std::uint32_t file_point(std::uint32_t point) const noexcept { return file_points_[point]; }
@@ -57,6 +59,7 @@ private:
     std::vector<glm::dvec3> positions_;
     std::vector<glm::vec3> normals_;
     std::vector<PointColor> colors_;
+    std::vector<float> intensities_;
     std::vector<std::uint32_t> file_points_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::uint32_t file_point_count_ = 0;

@@ -175,7 +175,16 @@ TEST_CASE("OBJ: colours are shares of one, or of 255 where one is above") {
     CHECK(read_points("a.obj", "v 0 0 0 1 200 0\nv 1 0 0\n").colors ==
           std::vector<PointColor>{{1, 200, 0}, {0, 0, 0}});
     CHECK(read_points("a.obj", "v 0 0 0 1\nv 1 0 0\nvn 0 0 1\nvn 0 0 1\n").colors.empty());
-    CHECK(read_points("a.obj", "v 0 0 0 1\nv 1 0 0\nvn 0 0 1\nvn 0 0 1\n").normals.empty());
+    const auto normals = [](const char* text) { return read_points("a.obj", text).normals; };
+    const std::vector<glm::vec3> two{{0, 0, 1}, {0, 1, 0}};
+    CHECK(normals("v 0 0 0 1\nv 1 0 0\nvn 0 0 1\nvn 0 1 0\n") == two);
+    CHECK(normals("v 0 0 0\nvn 0 0 1\nv 1 0 0\nvn 0 1 0\n") == two);
+    CHECK(normals("v 0 0 0\nv 1 0 0\nvn 0 0 1\n").empty());
+    // Corners' own: another than the vertex's number anywhere.
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf ";
+    CHECK(normals((triangle + "1//1 2//2 3//3").c_str()).size() == 3);
+    CHECK(normals((triangle + "-3//1 2//-2 3").c_str()).size() == 3);
+    CHECK(normals((triangle + "1//2 2//1 3//3").c_str()).empty());
     CHECK(has(point_error("a.obj", "v 0 0 0 1 2\n"), "a.obj:1: a vertex with 5 numbers"));
 }
 
@@ -208,6 +217,12 @@ TEST_CASE("Text: columns are positions, intensities, normals and colours as thei
         CHECK(source.normals == (test.has_normals ? normals : std::vector<glm::vec3>{}));
         CHECK(source.colors == (test.has_colors ? colors : std::vector<PointColor>{}));
     }
+    for (const auto& [rest, intensity] : {std::pair{std::string("-1023"), -1023.0f},
+                                          {"0.5 " + c, 0.5f},
+                                          {"7 " + n + " " + c, 7.0f}})
+        CHECK(columns(rest).intensities == std::vector(3, intensity));
+    for (const std::string& rest : {std::string(), n, c, c + " " + n, std::string("7 8")})
+        CHECK(columns(rest).intensities.empty());
     // Lengths of one with whole numbers are normals; all zero is black.
     CHECK(columns("0 0 1").normals == std::vector(3, glm::vec3(0, 0, 1)));
     CHECK(columns("0 0 0").normals.empty());

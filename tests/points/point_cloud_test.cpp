@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <tuple>
@@ -18,13 +19,6 @@ std::vector<std::uint32_t> list(std::span<const std::uint32_t> numbers) {
     return {numbers.begin(), numbers.end()};
 }
 
-PointSource source_of(const MeshSource& mesh) {
-    PointSource source;
-    source.positions.assign(mesh.positions.begin(), mesh.positions.end());
-    source.triangles = mesh.triangles;
-    return source;
-}
-
 }  // namespace
 
 TEST_CASE("Of equal positions the first stands for all, with its normal and colour") {
@@ -32,6 +26,7 @@ TEST_CASE("Of equal positions the first stands for all, with its normal and colo
     source.positions = {{1, 0, 0}, {0.0, 2, 0}, {1, 0, 0}, {-0.0, 2, 0}, {1, 0, 1e-300}};
     source.normals = {{0, 0, 3}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, -2, 0}};
     source.colors = {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {5, 5, 5}};
+    source.intensities = {-1.0f, 2.0f, 3.0f, 4.0f, 5.5f};
     const PointCloud cloud(source);
     CHECK(cloud.size() == 3);
     CHECK(list(cloud.file_points()) == std::vector<std::uint32_t>{0, 1, 4});
@@ -42,6 +37,7 @@ TEST_CASE("Of equal positions the first stands for all, with its normal and colo
     CHECK(cloud.normals()[1] == glm::vec3(0, 0, 0));
     CHECK(cloud.normals()[2] == glm::vec3(0, -1, 0));
     CHECK(cloud.colors()[2] == PointColor{5, 5, 5});
+    CHECK(std::ranges::equal(cloud.intensities(), std::array{-1.0f, 2.0f, 5.5f}));
 }
 
 TEST_CASE("Positions that are not finite are left out and counted") {
@@ -94,7 +90,7 @@ TEST_CASE("Border points are those of the mesh's own border edges") {
                 expected.push_back(mesh.file_vertex(v));
         std::ranges::sort(expected);
         expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-        const PointCloud cloud(source_of(mesh_source));
+        const PointCloud cloud(points_of(mesh_source));
         std::vector<std::uint32_t> found;
         for (const std::uint32_t p : cloud.mesh_border_points())
             found.push_back(cloud.file_point(p));

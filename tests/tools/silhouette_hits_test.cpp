@@ -92,7 +92,7 @@ TEST_CASE("hits of silhouettes and of every threshold are those that sets of ver
         check_equal(result.thresholds[t], by_threshold[t]);
     // A closed smooth mesh that is sampled well is found again nearly whole, and no threshold does that.
     CHECK(result.umbrellas.score() > 0.9);
-    const std::uint32_t best = best_threshold({{"knot", &result}});
+    const std::uint32_t best = best_threshold({{"knot", "smooth", &result}});
     for (const SilhouetteHits& hits : result.thresholds)
         CHECK(hits.score() <= result.thresholds[best].score());
     CHECK(result.thresholds[best].score() < result.umbrellas.score());

@@ -30,7 +30,7 @@ bool holds(std::span<const std::string_view> words, std::string_view word) {
 
 class Scan {
 public:
-    // With `points`, positions and colours go there, and nothing is handed on.
+    // With `points`, positions, normals and colours go there, and nothing is handed on.
     Scan(const SourceFile& file, const LongCall& call, PointSource* points = nullptr,
          BadPoints bad = BadPoints::refuse)
         : file_(file),
@@ -49,6 +49,8 @@ public:
             colors_.resize(vertices_.count, glm::vec3(0.0f));
             points_->colors = point_colors(colors_);
         }
+        if (points_ && normals_are_points_ && normals_.count == vertices_.count)
+            points_->normals = std::move(normal_values_);
         return std::move(result_);
     }
 
@@ -76,7 +78,7 @@ private:
         else if (keyword == "f")
             read_face();
         else if (keyword == "vn")
-            read_numbers(normals_, 3, 3);
+            read_normal();
         else if (keyword == "vt")
             read_numbers(textures_, 1, 3);
         else if (keyword == "l")
@@ -137,6 +139,16 @@ private:
         points_->positions.push_back(position);
     }
 
+    void read_normal() {
+        if (!points_) return read_numbers(normals_, 3, 3);
+        glm::vec3 normal;
+        for (int axis = 0; axis < 3; ++axis)
+            normal[axis] = static_cast<float>(scanner_.number(normals_.number));
+        scanner_.expect_end_of_line(normals_.number);
+        ++normals_.count;
+        normal_values_.push_back(normal);
+    }
+
     void read_numbers(Numbered& kind, int least, int most) {
         for (int i = 0; i < least; ++i) scanner_.skip_number(kind.number);
         for (int i = least; i < most; ++i) {
@@ -177,17 +189,23 @@ private:
     std::string_view read_reference(std::string_view token) {
         const std::array<Numbered*, 3> kinds{&vertices_, &textures_, &normals_};
         std::string_view rest = token;
+        std::int64_t vertex = 0;
         for (std::size_t part = 0; part < 3; ++part) {
             const std::size_t slash = rest.find('/');
             const std::string_view digits = rest.substr(0, slash);
-            if (part == 0 || !digits.empty()) check_index(*kinds[part], digits, token);
+            if (part == 0 || !digits.empty()) {
+                const std::int64_t number = check_index(*kinds[part], digits, token);
+                if (part == 0) vertex = number;
+                normals_are_points_ = normals_are_points_ && (part != 2 || number == vertex);
+            }
             if (slash == std::string_view::npos) return token.substr(0, token.find('/'));
             rest.remove_prefix(slash + 1);
         }
         scanner_.fail(excerpt(token) + " has more than three parts; a corner is v/vt/vn");
     }
 
-    void check_index(Numbered& kind, std::string_view digits, std::string_view token) {
+    // The number itself, from 1.
+    std::int64_t check_index(Numbered& kind, std::string_view digits, std::string_view token) {
         const auto index = parse_integer(digits);
         if (!index)
             scanner_.fail(excerpt(token) + " is not a corner; it should be v, v/vt or v/vt/vn");
@@ -199,6 +217,7 @@ private:
             kind.greatest_early = *index;
             kind.line_of_greatest = scanner_.line();
         }
+        return *index < 0 ? count + *index + 1 : *index;
     }
 
     [[noreturn]] void fail_index(std::int64_t index, const Numbered& kind,
@@ -222,7 +241,9 @@ private:
     BadPoints bad_;
     TextScanner scanner_;
     ObjScan result_;
-    std::vector<glm::vec3> colors_;  // As they are written; for points only.
+    std::vector<glm::vec3> colors_;  // As they are written; for points only, as normals.
+    std::vector<glm::vec3> normal_values_;
+    bool normals_are_points_ = true;  // Each corner with a normal names its vertex's number.
     Numbered vertices_{"the vertices", "a vertex's coordinate"};
     Numbered textures_{"the texture coordinates", "a texture coordinate"};
     Numbered normals_{"the normals", "a normal's component"};

@@ -104,6 +104,8 @@ private:
         if (positions.size() == k_max_file_vertices)
             throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 points");
         positions.push_back(position);
+        if (first_triple_ == 4)
+            records_.source.intensities.push_back(static_cast<float>(numbers_[3]));
         for (std::size_t t = 0; t < triples_.size(); ++t) {
             if (!triples_[t].can_be_used()) continue;
             const std::size_t c = first_triple_ + 3 * t;
@@ -113,7 +115,7 @@ private:
 
     void begin_columns() {
         columns_ = count_;
-        first_triple_ = columns_ % 3 == 1 ? 4 : 3;
+        first_triple_ = columns_ % 3 == 1 && columns_ <= 10 ? 4 : 3;
         if (columns_ % 3 != 2 && columns_ <= 10) triples_.resize((columns_ - first_triple_) / 3);
     }
 
