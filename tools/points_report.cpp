@@ -53,6 +53,7 @@ void print_object(const PointsReport& report) {
           {"feature", count(PointLabel::feature)},
           {"undecided", count(PointLabel::undecided)}}},
         {"reasons", std::move(reasons)},
+        {"inconsistent_edges", found.surface.inconsistent_edge_count()},
         {"silhouette_points", found.silhouette.size()},
         {"consensus_edge_count", found.consensus.size()},
         {"arcs", found.arcs},

@@ -85,7 +85,33 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
         ++counts_[static_cast<std::size_t>(labels_[point])];
         umbrella_begin_.push_back(static_cast<std::uint32_t>(gaps_.size()));
     }
+    count_inconsistent_edges();
     call.checkpoint(1.0);
+}
+
+void PointSurface::count_inconsistent_edges() {
+    const auto ends_of = [&](PointId point, std::vector<PointId>& ends) {
+        ends.clear();
+        const UmbrellaRange range = umbrellas_of(point);
+        for (std::uint32_t u = range.first; u < range.last; ++u) {
+            const Umbrella fan = umbrella(UmbrellaId{u});
+            for (std::size_t j = 0; j < fan.ring.size(); ++j)
+                if (fan.is_gap(j)) {
+                    ends.push_back(fan.ring[j]);
+                    ends.push_back(fan.ring[j + 1 == fan.ring.size() ? 0 : j + 1]);
+                }
+        }
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    };
+    std::vector<PointId> ends, back;
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        ends_of(PointId{i}, ends);
+        for (const PointId end : ends) {
+            ends_of(end, back);
+            inconsistent_edges_ += !std::binary_search(back.begin(), back.end(), PointId{i});
+        }
+    }
 }
 
 }  // namespace rimline

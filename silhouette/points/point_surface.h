@@ -102,6 +102,10 @@ public:
         return counts_[static_cast<std::size_t>(label)];
     }
 
+    /// How many boundary edges are not returned: a gap of one point's ends at another none of whose gaps
+    /// ends at the first. What the passes over boundaries (thesis 5.2.5) have left inconsistent.
+    std::uint32_t inconsistent_edge_count() const noexcept { return inconsistent_edges_; }
+
     /// Umbrellas are numbered point by point: those of a point are [first, last), the one that its normal
     /// comes from first. Undecided points have none, but for unconfirmed_border. Partial umbrellas of one
     /// point that end at the same ring points meet there, and turn the same way about the point.
@@ -131,6 +135,8 @@ public:
     double scale(PointId point) const noexcept { return scales_[index(point)]; }
 
 private:
+    void count_inconsistent_edges();
+
     std::vector<glm::dvec3> positions_;
     std::vector<PointLabel> labels_;
     std::vector<UndecidedReason> reasons_;
@@ -142,6 +148,7 @@ private:
     std::vector<glm::dvec3> normals_;
     std::vector<PointId> rings_;
     std::array<std::uint32_t, 4> counts_{};
+    std::uint32_t inconsistent_edges_ = 0;
 };
 
 }  // namespace rimline

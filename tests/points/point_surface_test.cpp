@@ -205,6 +205,36 @@ TEST_CASE("the thesis's passes find a sphere whole and a patch's border but for 
     CHECK(wrong <= 16);
 }
 
+TEST_CASE("inconsistent edges are the ends of gaps whose own gaps do not end there") {
+    for (const Method method : {Method::robust, Method::thesis}) {
+        PointSurfaceOptions options;
+        options.method = method;
+        const auto points = mixed_points();
+        const PointSurface surface(points, options);
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+        for (std::uint32_t i = 0; i < surface.size(); ++i) {
+            const auto range = surface.umbrellas_of(PointId{i});
+            for (std::uint32_t u = range.first; u < range.last; ++u) {
+                const Umbrella umbrella = surface.umbrella(UmbrellaId{u});
+                for (std::size_t j = 0; j < umbrella.ring.size(); ++j)
+                    if (umbrella.is_gap(j)) {
+                        edges.emplace_back(i, index(umbrella.ring[j]));
+                        edges.emplace_back(i, index(umbrella.ring[(j + 1) % umbrella.ring.size()]));
+                    }
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        std::uint32_t inconsistent = 0;
+        for (const auto& [from, to] : edges)
+            inconsistent +=
+                std::find(edges.begin(), edges.end(), std::pair(to, from)) == edges.end();
+        CHECK(surface.inconsistent_edge_count() == inconsistent);
+        if (method == Method::thesis) CHECK(inconsistent > 0);
+    }
+    CHECK(PointSurface(tests::make_patch(20, 0.1, 4).points).inconsistent_edge_count() == 0);
+}
+
 TEST_CASE("a surface scaled by a power of two keeps all but its scale") {
     const auto points = mixed_points();
     const PointSurface surface(points);
