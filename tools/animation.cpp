@@ -60,6 +60,7 @@ void Animation::place_camera(std::uint32_t frame) {
     camera.eye = point.is_direction()
                      ? first_camera_.target + motion_.distance * glm::normalize(place)
                      : place;
+    if (!motion_.ups.empty()) camera.up = motion_.ups[frame];
     camera.target = first_camera_.target;
     const glm::dvec3 away = camera.eye - camera.target;
     const double distance = glm::length(away);

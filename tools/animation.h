@@ -25,6 +25,7 @@ struct Motion {
     /// (w = 0) it looks from `distance` away.
     std::vector<HomogeneousPoint> eyes;
     double distance = 1.0;
+    std::vector<glm::dvec3> ups;  ///< What is up in each frame; empty: what is in the first.
     LightMotion lights = LightMotion::still;
     double light_step_degrees = 0.0;  ///< Of turning lights, a frame.
     /// Of the first instance, a wave, at rest before the first frame; and how many lengths it runs a frame.

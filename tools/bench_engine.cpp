@@ -33,12 +33,8 @@ constexpr double k_most_differing_pixels = 1e-4;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
-glm::dvec3 up_of(const Mesh& mesh) {
-    return mesh.up() == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-}
-
 Orbit orbit_around(const Mesh& mesh) {
-    return Orbit(mesh.center(), up_of(mesh), k_orbit_radii * mesh.radius());
+    return Orbit(mesh.center(), direction_of(mesh.up()), k_orbit_radii * mesh.radius());
 }
 
 // One frame of an orbit.
@@ -48,7 +44,7 @@ Scene scene_at(const HoughOctree& octree, std::uint32_t frame) {
     scene.instances.push_back({.octree = &octree});
     scene.camera = {.eye = orbit_around(mesh).position(radians(k_step_deg * frame)),
                     .target = mesh.center(),
-                    .up = up_of(mesh),
+                    .up = direction_of(mesh.up()),
                     .fov_y_deg = 65.0};
     scene.shadows = false;
     return scene;

@@ -78,7 +78,7 @@ public:
 private:
     static glm::dvec3 axis(const Mesh& mesh, std::uint32_t number, std::uint32_t count) {
         if (number > 0) return spread_direction(number, count);
-        return mesh.up() == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+        return direction_of(mesh.up());
     }
 
     glm::dvec3 center_;

@@ -161,7 +161,7 @@ std::vector<LightSet> measure_lights(const Mesh& mesh, const std::vector<glm::dv
         {.name = "over the viewer's shoulder"},
         {.name = "random, mean of " + std::to_string(options.random_lights)}};
     std::mt19937 random(options.seed);
-    const glm::dvec3 up = mesh.up() == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 up = direction_of(mesh.up());
     for (const glm::dvec3& eye : eyes) {
         context.checkpoint();
         const LitView view(mesh, eye);

@@ -22,7 +22,7 @@ LineProjection::LineProjection(const Mesh& mesh, const HomogeneousPoint& point)
     forward_ = is_perspective_ ? mesh.center() - eye_ : -glm::dvec3(point.xyz());
     // From the center itself every way is as good.
     forward_ = glm::length(forward_) > 0.0 ? glm::normalize(forward_) : glm::dvec3(0.0, 0.0, -1.0);
-    glm::dvec3 up = mesh.up() == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+    glm::dvec3 up = direction_of(mesh.up());
     if (glm::length(glm::cross(forward_, up)) < 1e-6)
         up = mesh.up() == UpAxis::z ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
     right_ = glm::normalize(glm::cross(forward_, up));

@@ -69,7 +69,7 @@ public:
                                context);
         about_model(model_.model, [&] {
             const ChosenViews chosen = choose_views(choice_, model_.model, mesh, drawn, 2, context);
-            const PlannedPath planned = plan_.plan(chosen, context);
+            const PlannedPath planned = plan_.plan(chosen, up_of(mesh, picture_), context);
             if (sequence) draw(*sequence, drawn, planned, context);
             if (context.json)
                 print_result(mesh, chosen, planned, drawn);
@@ -81,13 +81,13 @@ public:
 
 private:
     // Looks at the center from every place: so wide that all of the model is always seen.
-    double fitting_fov_deg(const Mesh& mesh, std::span<const glm::dvec3> eyes,
-                           const glm::dvec3& up) const {
+    double fitting_fov_deg(const Mesh& mesh, const PlannedPath& planned) const {
         const double aspect = double(picture_.size.width) / picture_.size.height;
         double tangent = 0.0;
-        for (const glm::dvec3& eye : eyes) {
+        for (std::size_t i = 0; i < planned.samples.size(); ++i) {
+            const glm::dvec3& eye = planned.samples[i];
             const glm::dmat3 axes =
-                camera_from_world({.eye = eye, .target = mesh.center(), .up = up});
+                camera_from_world({.eye = eye, .target = mesh.center(), .up = planned.ups[i]});
             for (const glm::vec3& position : mesh.positions()) {
                 const glm::dvec3 p = axes * (glm::dvec3(position) - eye);
                 tangent = std::max({tangent, std::abs(p.y) / -p.z, std::abs(p.x) / -p.z / aspect});
@@ -100,23 +100,23 @@ private:
     void draw(FrameSequence& sequence, const ViewDevice& drawn, const PlannedPath& planned,
               const Context& context) const {
         const Mesh& mesh = drawn.octree->mesh();
-        const glm::dvec3 up = up_of(mesh, picture_);
         const Camera camera{.eye = planned.samples[0],
                             .target = mesh.center(),
-                            .up = up,
-                            .fov_y_deg = fitting_fov_deg(mesh, planned.samples, up)};
+                            .up = planned.ups[0],
+                            .fov_y_deg = fitting_fov_deg(mesh, planned)};
         Scene first = style_.make_scene(camera, mesh, picture_);
         first.instances.push_back({.octree = &*drawn.octree,
                                    .name = model_.model,
                                    .material = style_.material(picture_)});
         std::optional<Ground> ground;
         if (style_.ground) {
-            ground.emplace(mesh, up, 0.0);
+            ground.emplace(mesh, up_of(mesh, picture_), 0.0);
             first.instances.push_back(ground->instance(first));
         }
         Motion motion;
         for (const glm::dvec3& sample : planned.samples)
             motion.eyes.push_back(HomogeneousPoint::viewpoint(glm::vec3(sample)));
+        motion.ups = planned.ups;
         motion.distance = glm::distance(camera.eye, camera.target);
         if (light_follow_) motion.lights = LightMotion::with_camera;
         Animation animation(std::move(first), mesh, std::move(motion));

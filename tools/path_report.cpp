@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "silhouette/field/steady_ups.h"
 #include "tools/option_types.h"
 #include "tools/progress.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 // Of the whole path, to see that it keeps its distance.
 constexpr int k_distance_samples = 20'000;
+constexpr std::uint32_t k_least_ups = 1440;
 
 using Json = nlohmann::ordered_json;
 
@@ -28,7 +30,8 @@ void PathPlan::add_to(CLI::App& app) {
         ->group("Path");
 }
 
-PlannedPath PathPlan::plan(const ChosenViews& chosen, const Context& context) const {
+PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
+                           const Context& context) const {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     Progress progress(context, "planning the path");
@@ -41,6 +44,14 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const Context& context) co
     CameraPath path(center, places);
     std::vector<glm::dvec3> samples;
     for (std::uint32_t i = 0; i < frames; ++i) samples.push_back(path.position(double(i) / frames));
+    // The same cameras whatever the number of frames: eyes are close enough in any case.
+    const std::uint32_t each = (k_least_ups + frames - 1) / frames;
+    std::vector<glm::dvec3> eyes;
+    for (std::uint32_t i = 0; i < frames * each; ++i)
+        eyes.push_back(path.position(double(i) / (frames * each)));
+    const std::vector<glm::dvec3> all_ups = steady_ups(eyes, center, up);
+    std::vector<glm::dvec3> ups;
+    for (std::uint32_t i = 0; i < frames; ++i) ups.push_back(all_ups[i * each]);
     std::vector<glm::dvec3> points;
     for (const glm::dvec3& sample : samples)
         points.push_back(chosen.field.frame().from_model(sample));
@@ -53,6 +64,7 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const Context& context) co
     return {.nodes = std::move(nodes),
             .path = std::move(path),
             .samples = std::move(samples),
+            .ups = std::move(ups),
             .sample_votes = std::move(sample_votes),
             .min_distance = min_distance,
             .ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count()};
@@ -66,13 +78,15 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
         node_views.push_back(node.view ? Json(*node.view) : Json());
         node_votes.push_back(node.votes);
     }
-    Json samples = Json::array();
+    Json samples = Json::array(), ups = Json::array();
     for (const glm::dvec3& sample : planned.samples) samples.push_back(list(sample));
+    for (const glm::dvec3& up : planned.ups) ups.push_back(list(up));
     return {{"model", model},
             {"nodes", std::move(nodes)},
             {"node_views", std::move(node_views)},
             {"node_votes", std::move(node_votes)},
             {"samples", std::move(samples)},
+            {"ups", std::move(ups)},
             {"sample_votes", planned.sample_votes},
             {"min_distance", planned.min_distance},
             {"length", planned.path.length()},

@@ -20,6 +20,7 @@ struct PlannedPath {
     std::vector<TourNode> nodes;
     CameraPath path;
     std::vector<glm::dvec3> samples;  ///< At the same distance along the path, the first at a view.
+    std::vector<glm::dvec3> ups;      ///< Of a camera at each sample (steady_ups.h).
     std::vector<double> sample_votes;  ///< Of the first field.
     double min_distance;  ///< From the mesh's center, of all the path as densely sampled.
     double ms;            ///< Nodes and path, without choosing views.
@@ -30,10 +31,10 @@ struct PathPlan {
 
     void add_to(CLI::App& app);
     /// Of two views or more.
-    PlannedPath plan(const ChosenViews& chosen, const Context& context) const;
+    PlannedPath plan(const ChosenViews& chosen, const glm::dvec3& up, const Context& context) const;
 };
 
-/// `nodes samples min_distance ms` and what belongs to them.
+/// `nodes samples ups min_distance ms` and what belongs to them.
 nlohmann::ordered_json path_json(const std::string& model, const Mesh& mesh,
                                  const ChosenViews& chosen, const PlannedPath& planned);
 void print_path(const std::string& title, const ChosenViews& chosen, const PlannedPath& planned);

@@ -34,7 +34,7 @@ glm::vec3 srgb_from_linear(const glm::vec3& linear) {
 
 glm::dvec3 up_of(const Subject& subject, const PictureOptions& options) {
     if (options.up) return glm::dvec3(*options.up);
-    return subject.up == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+    return direction_of(subject.up);
 }
 
 Camera make_camera(const Subject& subject, const std::string& model,

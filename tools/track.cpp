@@ -150,7 +150,7 @@ public:
         path_.refuse(up_option_, "orbit");
         path_.read(context);  // A bad file is known before a long load.
         const Mesh mesh = model_.load_mesh(context);
-        const glm::vec3 own_up = mesh.up() == UpAxis::z ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+        const glm::vec3 own_up = glm::vec3(direction_of(mesh.up()));
         const std::vector<HomogeneousPoint> points =
             path_.points(mesh, up_.value_or(own_up), k_orbit_radius);
 

@@ -57,7 +57,7 @@ public:
         const Mesh mesh = model_.load_mesh(context);
         about_model(model_.model, [&] {
             const ChosenViews chosen = choice_.choose(model_.model, mesh, {}, 2, context);
-            const PlannedPath planned = plan_.plan(chosen, context);
+            const PlannedPath planned = plan_.plan(chosen, direction_of(mesh.up()), context);
             if (context.json)
                 print_json(path_json(model_.model, mesh, chosen, planned));
             else

@@ -11,6 +11,11 @@ namespace rimline {
 
 enum class UpAxis : std::uint8_t { y, z };
 
+/// Of length 1.
+inline glm::dvec3 direction_of(UpAxis up) noexcept {
+    return up == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+}
+
 struct MeshSource {
     /// In the file's own numbering, unused ones included. Each coordinate finite and within
     /// k_max_coordinate.

@@ -1068,6 +1068,9 @@ def test_a_path_passes_its_views_and_keeps_its_distance():
     for node, view in zip(result["nodes"], result["node_views"]):
         assert view is None or node == result["views"][view]["eye"]
     assert result["samples"][0] == result["nodes"][0]
+    for sample, up in zip(result["samples"], result["ups"]):
+        back = [s - c for s, c in zip(sample, result["center"])]
+        assert abs(math.dist(up, (0, 0, 0)) - 1) < 1e-9 and abs(sum(u * b for u, b in zip(up, back))) < 1e-9
     assert result["min_distance"] >= (3 ** 0.5 - 1e-9) * result["radius"]
     steps = [math.dist(a, b) for a, b in zip(result["samples"], result["samples"][1:] + result["samples"][:1])]
     assert max(steps) <= 1.01 * result["length"] / 24
