@@ -44,6 +44,17 @@ struct LongCall {
         if (stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
         if (progress) progress(done);
     }
+
+    /// The part of this call from one share of its progress to another, as a call of its own. This
+    /// one must outlive it.
+    LongCall part(double begin, double end) const {
+        LongCall made{stop, {}};
+        if (progress)
+            made.progress = [this, begin, end](double done) {
+                progress(begin + (end - begin) * done);
+            };
+        return made;
+    }
 };
 
 [[noreturn]] void check_failed(const char* condition, const char* file, int line) noexcept;

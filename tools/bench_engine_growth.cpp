@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t k_side_px = 1024;
-constexpr std::uint32_t k_warm_up_frames = 2;
+constexpr std::uint32_t k_frames_before = 2;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -66,9 +66,9 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
     Samples streamed, computed;
     std::vector<double> moves_ms;
     std::vector<std::vector<double>> frames_ms(renderers.size());
-    for (std::uint32_t frame = 1; frame <= frames + k_warm_up_frames; ++frame) {
+    for (std::uint32_t frame = 1; frame <= frames + k_frames_before; ++frame) {
         context.checkpoint();
-        const bool counts = frame > k_warm_up_frames;
+        const bool counts = frame > k_frames_before;
         const HomogeneousPoint point = orbit.viewpoint(angle(frame));
         const Clock::time_point start = Clock::now();
         const ChangeSet& changes = tracker.move_to(point);

@@ -22,15 +22,15 @@ struct Face {
     glm::dvec3 middle{0.0};  // From the point into them.
 };
 
-struct Triangle {
+struct PieceTriangle {
     glm::dvec3 normal;  // Of length 1.
     glm::dvec3 middle;
     double angle;  // At the point.
 };
 
-std::vector<Triangle> triangles_of(const PointSurface& surface, PointId point) {
+std::vector<PieceTriangle> triangles_of(const PointSurface& surface, PointId point) {
     const std::span<const glm::dvec3> positions = surface.positions();
-    std::vector<Triangle> triangles;
+    std::vector<PieceTriangle> triangles;
     for_each_triangle(surface, point, [&](PointId from, PointId to, UmbrellaId) {
         const auto direction = [&](PointId q) {
             return glm::normalize(positions[index(q)] - positions[index(point)]);
@@ -45,11 +45,11 @@ std::vector<Triangle> triangles_of(const PointSurface& surface, PointId point) {
 
 // The triangles gathered by their normals, each face's of length 1.
 std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
-    const std::vector<Triangle> triangles = triangles_of(surface, point);
+    const std::vector<PieceTriangle> triangles = triangles_of(surface, point);
     if (triangles.empty()) return {};
     // Each seed is the triangle farthest from all before it.
     std::vector<glm::dvec3> seeds{triangles[0].normal};
-    const auto nearest_seed = [&](const Triangle& triangle) {
+    const auto nearest_seed = [&](const PieceTriangle& triangle) {
         std::size_t nearest = 0;
         for (std::size_t s = 1; s < seeds.size(); ++s)
             if (glm::dot(triangle.normal, seeds[s]) > glm::dot(triangle.normal, seeds[nearest]))
@@ -57,9 +57,9 @@ std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
         return nearest;
     };
     while (seeds.size() < k_most_faces) {
-        const Triangle* farthest = nullptr;
+        const PieceTriangle* farthest = nullptr;
         double least = k_flat_cosine;
-        for (const Triangle& triangle : triangles) {
+        for (const PieceTriangle& triangle : triangles) {
             const double cosine = glm::dot(triangle.normal, seeds[nearest_seed(triangle)]);
             if (cosine >= least) continue;
             least = cosine;
@@ -69,7 +69,7 @@ std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
         seeds.push_back(farthest->normal);
     }
     std::vector<Face> faces(seeds.size());
-    for (const Triangle& triangle : triangles) {
+    for (const PieceTriangle& triangle : triangles) {
         Face& face = faces[nearest_seed(triangle)];
         face.normal += triangle.angle * triangle.normal;
         face.middle += triangle.angle * triangle.middle;

@@ -10,7 +10,7 @@ namespace rimline::tools {
 namespace {
 
 template <typename Value>
-void append(std::string& bytes, Value value) {
+void append_raw(std::string& bytes, Value value) {
     auto raw = std::bit_cast<std::array<char, sizeof(Value)>>(value);
     if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
     bytes.append(raw.data(), raw.size());
@@ -50,19 +50,19 @@ std::string format_labels(const LabeledPoints& points) {
     bytes.reserve(bytes.size() + std::size_t{50} * cloud.size());
     for (std::uint32_t i = 0; i < cloud.size(); ++i) {
         const PointId point{i};
-        for (int axis = 0; axis < 3; ++axis) append(bytes, cloud.positions()[i][axis]);
+        for (int axis = 0; axis < 3; ++axis) append_raw(bytes, cloud.positions()[i][axis]);
         const glm::dvec3 normal = oriented_normal(cloud, surface, point);
-        for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(normal[axis]));
+        for (int axis = 0; axis < 3; ++axis) append_raw(bytes, static_cast<float>(normal[axis]));
         const PointLabel label = surface.label(point);
         const PointColor color = cloud.colors().empty() ? label_color(label) : cloud.colors()[i];
-        for (const std::uint8_t channel : color) append(bytes, channel);
-        append(bytes, static_cast<std::uint8_t>(label));
-        append(bytes, static_cast<std::uint8_t>(surface.reason(point)));
-        append(bytes, points.weights[i]);
-        append(bytes,
-               static_cast<std::uint8_t>(std::ranges::binary_search(points.silhouette, point)));
-        append(bytes, cloud.file_point(i));
-        if (!cloud.intensities().empty()) append(bytes, cloud.intensities()[i]);
+        for (const std::uint8_t channel : color) append_raw(bytes, channel);
+        append_raw(bytes, static_cast<std::uint8_t>(label));
+        append_raw(bytes, static_cast<std::uint8_t>(surface.reason(point)));
+        append_raw(bytes, points.weights[i]);
+        append_raw(bytes,
+                   static_cast<std::uint8_t>(std::ranges::binary_search(points.silhouette, point)));
+        append_raw(bytes, cloud.file_point(i));
+        if (!cloud.intensities().empty()) append_raw(bytes, cloud.intensities()[i]);
     }
     return bytes;
 }

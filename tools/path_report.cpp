@@ -20,7 +20,7 @@ constexpr std::uint32_t k_least_ups = 1440;
 
 using Json = nlohmann::ordered_json;
 
-Json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+Json json_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
@@ -74,13 +74,13 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
                const PlannedPath& planned) {
     Json nodes = Json::array(), node_views = Json::array(), node_votes = Json::array();
     for (const TourNode& node : planned.nodes) {
-        nodes.push_back(list(node.place));
+        nodes.push_back(json_of(node.place));
         node_views.push_back(node.view ? Json(*node.view) : Json());
         node_votes.push_back(node.votes);
     }
     Json samples = Json::array(), ups = Json::array();
-    for (const glm::dvec3& sample : planned.samples) samples.push_back(list(sample));
-    for (const glm::dvec3& up : planned.ups) ups.push_back(list(up));
+    for (const glm::dvec3& sample : planned.samples) samples.push_back(json_of(sample));
+    for (const glm::dvec3& up : planned.ups) ups.push_back(json_of(up));
     return {{"model", model},
             {"nodes", std::move(nodes)},
             {"node_views", std::move(node_views)},
@@ -92,7 +92,7 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
             {"length", planned.path.length()},
             {"views", to_json(chosen)},
             {"asked", chosen.asked},
-            {"center", list(mesh.center())},
+            {"center", json_of(mesh.center())},
             {"radius", mesh.radius()},
             {"inside_out", chosen.is_inside_out},
             {"views_ms", chosen.ms},

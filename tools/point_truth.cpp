@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "silhouette/mesh/angle_between.h"
+
 namespace rimline::tools {
 
 namespace {
@@ -15,10 +17,6 @@ constexpr double k_spacings = 3.0;
 constexpr double k_least_opening_rad = 100.0 * k_degree;
 constexpr double k_clear_of_faces_rad = 30.0 * k_degree;
 constexpr double k_greatest_turn_rad = 60.0 * k_degree;
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 glm::dvec3 direction_of(const glm::dvec3& v) {
     const double length = glm::length(v);

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "silhouette/error.h"
+#include "silhouette/mesh/angle_between.h"
 
 namespace rimline {
 
@@ -15,10 +16,6 @@ namespace {
 // Of a leg, for its length. Within a step the curve's own parameter is taken as even: the speed errs by
 // less than 1% on legs of 170 degrees, and by less the shorter they are.
 constexpr std::size_t k_steps = 2048;
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 // At the direction `from`, along the sphere towards `to`.
 glm::dvec3 tangent_towards(const glm::dvec3& from, const glm::dvec3& to) {

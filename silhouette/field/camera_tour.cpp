@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "silhouette/field/best_views.h"
+#include "silhouette/mesh/angle_between.h"
 
 namespace rimline {
 
@@ -30,10 +31,6 @@ struct Between {
     glm::dvec3 point;
     double votes;
 };
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 // The best of the places so many radians from a direction, in the middle of the shell.
 glm::dvec3 best_on_circle(const TangentialField& field, const glm::dvec3& axis, double angle_rad) {

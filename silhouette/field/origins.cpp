@@ -18,12 +18,6 @@ namespace {
 constexpr SearchDomain k_ball{0.0, 3.0};
 constexpr double k_edge_work = 2.0;
 
-// The part of a long call from one share to another.
-LongCall part_of(const LongCall& call, double from, double to) {
-    return {call.stop,
-            [&call, from, to](double done) { call.checkpoint(from + done * (to - from)); }};
-}
-
 }  // namespace
 
 FoundOrigins find_origins(const Mesh& mesh, std::uint32_t count, const OriginOptions& options,
@@ -40,7 +34,7 @@ FoundOrigins find_origins(const Mesh& mesh, std::uint32_t count, const OriginOpt
     interest.count = count;
     interest.tolerance = options.tolerance;
     const PointsOfInterest found =
-        find_points_of_interest(field, k_ball, interest, part_of(call, 0.1, 1.0));
+        find_points_of_interest(field, k_ball, interest, call.part(0.1, 1.0));
     FoundOrigins result;
     for (const PointOfInterest& point : found.points) {
         result.origins.push_back(planes.frame().to_model(point.point));
@@ -58,7 +52,7 @@ OriginTrial try_origins(const Mesh& mesh, std::vector<glm::dvec3> origins, std::
     RIMLINE_CHECK(viewpoints >= 1);
     OriginTrial trial;
     trial.count = static_cast<std::uint32_t>(origins.size());
-    const HoughOctree octree(mesh, {std::move(origins)}, part_of(call, 0.0, 0.5));
+    const HoughOctree octree(mesh, {std::move(origins)}, call.part(0.0, 0.5));
     trial.statistics = octree.statistics();
     const std::vector<HomogeneousPoint> points = spread_viewpoints(mesh, viewpoints);
     const LongCall silent{call.stop, {}};
@@ -86,14 +80,14 @@ ChosenOrigins choose_origins(const Mesh& mesh, std::uint32_t most, std::uint32_t
                              const OriginOptions& options, const LongCall& call) {
     RIMLINE_CHECK(most >= 1);
     ChosenOrigins chosen;
-    chosen.found = find_origins(mesh, most, options, part_of(call, 0.0, 0.5));
+    chosen.found = find_origins(mesh, most, options, call.part(0.0, 0.5));
     const auto& origins = chosen.found.origins;
     for (std::size_t k = 0; k <= origins.size(); ++k) {
         const double share = 0.5 / static_cast<double>(origins.size() + 1);
         const double begin = 0.5 + share * static_cast<double>(k);
         chosen.trials.push_back(
             try_origins(mesh, {origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(k)},
-                        viewpoints, part_of(call, begin, begin + share)));
+                        viewpoints, call.part(begin, begin + share)));
         if (chosen.trials.back().work < chosen.trials[chosen.best].work)
             chosen.best = static_cast<std::uint32_t>(k);
     }

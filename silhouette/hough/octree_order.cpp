@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t k_bits = 16;
 constexpr std::uint32_t k_code_bits = 3 * k_bits + 8;  // With a size.
 constexpr std::uint32_t k_most_cubes = 4;              // Within each other.
-constexpr std::size_t k_grain = 4096;
+constexpr std::size_t k_faces_a_task = 4096;
 
 struct CodedPoint {
     std::uint64_t code;
@@ -118,7 +118,7 @@ using Points = std::span<const glm::dvec3>;
 
 Cube bounding_cube(Points points, std::span<const CodedPoint> range) {
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, range.size(), k_grain), Cube{},
+        tbb::blocked_range<std::size_t>(0, range.size(), k_faces_a_task), Cube{},
         [&](const tbb::blocked_range<std::size_t>& part, Cube cube) {
             for (std::size_t i = part.begin(); i < part.end(); ++i)
                 cube.include({points[range[i].point], points[range[i].point]});
@@ -141,7 +141,7 @@ void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
         return static_cast<std::uint32_t>(std::min(part * k_cells, k_cells - 1.0));
     };
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, range.size(), k_grain),
+        tbb::blocked_range<std::size_t>(0, range.size(), k_faces_a_task),
         [&](const tbb::blocked_range<std::size_t>& part) {
             std::array<BatchAxis, 3> x{};
             std::array<std::uint64_t, k_batch> codes;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "silhouette/error.h"
+#include "silhouette/mesh/angle_between.h"
 
 namespace rimline {
 
@@ -122,11 +123,6 @@ CornerGroups group_corners(const Mesh& mesh, std::span<const glm::vec3> normals,
             groups.join(corner_at(mesh, faces[0], vertex), corner_at(mesh, faces[1], vertex));
     }
     return groups;
-}
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 c = glm::cross(a, b);
-    return std::atan2(std::sqrt(glm::dot(c, c)), glm::dot(a, b));
 }
 
 }  // namespace

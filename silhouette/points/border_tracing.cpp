@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -18,10 +19,9 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180.0;
 constexpr double k_weak_excess = 2.0;
-constexpr double k_least_apart = 70.0 * k_degree;
-constexpr double k_ear = 130.0 * k_degree;
+constexpr double k_least_apart = glm::radians(70.0);
+constexpr double k_ear = glm::radians(130.0);
 constexpr double k_most_bend = 5.5;
 constexpr int k_most_rounds = 6;
 constexpr std::size_t k_least_points = 5;

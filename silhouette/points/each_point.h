@@ -18,16 +18,6 @@ struct CallPart {
     double begin = 0.0, end = 1.0;
 };
 
-/// The same as a call of its own. `call` must outlive it.
-inline LongCall part_of(const LongCall& call, double begin, double end) {
-    LongCall part{call.stop, {}};
-    if (call.progress)
-        part.progress = [&call, begin, end](double done) {
-            call.progress(begin + (end - begin) * done);
-        };
-    return part;
-}
-
 /// body(first, last) for runs of points that together are [0, count).
 template <typename Body>
 void each_point(std::uint32_t count, const CallPart& part, Body&& body) {

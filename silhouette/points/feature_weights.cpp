@@ -34,7 +34,7 @@ glm::dvec3 nearest_normal(const PointSurface& surface, PointId point, const glm:
     return nearest;
 }
 
-struct Triangle {
+struct RingTriangle {
     std::array<PointId, 2> corners;  // Beside the point itself.
     UmbrellaId umbrella;
     PointId corner(bool second) const { return corners[second ? 1 : 0]; }
@@ -53,8 +53,8 @@ public:
         // Two triangles that share a corner lie on either side of an edge.
         for (std::size_t i = 0; i < triangles_.size(); ++i)
             for (std::size_t k = i + 1; k < triangles_.size(); ++k) {
-                const Triangle& a = triangles_[i];
-                const Triangle& b = triangles_[k];
+                const RingTriangle& a = triangles_[i];
+                const RingTriangle& b = triangles_[k];
                 for (const bool a_ends : {false, true})
                     for (const bool b_ends : {false, true})
                         if (a.corner(a_ends) == b.corner(b_ends))
@@ -65,15 +65,15 @@ public:
     }
 
 private:
-    double angle(const Triangle& a, PointId r, const Triangle& b, PointId s) const {
-        const auto normal = [&](const Triangle& triangle, PointId point) {
+    double angle(const RingTriangle& a, PointId r, const RingTriangle& b, PointId s) const {
+        const auto normal = [&](const RingTriangle& triangle, PointId point) {
             return nearest_normal(surface_, point, surface_.umbrella(triangle.umbrella).normal);
         };
         return r == s ? 0.0 : angle_between_lines(normal(a, r), normal(b, s));
     }
 
     const PointSurface& surface_;
-    std::vector<Triangle> triangles_;
+    std::vector<RingTriangle> triangles_;
 };
 
 }  // namespace

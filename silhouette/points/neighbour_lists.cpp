@@ -14,7 +14,7 @@ namespace rimline {
 namespace {
 
 // As nanoflann reads points.
-struct PointSource {
+struct TreePoints {
     std::span<const glm::dvec3> points;
     std::size_t kdtree_get_point_count() const { return points.size(); }
     double kdtree_get_pt(std::size_t i, std::size_t axis) const {
@@ -27,7 +27,7 @@ struct PointSource {
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, PointSource, double, std::uint32_t>, PointSource, 3,
+    nanoflann::L2_Simple_Adaptor<double, TreePoints, double, std::uint32_t>, TreePoints, 3,
     std::uint32_t>;
 
 struct Near {
@@ -82,7 +82,7 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
     is_mutual_.assign(count, 0);
     if (k_ == 0) return;
 
-    const PointSource source{points};
+    const TreePoints source{points};
     const Tree tree(3, source, nanoflann::KDTreeSingleIndexAdaptorParams(12));
     std::vector<std::uint32_t> nearest(std::size_t{count} * k_);
     std::vector<Near> farthest(count);

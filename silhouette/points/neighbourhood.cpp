@@ -10,9 +10,6 @@ namespace rimline {
 
 namespace {
 
-// Of angles and turns: what is nearer to nought counts as nought, so that lattices fall one way.
-constexpr double k_tie = 1e-9;
-
 glm::dvec3 any_perpendicular(const glm::dvec3& n) {
     return glm::normalize(
         glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));

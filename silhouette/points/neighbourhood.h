@@ -17,6 +17,9 @@
 
 namespace rimline {
 
+/// Of angles and turns: what is nearer counts as equal, so that lattices fall one way.
+inline constexpr double k_tie = 1e-9;
+
 class Neighbourhood {
 public:
     /// Both must outlive it. list: NeighbourLists::of(point).

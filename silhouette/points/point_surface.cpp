@@ -50,11 +50,10 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
         throw Error(ErrorCode::too_large, "2^31 points or more");
     call.checkpoint(0.0);
     const OrderedPoints ordered = order_points(positions);
-    const NeighbourLists neighbours(ordered.positions, options.k, part_of(call, 0.1, 0.5));
+    const NeighbourLists neighbours(ordered.positions, options.k, call.part(0.1, 0.5));
     const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas
                                                                             : find_robust_umbrellas;
-    const FoundUmbrellas found =
-        find(ordered.positions, neighbours, options, part_of(call, 0.5, 0.95));
+    const FoundUmbrellas found = find(ordered.positions, neighbours, options, call.part(0.5, 0.95));
     std::vector<std::uint32_t> place(positions.size(), k_not_ordered);
     for (std::uint32_t i = 0; i < ordered.numbers.size(); ++i) place[ordered.numbers[i]] = i;
     labels_.assign(size(), PointLabel::undecided);

@@ -11,9 +11,9 @@ namespace rimline {
 FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
                                      const NeighbourLists& neighbours,
                                      const PointSurfaceOptions& options, const LongCall& call) {
-    Stars stars = choose_stars(points, neighbours, options.gap_ratio, part_of(call, 0.0, 0.7));
+    Stars stars = choose_stars(points, neighbours, options.gap_ratio, call.part(0.0, 0.7));
     const std::vector<OpenPoint> open_points =
-        trace_borders(points, neighbours, stars, options.gap_ratio, part_of(call, 0.7, 1.0));
+        trace_borders(points, neighbours, stars, options.gap_ratio, call.part(0.7, 1.0));
 
     FoundUmbrellas found{
         std::move(stars.fans),    std::move(stars.normals),

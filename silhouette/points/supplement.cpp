@@ -12,11 +12,10 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180.0;
-constexpr double k_greatest_deviation = 60.0 * k_degree;
+constexpr double k_greatest_turn = std::numbers::pi / 3.0;
 constexpr double k_explained = 0.2588;       // The sine of 15 degrees.
 constexpr double k_cosine_of_fold = 0.9397;  // 20 degrees.
-constexpr double k_cosine_of_same = 0.985;   // 10 degrees: too near to a plane that was tried.
+constexpr double k_cosine_of_tried = 0.985;  // 10 degrees: too near to a plane that was tried.
 constexpr std::size_t k_most_tried = 16;
 // Of candidates with the plane: 50 degrees, and 25 for edges so sharp that the first side is nearer.
 constexpr double k_sines[] = {0.766, 0.4226};
@@ -67,7 +66,7 @@ Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan&
         if (plane == glm::dvec3(0.0)) continue;
         const auto end = tried.begin() + static_cast<std::ptrdiff_t>(count);
         if (std::any_of(tried.begin(), end, [&](const glm::dvec3& other) {
-                return std::abs(glm::dot(other, plane)) > k_cosine_of_same;
+                return std::abs(glm::dot(other, plane)) > k_cosine_of_tried;
             }))
             continue;
         tried[count++] = plane;
@@ -79,7 +78,7 @@ Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan&
                     std::max({stars.scales[point], stars.scales[around.number(other.ring[j])],
                               stars.scales[around.number(other.ring[other.next(j)])]});
                 if (around.circumradius(other, j) > gap_ratio * scale ||
-                    around.deviation(other, j, plane) > k_greatest_deviation)
+                    around.deviation(other, j, plane) > k_greatest_turn)
                     other.open(j);
             }
             merge_gaps(other);

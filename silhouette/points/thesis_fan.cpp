@@ -6,17 +6,13 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "silhouette/mesh/angle_between.h"
+
 namespace rimline {
 
 namespace {
 
-// What is nearer counts as equal, so that lattices fall one way.
-constexpr double k_tie = 1e-9;
 constexpr double k_same_direction = 1e-4;
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 class FanBuilder {
 public:

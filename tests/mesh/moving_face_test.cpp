@@ -14,12 +14,12 @@ namespace {
 
 using Corners = std::array<glm::vec3, 3>;
 
-glm::vec3 scaled(glm::vec3 v, int exponent) {
+glm::vec3 times_power_of_two(glm::vec3 v, int exponent) {
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
-Corners scaled(const Corners& corners, int exponent) {
-    return {scaled(corners[0], exponent), scaled(corners[1], exponent),
-            scaled(corners[2], exponent)};
+Corners times_power_of_two(const Corners& corners, int exponent) {
+    return {times_power_of_two(corners[0], exponent), times_power_of_two(corners[1], exponent),
+            times_power_of_two(corners[2], exponent)};
 }
 
 glm::vec3 grid_point(tests::Random& random, int reach) {
@@ -54,10 +54,10 @@ TEST_CASE("from corners on a grid the bit is the exact sign, on the plane and at
         fronts += front;
         in_plane += exact == 0.0;
         for (const int exponent : {-50, 54}) {
-            const glm::vec3 far = scaled(p, point.is_direction() ? 0 : exponent);
+            const glm::vec3 far = times_power_of_two(p, point.is_direction() ? 0 : exponent);
             const HomogeneousPoint there = point.is_direction() ? HomogeneousPoint::direction(far)
                                                                 : HomogeneousPoint::viewpoint(far);
-            REQUIRE(is_front(scaled(corners, exponent), there) == front);
+            REQUIRE(is_front(times_power_of_two(corners, exponent), there) == front);
         }
     }
     CHECK(fronts > 80'000);
@@ -114,7 +114,7 @@ TEST_CASE("corners at the ends of the range give one side or the other, never bo
         const auto corner = [&] {
             const int exponent = random.between(-149, 59);
             return random.below(4) == 0 ? glm::vec3(k, -k, random.below(2) ? k : 0.0f)
-                                        : scaled(random.in_cube(), exponent);
+                                        : times_power_of_two(random.in_cube(), exponent);
         };
         const Corners corners{corner(), corner(), corner()};
         const HomogeneousPoint point = HomogeneousPoint::viewpoint(corner());

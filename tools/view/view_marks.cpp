@@ -17,7 +17,7 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr ImU32 k_ink = IM_COL32(30, 34, 46, 255);
+constexpr ImU32 k_mark_ink = IM_COL32(30, 34, 46, 255);
 constexpr ImU32 k_halo = IM_COL32(255, 253, 248, 210);
 constexpr ImU32 k_flame = IM_COL32(242, 158, 38, 255);
 constexpr ImU32 k_chosen = IM_COL32(206, 74, 24, 255);
@@ -37,19 +37,19 @@ void draw_sun(ImDrawList& list, const glm::dvec2& at, bool chosen) {
     for (int i = 0; i < k_rays; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / k_rays;
         const glm::dvec2 way(std::cos(angle), std::sin(angle));
-        stroke(list, at + 9.5 * way, at + 13.5 * way, k_ink, 1.8f);
+        stroke(list, at + 9.5 * way, at + 13.5 * way, k_mark_ink, 1.8f);
     }
     list.AddCircleFilled(vec(at), 8.5f, k_halo);
     list.AddCircleFilled(vec(at), 6.5f, fill);
-    list.AddCircle(vec(at), 6.5f, k_ink, 0, 1.5f);
+    list.AddCircle(vec(at), 6.5f, k_mark_ink, 0, 1.5f);
 }
 
 void draw_lamp(ImDrawList& list, const glm::dvec2& at, bool chosen) {
     list.AddCircleFilled(vec(at), 9.5f, k_halo);
     list.AddCircleFilled(vec(at), 7.0f, chosen ? k_chosen : k_flame);
-    list.AddCircle(vec(at), 7.0f, k_ink, 0, 1.5f);
-    stroke(list, at + glm::dvec2(-3.5, 10.5), at + glm::dvec2(3.5, 10.5), k_ink, 1.8f);
-    stroke(list, at + glm::dvec2(-2.0, 13.5), at + glm::dvec2(2.0, 13.5), k_ink, 1.8f);
+    list.AddCircle(vec(at), 7.0f, k_mark_ink, 0, 1.5f);
+    stroke(list, at + glm::dvec2(-3.5, 10.5), at + glm::dvec2(3.5, 10.5), k_mark_ink, 1.8f);
+    stroke(list, at + glm::dvec2(-2.0, 13.5), at + glm::dvec2(2.0, 13.5), k_mark_ink, 1.8f);
 }
 
 void draw_lights(ImDrawList& list, const ViewSession& session, const ScreenView& view,
@@ -65,7 +65,7 @@ void draw_lights(ImDrawList& list, const ViewSession& session, const ScreenView&
             const glm::dvec3 inwards = glm::normalize(bounds.center - handle);
             const auto tip = view.pixel_of(handle + 0.3 * bounds.radius * inwards);
             if (tip && glm::distance(*tip, *at) > 18.0)
-                stroke(list, *at + 16.0 * glm::normalize(*tip - *at), *tip, k_ink, 1.5f);
+                stroke(list, *at + 16.0 * glm::normalize(*tip - *at), *tip, k_mark_ink, 1.5f);
             draw_sun(list, *at, chosen == i);
         } else {
             draw_lamp(list, *at, chosen == i);

@@ -14,9 +14,9 @@ std::uint8_t root_faces_of_child(std::uint8_t parents, std::uint32_t octant) {
     return parents & kept;
 }
 
-class Builder {
+class CellBuilder {
 public:
-    Builder(const PointOctree& octree, const ActiveSetCandidates& candidates, double error)
+    CellBuilder(const PointOctree& octree, const ActiveSetCandidates& candidates, double error)
         : octree_(octree), candidates_(candidates), error_(error) {}
 
     std::uint32_t add(std::uint32_t node, std::uint32_t depth, const Octant& octant,
@@ -60,7 +60,7 @@ private:
 
 SearchCells build_search_cells(const PointOctree& octree, const ActiveSetCandidates& candidates,
                                double error) {
-    Builder builder(octree, candidates, error);
+    CellBuilder builder(octree, candidates, error);
     if (!octree.nodes.empty()) builder.add(0, 0, octree.root, k_all_root_faces);
     builder.result.neighbours = build_neighbour_graph(builder.result.cells);
     return std::move(builder.result);

@@ -11,11 +11,6 @@ namespace rimline {
 
 namespace {
 
-struct Posted {
-    HomogeneousPoint point{};
-    PublishedChange::Clock::time_point time{};
-};
-
 std::uint32_t worker_count(std::uint32_t asked) noexcept {
     if (asked > 0) return asked;
     const std::uint32_t at_once = std::thread::hardware_concurrency();  // 0 when unknown.
@@ -39,6 +34,11 @@ constexpr std::uint32_t index_of(TrackerId id) noexcept { return static_cast<std
 // `owner` is written under both and read under either. `posting` and the outbox's lock are taken
 // inside `moving`, never the other way round. On cache lines of its own, for the poster's sake.
 struct alignas(64) SilhouetteService::Slot : ReadyQueue::Node {
+    struct Posted {
+        HomogeneousPoint point{};
+        PublishedChange::Clock::time_point time{};
+    };
+
     explicit Slot(std::uint32_t max_pending) : outbox(max_pending) {}
 
     std::mutex posting;
@@ -105,7 +105,7 @@ bool SilhouetteService::remove(TrackerId id) {
             place.owner = k_no_tracker;
             // Its memory takes a while to free; nobody should wait for that.
             place.tracker.swap(tracker);
-            Posted dropped;
+            Slot::Posted dropped;
             place.latest.take(dropped);  // The next tracker does not go there.
             place.outbox.close();
         }
@@ -121,7 +121,7 @@ bool SilhouetteService::remove(TrackerId id) {
 bool SilhouetteService::post(TrackerId id, const HomogeneousPoint& point) noexcept {
     RIMLINE_CHECK(point.is_valid());
     Slot& place = slot(id);
-    const Posted posted{point, PublishedChange::Clock::now()};
+    const Slot::Posted posted{point, PublishedChange::Clock::now()};
     bool superseded = false;
     {
         const std::lock_guard posting(place.posting);
@@ -257,7 +257,7 @@ void SilhouetteService::work() noexcept {
 void SilhouetteService::move(Slot& slot) noexcept {
     // Among workers it is free; it keeps out snapshot() and remove().
     const std::lock_guard moving(slot.moving);
-    Posted posted;
+    Slot::Posted posted;
     if (!slot.tracker || !slot.outbox.has_room() || !slot.latest.take(posted)) return;
     const ChangeSet& changes = slot.tracker->move_to(posted.point);
     moves_.fetch_add(1, std::memory_order_relaxed);

@@ -37,7 +37,7 @@ OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
 }
 
 // The next token of this line or of later ones.
-std::string_view expect_word(TextScanner& scanner, const char* what) {
+std::string_view word_or_fail(TextScanner& scanner, const char* what) {
     const std::string_view word = scanner.word();
     if (word.empty()) scanner.fail(std::string("the file ends where ") + what + " should follow");
     return word;
@@ -49,7 +49,7 @@ public:
 
     glm::vec3 read_vertex() {
         const char* const what = "another vertex's number";
-        std::string_view token = expect_word(scanner_, what);
+        std::string_view token = word_or_fail(scanner_, what);
         const std::uint64_t line = scanner_.line();
         if (line == last_line_ && crowded_line_ == 0) crowded_line_ = line;
         const int fixed = 3 + (kind_.normal ? 3 : 0) + (kind_.texture ? 2 : 0);
@@ -58,12 +58,12 @@ public:
         if (kind_.colour && line != last_line_) colours_ = tokens_left() + 1 == fixed + 3 ? 3 : 4;
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis) {
-            if (axis > 0) token = expect_word(scanner_, what);
+            if (axis > 0) token = word_or_fail(scanner_, what);
             position[axis] = scanner_.coordinate(token, "a vertex's coordinate");
         }
         const int more = fixed - 3 + (kind_.colour ? colours_ : 0);
         for (int i = 0; i < more; ++i)
-            scanner_.skip_number(expect_word(scanner_, what),
+            scanner_.skip_number(word_or_fail(scanner_, what),
                                  "a vertex's normal, colour or texture");
         last_line_ = scanner_.line();
         return position;
@@ -72,13 +72,13 @@ public:
     // A face ends its line, as up to four numbers of colour may follow its corners there.
     void read_face(std::uint64_t vertex_count, std::vector<std::uint32_t>& polygon) {
         const std::int64_t corners =
-            scanner_.integer(expect_word(scanner_, "another face"), "a face's corner count");
+            scanner_.integer(word_or_fail(scanner_, "another face"), "a face's corner count");
         if (corners < 3)
             fail("a face has " + std::to_string(corners) + " corners; it needs 3 or more");
         polygon.clear();
         for (std::int64_t i = 0; i < corners; ++i) {
             const std::int64_t v =
-                scanner_.integer(expect_word(scanner_, "a vertex index"), "a vertex index");
+                scanner_.integer(word_or_fail(scanner_, "a vertex index"), "a vertex index");
             if (v < 0 || static_cast<std::uint64_t>(v) >= vertex_count)
                 fail("vertex index " + std::to_string(v) + " is out of range; the file has " +
                      std::to_string(vertex_count) + " vertices, numbered from 0");
@@ -133,15 +133,15 @@ MeshSource read_off(const SourceFile& file, const LongCall& call) {
         token = scanner.token();
         if (token == "BINARY")
             scanner.fail("binary OFF is not supported; convert it to text OFF or to PLY");
-        if (token.empty()) token = expect_word(scanner, "the counts of vertices and faces");
+        if (token.empty()) token = word_or_fail(scanner, "the counts of vertices and faces");
     }
     const std::uint64_t vertex_count = read_count(scanner, token, "the vertex count");
     const std::uint64_t counts_line = scanner.line();
     const std::uint64_t face_count =
-        read_count(scanner, expect_word(scanner, "the face count"), "the face count");
+        read_count(scanner, word_or_fail(scanner, "the face count"), "the face count");
     // Nobody counts edges right, and the count is not used. Some leave it out, at the line's end.
     const std::string_view edges =
-        scanner.line() == counts_line ? scanner.token() : expect_word(scanner, "the edge count");
+        scanner.line() == counts_line ? scanner.token() : word_or_fail(scanner, "the edge count");
     if (!edges.empty()) read_count(scanner, edges, "the edge count");
     // A vertex takes at least "0 0 0" and a line's end, a face "3 0 0 0".
     const std::uint64_t bytes = scanner.remaining() + 1;

@@ -13,14 +13,14 @@ namespace {
 constexpr double k_turns = 4.0;
 constexpr double k_radius = 0.8;
 constexpr double k_rise = 0.55;  // A turn; neighbouring coils leave a gap of a third of it.
-constexpr double k_tube_radius = 0.18;
+constexpr double k_wire_radius = 0.18;
 
 // The helix in closed form: outward and binormal are at right angles to the tangent everywhere.
-struct Frame {
+struct HelixFrame {
     glm::dvec3 point, tangent, outward, binormal;
 };
 
-Frame frame_at(double turns) {
+HelixFrame helix_at(double turns) {
     const CosSin around = cos_sin_of_turns(turns);
     const double across = 2.0 * std::numbers::pi * k_radius;
     const double length = std::sqrt(across * across + k_rise * k_rise);
@@ -38,9 +38,9 @@ MeshSource make_spring(std::uint32_t faces) {
     // The rounded ends add the area of a tube one tube radius long, twice.
     const double across = 2.0 * std::numbers::pi * k_radius;
     const double length =
-        k_turns * std::sqrt(across * across + k_rise * k_rise) + 2.0 * k_tube_radius;
+        k_turns * std::sqrt(across * across + k_rise * k_rise) + 2.0 * k_wire_radius;
     const TubeGrid whole =
-        tube_grid(0.5 * faces, length / (2.0 * std::numbers::pi * k_tube_radius), {29, 3});
+        tube_grid(0.5 * faces, length / (2.0 * std::numbers::pi * k_wire_radius), {29, 3});
     const std::uint32_t sides = whole.sides;
     // Rings of a rounded end besides the one it shares with the tube; its pole is not a ring.
     const std::uint32_t cap_rings = sides < 6 ? 0 : (sides + 2) / 4 - 1;
@@ -48,7 +48,7 @@ MeshSource make_spring(std::uint32_t faces) {
     const std::uint32_t rings = body + 2 * cap_rings;
 
     MeshSource spring;
-    Frame frame{};
+    HelixFrame frame{};
     double radius = 0.0;
     append_tube(
         spring, {rings, sides},
@@ -56,18 +56,18 @@ MeshSource make_spring(std::uint32_t faces) {
             if (side == 0) {
                 const double last = body - 1;
                 const double along = double(ring) - cap_rings;
-                frame = frame_at(k_turns * std::clamp(along / last, 0.0, 1.0));
+                frame = helix_at(k_turns * std::clamp(along / last, 0.0, 1.0));
                 const double beyond = along < 0.0 ? along : std::max(along - last, 0.0);
                 const CosSin latitude = cos_sin_of_turns(0.25 * beyond / (cap_rings + 1));
-                frame.point += k_tube_radius * latitude.sin * frame.tangent;
-                radius = k_tube_radius * latitude.cos;
+                frame.point += k_wire_radius * latitude.sin * frame.tangent;
+                radius = k_wire_radius * latitude.cos;
             }
             const CosSin section = cos_sin_of_turns(double(side) / sides);
             return frame.point +
                    radius * (section.cos * frame.outward - section.sin * frame.binormal);
         },
-        Poles{frame_at(0.0).point - k_tube_radius * frame_at(0.0).tangent,
-              frame_at(k_turns).point + k_tube_radius * frame_at(k_turns).tangent});
+        Poles{helix_at(0.0).point - k_wire_radius * helix_at(0.0).tangent,
+              helix_at(k_turns).point + k_wire_radius * helix_at(k_turns).tangent});
     return spring;
 }
 

@@ -13,12 +13,12 @@
 namespace rimline {
 namespace {
 
-enum class Call : std::uint8_t { extract, update };
+enum class Step : std::uint8_t { extract, update };
 
-std::vector<EdgeId> found_by(Randomised& method, Call call, const HomogeneousPoint& point) {
+std::vector<EdgeId> found_by(Randomised& method, Step step, const HomogeneousPoint& point) {
     std::vector<EdgeId> edges{k_no_edge};  // Replaced, not appended to.
     TraversalCounters counters;
-    if (call == Call::extract)
+    if (step == Step::extract)
         method.extract(point, edges, counters);
     else
         method.update(point, edges, counters);
@@ -38,7 +38,7 @@ TEST_CASE("what a random search finds is on the silhouette, each edge once") {
         for (std::uint32_t i = 0; i < 100; ++i) {
             const HomogeneousPoint p = walk.next();
             const std::vector<EdgeId> found =
-                found_by(method, i % 4 == 0 ? Call::extract : Call::update, p);
+                found_by(method, i % 4 == 0 ? Step::extract : Step::update, p);
             const std::vector<EdgeId> all = brute_force_silhouette(mesh, p);
             REQUIRE(std::adjacent_find(found.begin(), found.end()) == found.end());
             REQUIRE(std::includes(all.begin(), all.end(), found.begin(), found.end()));
@@ -47,7 +47,7 @@ TEST_CASE("what a random search finds is on the silhouette, each edge once") {
 }
 
 // The share of all silhouettes' edges that is found, over viewpoints around a shape.
-double recall(const Mesh& mesh, Call call) {
+double recall(const Mesh& mesh, Step step) {
     Randomised method(mesh, 5);
     std::size_t found = 0;
     std::size_t all = 0;
@@ -56,7 +56,7 @@ double recall(const Mesh& mesh, Call call) {
         const HomogeneousPoint p = HomogeneousPoint::viewpoint(glm::vec3(
             mesh.center() +
             3.0 * mesh.radius() * glm::dvec3(std::cos(angle_rad), 0.4, std::sin(angle_rad))));
-        found += found_by(method, call, p).size();
+        found += found_by(method, step, p).size();
         all += brute_force_silhouette(mesh, p).size();
     }
     REQUIRE(all > 0);
@@ -68,8 +68,8 @@ TEST_CASE("on smooth closed shapes a random search finds nearly all of the silho
         CAPTURE(std::string(shape));
         const Mesh mesh(make_built_in_shape(shape, 20000));
         REQUIRE(mesh.is_closed());
-        CHECK(recall(mesh, Call::extract) > 0.98);
-        CHECK(recall(mesh, Call::update) > 0.98);
+        CHECK(recall(mesh, Step::extract) > 0.98);
+        CHECK(recall(mesh, Step::update) > 0.98);
     }
 }
 
@@ -96,20 +96,20 @@ TEST_CASE("a random search is the same for the same seed and another for another
     Randomised a(mesh, 1);
     Randomised b(mesh, 1);
     Randomised other(mesh, 2);
-    const std::vector<EdgeId> found = found_by(a, Call::extract, p);
+    const std::vector<EdgeId> found = found_by(a, Step::extract, p);
     CHECK(found.size() > 100);
     CHECK(found.size() < brute_force_silhouette(mesh, p).size());  // Not exact, and known to be.
-    CHECK(found_by(b, Call::extract, p) == found);
-    CHECK(found_by(other, Call::extract, p) != found);
+    CHECK(found_by(b, Step::extract, p) == found);
+    CHECK(found_by(other, Step::extract, p) != found);
     // Updates go on with what is remembered; extracting starts anew.
-    CHECK(found_by(a, Call::update, p).size() >= found.size());
-    CHECK(found_by(a, Call::extract, p) == found);
+    CHECK(found_by(a, Step::update, p).size() >= found.size());
+    CHECK(found_by(a, Step::extract, p) == found);
 }
 
 TEST_CASE("a random search says how many edges it tried at random") {
     const Mesh mesh(make_built_in_shape("sphere", 5000));
     Randomised method(mesh, 1);
-    found_by(method, Call::extract, HomogeneousPoint::viewpoint({3.0f, 0.0f, 0.0f}));
+    found_by(method, Step::extract, HomogeneousPoint::viewpoint({3.0f, 0.0f, 0.0f}));
     const std::vector<NamedCount> counts = method.own_counts();
     REQUIRE(counts.size() == 2);
     CHECK(counts[0].name == "random_edges");

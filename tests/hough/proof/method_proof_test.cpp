@@ -15,7 +15,7 @@
 namespace rimline {
 namespace {
 
-void prove_generated(std::uint32_t first, std::uint32_t last, const tests::Quota& quota) {
+void prove_generated_methods(std::uint32_t first, std::uint32_t last, const tests::Quota& quota) {
     tests::Tally tally;
     for (std::uint32_t number = first; number < last; ++number) {
         const tests::NamedSource made = tests::generated_mesh(number);
@@ -31,15 +31,15 @@ void prove_generated(std::uint32_t first, std::uint32_t last, const tests::Quota
 
 TEST_CASE("in small: every exact method equals brute force on meshes of every generated kind") {
     const std::uint32_t each = tests::model_count(60);
-    prove_generated(0, 2 * tests::k_generated_kinds, {each, each});
+    prove_generated_methods(0, 2 * tests::k_generated_kinds, {each, each});
 }
 
 TEST_SUITE("long") {
     TEST_CASE("every exact method equals brute force on one half of the generated meshes") {
-        prove_generated(0, 100, {2000, 2000});
+        prove_generated_methods(0, 100, {2000, 2000});
     }
     TEST_CASE("every exact method equals brute force on the other half of the generated meshes") {
-        prove_generated(100, 200, {2000, 2000});
+        prove_generated_methods(100, 200, {2000, 2000});
     }
     TEST_CASE("every exact method equals brute force on built-in shapes and hard meshes") {
         const std::uint64_t seed = 401;

@@ -7,20 +7,13 @@
 #include <random>
 
 #include "silhouette/hough/baselines/brute_force.h"
-#include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/hough/service/allocation_faults.h"
 #include "tests/hough/service/follower.h"
+#include "tests/hough/service/indexed_shape.h"
 #include "tests/hough/support/random_walk.h"
 
 namespace rimline {
 namespace {
-
-struct Model {
-    explicit Model(const char* shape, std::uint32_t faces)
-        : mesh(make_built_in_shape(shape, faces)), octree(mesh) {}
-    const Mesh mesh;
-    const HoughOctree octree;
-};
 
 // Holds what the calls say, as the GPU does, and refuses what would not fit on what it holds.
 struct Consumer {
@@ -55,13 +48,13 @@ bool is_silhouette(const Mesh& mesh, const Consumer& consumer, const Homogeneous
 }
 
 TEST_CASE("a follower leads to exactly its point, whatever was announced, missed or refused") {
-    const Model model("knot", 600);
+    const tests::IndexedShape model("knot", 600);
     constexpr std::uint32_t k_seed = 41;
     CAPTURE(k_seed);
     std::mt19937 random(k_seed);
     SilhouetteService service({.workers = 2, .max_pending = 2});
     struct Followed {
-        Followed(SilhouetteService& service, const Model& model, std::uint64_t seed)
+        Followed(SilhouetteService& service, const tests::IndexedShape& model, std::uint64_t seed)
             : walk(model.mesh, seed), follower(service, model.octree, walk.point()) {}
         tests::RandomWalk walk;
         SilhouetteFollower follower;
@@ -119,7 +112,7 @@ TEST_CASE("a follower leads to exactly its point, whatever was announced, missed
 }
 
 TEST_CASE("a follower told of the state it has asks for nothing") {
-    const Model model("torus", 400);
+    const tests::IndexedShape model("torus", 400);
     SilhouetteService service({.workers = 1});
     const HomogeneousPoint point = HomogeneousPoint::viewpoint({3.0f, 1.0f, 0.5f});
     SilhouetteFollower follower(service, model.octree, point);
@@ -135,7 +128,7 @@ TEST_CASE("a follower told of the state it has asks for nothing") {
 }
 
 TEST_CASE("a change set lost for want of memory becomes one whole state") {
-    const Model model("spring", 2000);
+    const tests::IndexedShape model("spring", 2000);
     SilhouetteService service({.workers = 1});
     SilhouetteFollower follower(service, model.octree, HomogeneousPoint::viewpoint({3, 1, 0.5f}));
     Consumer consumer;
@@ -153,7 +146,7 @@ TEST_CASE("a change set lost for want of memory becomes one whole state") {
 }
 
 TEST_CASE("a stopped service ends a follower with an error, not a wait") {
-    const Model model("torus", 400);
+    const tests::IndexedShape model("torus", 400);
     SilhouetteService service({.workers = 1});
     SilhouetteFollower follower(service, model.octree, HomogeneousPoint::viewpoint({3, 1, 0.5f}));
     Consumer consumer;

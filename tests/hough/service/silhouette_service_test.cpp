@@ -12,22 +12,15 @@
 #include <vector>
 
 #include "silhouette/hough/orbit.h"
-#include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/hough/service/allocation_faults.h"
 #include "tests/hough/service/follower.h"
+#include "tests/hough/service/indexed_shape.h"
 #include "tests/hough/support/random_walk.h"
 
 namespace rimline {
 namespace {
 
 static_assert(!std::is_copy_constructible_v<SilhouetteService>);
-
-struct Model {
-    explicit Model(const char* shape, std::uint32_t faces)
-        : mesh(make_built_in_shape(shape, faces)), octree(mesh) {}
-    const Mesh mesh;
-    const HoughOctree octree;
-};
 
 // Different silhouettes, none near another.
 HomogeneousPoint place(std::uint32_t i) {
@@ -65,10 +58,10 @@ Consumed consume(SilhouetteService& service, TrackerId id, const Mesh& mesh,
 }
 
 TEST_CASE("every tracker's change sets come in order, without a gap, and equal brute force") {
-    const std::vector<std::unique_ptr<Model>> models = [] {
-        std::vector<std::unique_ptr<Model>> made;
+    const std::vector<std::unique_ptr<tests::IndexedShape>> models = [] {
+        std::vector<std::unique_ptr<tests::IndexedShape>> made;
         for (const char* shape : {"knot", "torus", "terrain"})
-            made.push_back(std::make_unique<Model>(shape, 1500));
+            made.push_back(std::make_unique<tests::IndexedShape>(shape, 1500));
         return made;
     }();
     for (const std::uint32_t workers : {1u, 3u}) {
@@ -79,7 +72,7 @@ TEST_CASE("every tracker's change sets come in order, without a gap, and equal b
         std::vector<TrackerId> ids;
         std::vector<std::vector<HomogeneousPoint>> posted(count);
         for (std::uint32_t t = 0; t < count; ++t) {
-            const Model& model = *models[t % models.size()];
+            const tests::IndexedShape& model = *models[t % models.size()];
             tests::RandomWalk walk(model.mesh, 41 + t);
             ids.push_back(service.add(model.octree, walk.point()));
             for (std::uint32_t i = 0; i + 1 < points; ++i) posted[t].push_back(walk.next());
@@ -114,7 +107,7 @@ TEST_CASE("every tracker's change sets come in order, without a gap, and equal b
 }
 
 TEST_CASE("only the latest of the points posted meanwhile is moved to") {
-    const Model model("torus", 1000);
+    const tests::IndexedShape model("torus", 1000);
     SilhouetteService service({.workers = 2, .max_pending = 1});
     const TrackerId id = service.add(model.octree, place(0));
     service.post(id, place(1));
@@ -137,7 +130,7 @@ TEST_CASE("only the latest of the points posted meanwhile is moved to") {
 }
 
 TEST_CASE("a consumer that falls behind finds the oldest change sets and then one large one") {
-    const Model model("knot", 1000);
+    const tests::IndexedShape model("knot", 1000);
     SilhouetteService service({.workers = 1, .max_pending = 3});
     const TrackerId id = service.add(model.octree, place(0));
     tests::Follower follower(model.mesh);
@@ -162,7 +155,7 @@ TEST_CASE("a consumer that falls behind finds the oldest change sets and then on
 }
 
 TEST_CASE("a snapshot drops what is pending, makes room and is what the next change set follows") {
-    const Model model("spring", 1000);
+    const tests::IndexedShape model("spring", 1000);
     SilhouetteService service({.workers = 1, .max_pending = 3});
     const TrackerId id = service.add(model.octree, place(0));
     for (std::uint32_t i = 1; i <= 9; ++i) {
@@ -184,7 +177,7 @@ TEST_CASE("a snapshot drops what is pending, makes room and is what the next cha
 }
 
 TEST_CASE("memory that runs out makes a gap that is told and that a snapshot closes") {
-    const Model model("knot", 1000);
+    const tests::IndexedShape model("knot", 1000);
     SilhouetteService service({.workers = 1});
     const TrackerId id = service.add(model.octree, place(0));
     {
@@ -214,7 +207,7 @@ TEST_CASE("memory that runs out makes a gap that is told and that a snapshot clo
 }
 
 TEST_CASE("what a tracker's making throws reaches who adds it, and the service goes on") {
-    const Model model("torus", 1000);
+    const tests::IndexedShape model("torus", 1000);
     SilhouetteService service({.workers = 1});
     {
         const tests::AllocationFaults out_of_memory;
@@ -226,7 +219,7 @@ TEST_CASE("what a tracker's making throws reaches who adds it, and the service g
 }
 
 TEST_CASE("posting where the tracker is publishes a change set that changes nothing") {
-    const Model model("torus", 1000);
+    const tests::IndexedShape model("torus", 1000);
     SilhouetteService service;
     CHECK(service.worker_count() >= 1);
     const TrackerId id = service.add(model.octree, place(0));
@@ -241,7 +234,7 @@ TEST_CASE("posting where the tracker is publishes a change set that changes noth
 }
 
 TEST_CASE("frame after frame nothing is allocated on any thread") {
-    const Model model("knot", 2000);
+    const tests::IndexedShape model("knot", 2000);
     SilhouetteService service({.workers = 2, .max_pending = 2});
     std::vector<TrackerId> ids;
     for (std::uint32_t t = 0; t < 4; ++t) ids.push_back(service.add(model.octree, place(t)));
@@ -268,7 +261,7 @@ TEST_CASE("frame after frame nothing is allocated on any thread") {
 }
 
 TEST_CASE("a removed tracker's id is refused, also when another tracker has its place") {
-    const Model model("torus", 1000);
+    const tests::IndexedShape model("torus", 1000);
     SilhouetteService service({.workers = 1});
     const TrackerId old_id = service.add(model.octree, place(0));
     service.post(old_id, place(1));
@@ -298,7 +291,7 @@ TEST_CASE("a removed tracker's id is refused, also when another tracker has its 
 
 TEST_CASE(
     "what a tracker has reserved is told, moves do not change it, and it stays within bounds") {
-    const Model model("knot", 20'000);
+    const tests::IndexedShape model("knot", 20'000);
     SilhouetteService service({.workers = 1});
     const TrackerId id = service.add(model.octree, place(0));
     const std::uint64_t reserved = service.size_bytes(id);
@@ -315,7 +308,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a new tracker does not go where its predecessor was sent last") {
-    const Model model("torus", 1000);
+    const tests::IndexedShape model("torus", 1000);
     SilhouetteService service({.workers = 1, .max_pending = 1});
     const TrackerId first = service.add(model.octree, place(0));
     service.post(first, place(1));
@@ -337,7 +330,7 @@ TEST_CASE("a new tracker does not go where its predecessor was sent last") {
 TEST_CASE("an octree may go as soon as its tracker is removed, whatever was posted") {
     SilhouetteService service({.workers = 2});
     for (std::uint32_t i = 0; i < 60; ++i) {
-        const auto model = std::make_unique<Model>("knot", 600);
+        const auto model = std::make_unique<tests::IndexedShape>("knot", 600);
         const TrackerId id = service.add(model->octree, place(i));
         for (std::uint32_t k = 1; k < i % 4 + 2; ++k) service.post(id, place(i + k));
         if (i % 3 == 0) std::this_thread::yield();
@@ -346,7 +339,7 @@ TEST_CASE("an octree may go as soon as its tracker is removed, whatever was post
 }
 
 TEST_CASE("hundreds of trackers all reach their points") {
-    const Model model("box", 100);
+    const tests::IndexedShape model("box", 100);
     SilhouetteService service({.workers = 2});
     std::vector<TrackerId> ids;
     for (std::uint32_t t = 0; t < 300; ++t) ids.push_back(service.add(model.octree, place(0)));
@@ -361,7 +354,7 @@ TEST_CASE("hundreds of trackers all reach their points") {
 }
 
 TEST_CASE("a service is full at 16,384 trackers and has room again when one goes") {
-    const Model model("box", 12);
+    const tests::IndexedShape model("box", 12);
     SilhouetteService service({.workers = 1, .max_pending = 1});
     std::vector<TrackerId> ids;
     for (std::uint32_t t = 0; t < 16'384; ++t) ids.push_back(service.add(model.octree, place(0)));
@@ -382,7 +375,7 @@ TEST_CASE("a service is full at 16,384 trackers and has room again when one goes
 }
 
 TEST_CASE("a tracker that always has a new point holds up no other") {
-    const Model model("knot", 2000);
+    const tests::IndexedShape model("knot", 2000);
     SilhouetteService service({.workers = 1, .max_pending = 2});
     const TrackerId greedy = service.add(model.octree, place(0));
     std::vector<TrackerId> ids;
@@ -409,7 +402,7 @@ TEST_CASE("a tracker that always has a new point holds up no other") {
 }
 
 TEST_CASE("after a stop nothing is accepted, and what was published can be taken") {
-    const Model model("torus", 1000);
+    const tests::IndexedShape model("torus", 1000);
     SilhouetteService service({.workers = 2});
     const TrackerId id = service.add(model.octree, place(0));
     service.post(id, place(1));
@@ -437,7 +430,7 @@ TEST_CASE("after a stop nothing is accepted, and what was published can be taken
 }
 
 TEST_CASE("a wait ends when the service stops and when the tracker is removed") {
-    const Model model("torus", 1000);
+    const tests::IndexedShape model("torus", 1000);
     SilhouetteService service({.workers = 1});
     const TrackerId removed = service.add(model.octree, place(0));
     const TrackerId kept = service.add(model.octree, place(0));
@@ -453,7 +446,7 @@ TEST_CASE("a wait ends when the service stops and when the tracker is removed") 
 }
 
 TEST_CASE("a service may be destroyed with work pending and trackers left") {
-    const Model model("knot", 1000);
+    const tests::IndexedShape model("knot", 1000);
     for (std::uint32_t i = 0; i < 30; ++i) {
         SilhouetteService service({.workers = 1 + i % 3});
         std::vector<TrackerId> ids;
