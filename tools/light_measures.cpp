@@ -20,7 +20,7 @@ constexpr double k_shadow_tolerance = 4e-3;
 // Neighbouring pixels farther apart than this show different parts of the surface.
 constexpr double k_jump = 0.04;
 
-Camera camera_at(const Mesh& mesh, const glm::dvec3& eye) {
+Camera close_camera(const Mesh& mesh, const glm::dvec3& eye) {
     const glm::dvec3 back = glm::normalize(eye - mesh.center());
     const glm::dvec3 up = std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     return zoom_camera({.eye = eye, .target = mesh.center(), .up = up}, mesh, 1.0);
@@ -29,7 +29,7 @@ Camera camera_at(const Mesh& mesh, const glm::dvec3& eye) {
 }  // namespace
 
 LitView::LitView(const Mesh& mesh, const glm::dvec3& eye) : mesh_(mesh) {
-    const ItemBuffer buffer(mesh, camera_at(mesh, eye), k_side_px, k_side_px);
+    const ItemBuffer buffer(mesh, close_camera(mesh, eye), k_side_px, k_side_px);
     const std::vector<glm::vec3> normals = corner_normals(mesh, RendererOptions{}.crease_angle_rad);
     pixels_.resize(std::size_t{k_side_px} * k_side_px);
     for (std::uint32_t y = 0; y < k_side_px; ++y)
@@ -58,7 +58,7 @@ LitView::LitView(const Mesh& mesh, const glm::dvec3& eye) : mesh_(mesh) {
 
 LightMeasure LitView::measure(const glm::dvec3& sun) const {
     const glm::dvec3 lamp = mesh_.center() + k_lamp_radii * mesh_.radius() * sun;
-    const ItemBuffer lit(mesh_, camera_at(mesh_, lamp), k_shadow_px, k_shadow_px);
+    const ItemBuffer lit(mesh_, close_camera(mesh_, lamp), k_shadow_px, k_shadow_px);
     const double tolerance = k_shadow_tolerance * mesh_.radius();
     LightMeasure sums;
     double surface = 0.0, steps = 0.0;

@@ -18,7 +18,7 @@ constexpr double k_least_bend = 1e-6;
 constexpr double k_standing_back = 10.0;
 constexpr double k_least_turn = 10.0 * std::numbers::pi / 180.0;
 // Where several in a row stand back, each waits for the one that does most.
-constexpr int k_rounds = 3;
+constexpr int k_bend_rounds = 3;
 
 double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const glm::dvec3 p = points[b] - points[a], q = points[c] - points[b];
@@ -143,7 +143,7 @@ double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint3
 void straighten_borders(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
                         std::vector<OpenPoint>& open) {
     Straightening straightening(points, neighbours, open);
-    for (int round = 0; round < k_rounds && straightening.round(); ++round) {
+    for (int round = 0; round < k_bend_rounds && straightening.round(); ++round) {
     }
 }
 

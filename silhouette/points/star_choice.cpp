@@ -18,7 +18,7 @@ constexpr double k_greatest_deviation = 85.0 * k_degree;
 constexpr double k_sine_of_candidates = 0.766;         // 50 degrees.
 constexpr double k_clean_deviation = 15.0 * k_degree;  // Mean, of a star that needs no other.
 constexpr double k_gap_cost = 1.0;
-constexpr double k_tie = 1e-9;  // Of costs: of mirror images the first that was asked stays.
+constexpr double k_cost_tie = 1e-9;  // Of costs: of mirror images the first that was asked stays.
 constexpr std::uint32_t k_fits[] = {k_most_neighbours, 8, 5};  // Capped by k.
 constexpr int k_rounds = 2;
 constexpr std::uint32_t k_asked = 8;         // Neighbours for their normals.
@@ -155,7 +155,7 @@ private:
             if (plane == glm::dvec3(0.0)) continue;
             const Choice choice =
                 judge_alone(around, around.star(plane, k_sine_of_candidates), best.cost);
-            if (choice.cost < best.cost - k_tie) best = choice;
+            if (choice.cost < best.cost - k_cost_tie) best = choice;
             if (best.is_clean) break;
         }
         stars_.is_clean[point] = best.is_clean;
@@ -179,7 +179,7 @@ private:
             tried[count++] = plane;
             const Choice choice =
                 judge_among(point, around, around.star(plane, k_sine_of_candidates), best.cost);
-            if (choice.cost < best.cost - k_tie) best = choice;
+            if (choice.cost < best.cost - k_cost_tie) best = choice;
         };
         ask(stars_.normals[point]);
         for (std::uint32_t n = 0; n < std::min(around.size(), k_asked); ++n)

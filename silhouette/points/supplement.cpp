@@ -14,7 +14,7 @@ namespace {
 
 constexpr double k_greatest_turn = std::numbers::pi / 3.0;
 constexpr double k_explained = 0.2588;       // The sine of 15 degrees.
-constexpr double k_cosine_of_fold = 0.9397;  // 20 degrees.
+constexpr double k_cosine_of_flat = 0.9397;  // 20 degrees.
 constexpr double k_cosine_of_tried = 0.985;  // 10 degrees: too near to a plane that was tried.
 constexpr std::size_t k_most_tried = 16;
 // Of candidates with the plane: 50 degrees, and 25 for edges so sharp that the first side is nearer.
@@ -88,7 +88,7 @@ Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan&
             const bool runs_on = a == last && b == first;
             if (!runs_on && !(a == first && b == last)) continue;
             const glm::dvec3 other_normal = around.normal(other);
-            if (glm::dot(runs_on ? other_normal : -other_normal, normal) <= -k_cosine_of_fold)
+            if (glm::dot(runs_on ? other_normal : -other_normal, normal) <= -k_cosine_of_flat)
                 continue;
             if (!runs_on) reverse(other);
             return other;
