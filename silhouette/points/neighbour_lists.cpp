@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <nanoflann.hpp>
 
@@ -12,6 +14,9 @@
 namespace rimline {
 
 namespace {
+
+// Spread 2.8 times as far along a line as across it.
+constexpr double k_row = 0.1;
 
 // As nanoflann reads points.
 struct TreePoints {
@@ -71,6 +76,21 @@ private:
     std::array<Near, k_most_neighbours> near_;
 };
 
+// Whether the offsets of so many neighbours spread along one line: by the greatest two eigenvalues a, b of
+// their covariance, for ab / (a + b + c)² is their sum of principal minors over the square of the trace.
+bool is_row(std::span<const glm::dvec3> points, std::uint32_t i,
+            std::span<const std::uint32_t> near) {
+    glm::dmat3 sum(0.0);
+    for (const std::uint32_t j : near) {
+        const glm::dvec3 d = points[j] - points[i];
+        sum += glm::outerProduct(d, d);
+    }
+    const double trace = sum[0][0] + sum[1][1] + sum[2][2];
+    const double minors = sum[0][0] * sum[1][1] - sum[0][1] * sum[0][1] + sum[0][0] * sum[2][2] -
+                          sum[0][2] * sum[0][2] + sum[1][1] * sum[2][2] - sum[1][2] * sum[1][2];
+    return minors < k_row * trace * trace;
+}
+
 }  // namespace
 
 NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t k,
@@ -80,7 +100,9 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
     RIMLINE_CHECK(k <= k_most_neighbours);
     begin_.assign(std::size_t{count} + 1, 0);
     is_mutual_.assign(count, 0);
+    is_row_.assign(count, 0);
     if (k_ == 0) return;
+    const std::uint32_t most = std::min(k_most_neighbours, count - 1);
 
     const TreePoints source{points};
     const Tree tree(3, source, nanoflann::KDTreeSingleIndexAdaptorParams(12));
@@ -103,6 +125,7 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
             tree.findNeighbors(set, &points[i].x, nanoflann::SearchParams());
             for (std::uint32_t j = 0; j < k_; ++j) nearest[std::size_t{i} * k_ + j] = set[j].number;
             farthest[i] = set[k_ - 1];
+            is_row_[i] = is_row(points, i, std::span(nearest).subspan(std::size_t{i} * k_, k_));
         }
     });
 
@@ -139,13 +162,19 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint64_t more =
             std::min<std::uint64_t>(k_most_neighbours - k_, all_begin[i + 1] - all_begin[i]);
-        begin_[i + 1] = begin_[i] + k_ + more;
+        begin_[i + 1] = begin_[i] + (is_row_[i] != 0 ? most : k_ + more);
     }
     lists_.resize(begin_[count]);
     each_point(count, {call, 0.9, 1.0}, [&](std::uint32_t first, std::uint32_t last) {
         std::vector<Near> more;
         for (std::uint32_t i = first; i < last; ++i) {
             std::uint32_t* out = lists_.data() + begin_[i];
+            if (is_row_[i] != 0) {
+                NearestSet set(i, most, std::numeric_limits<double>::infinity());
+                tree.findNeighbors(set, &points[i].x, nanoflann::SearchParams());
+                for (std::uint32_t n = 0; n < most; ++n) *out++ = set[n].number;
+                continue;
+            }
             for (std::uint32_t n = 0; n < k_; ++n) *out++ = nearest[std::size_t{i} * k_ + n];
             more.clear();
             for (std::uint64_t j = all_begin[i]; j < all_begin[i + 1]; ++j)

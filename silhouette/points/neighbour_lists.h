@@ -5,6 +5,9 @@
 // k nearest neighbours are not mutual: next to a denser region all k lie on its side, and the umbrella
 // looks open on the other. Made mutual, a fifth fewer interior points are taken for border. A point in
 // the middle of a sparse region may be counted by many; the nearest k_most_neighbours stay.
+//
+// Where points lie in rows, far denser along than across, all k lie in the same row and span no plane. There
+// a point has its nearest k_most_neighbours instead.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -29,6 +32,10 @@ public:
     }
     /// How many of of(point), its first, are its own k nearest.
     std::uint32_t nearest_count() const noexcept { return k_; }
+    /// How many of of(point), its first, span its surface: k, but all of a row's.
+    std::uint32_t spanning_count(std::uint32_t point) const noexcept {
+        return is_row_[point] != 0 ? static_cast<std::uint32_t>(of(point).size()) : k_;
+    }
     /// One of its k nearest counts it among its own.
     bool is_mutual(std::uint32_t point) const noexcept { return is_mutual_[point] != 0; }
 
@@ -37,6 +44,7 @@ private:
     std::vector<std::uint64_t> begin_;
     std::vector<std::uint32_t> lists_;
     std::vector<std::uint8_t> is_mutual_;
+    std::vector<std::uint8_t> is_row_;
 };
 
 }  // namespace rimline

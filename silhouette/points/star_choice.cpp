@@ -151,7 +151,7 @@ private:
         Choice best;
         for (const std::uint32_t fit : k_fits) {
             const glm::dvec3 plane =
-                around.fitted_normal(std::min(fit, neighbours_.nearest_count()));
+                around.fitted_normal(std::min(fit, neighbours_.spanning_count(point)));
             if (plane == glm::dvec3(0.0)) continue;
             const Choice choice =
                 judge_alone(around, around.star(plane, k_sine_of_candidates), best.cost);

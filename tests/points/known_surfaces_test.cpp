@@ -43,6 +43,35 @@ TEST_CASE("two close sheets keep apart inside and at four spacings along their b
     }
 }
 
+TEST_CASE("points in rows far denser along than across have the surface's normals and borders") {
+    constexpr int k_along = 160, k_rows = 20;
+    for (const double across : {4.0, 8.0}) {
+        CAPTURE(across);
+        tests::Random random(31);
+        // A quarter of a cylinder, rows along its axis.
+        const double radius = across * k_rows / (0.5 * std::numbers::pi);
+        std::vector<glm::dvec3> points, normals;
+        std::vector<bool> is_border;
+        for (int row = 0; row < k_rows; ++row)
+            for (int i = 0; i < k_along; ++i) {
+                const double angle = 0.5 * std::numbers::pi * row / (k_rows - 1);
+                normals.push_back({std::cos(angle), std::sin(angle), 0.0});
+                points.push_back(radius * normals.back() +
+                                 glm::dvec3(0.0, 0.0, i + 0.1 * tests::jitter(random)));
+                is_border.push_back(row == 0 || row == k_rows - 1 || i == 0 || i == k_along - 1);
+            }
+        const PointSurface surface(points);
+        for (std::uint32_t i = 0; i < surface.size(); ++i) {
+            CAPTURE(i);
+            CHECK((surface.label(PointId{i}) == PointLabel::border) == is_border[i]);
+            // No farther off than the plane through two rows.
+            if (!is_border[i])
+                CHECK(angle_of_lines(surface.normal(PointId{i}), normals[i]) <
+                      0.501 * 90.0 * k_degree / (k_rows - 1));
+        }
+    }
+}
+
 // Two half planes that meet at the angle in the y axis; the points of the crease come first. Rows of the
 // halves are shifted against each other.
 std::vector<glm::dvec3> make_wedge(double angle_rad, int across, int along) {
