@@ -192,8 +192,7 @@ private:
         if (file) {
             const HoughOctree octree(mesh, {chosen.found.origins});
             const bool is_z_up = mesh.up() == UpAxis::z;
-            const glm::dvec3 up =
-                up_ ? glm::dvec3(*up_) : (is_z_up ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
+            const glm::dvec3 up = up_ ? glm::dvec3(*up_) : direction_of(mesh.up());
             const glm::dvec3 towards =
                 direction_ ? glm::dvec3(*direction_)
                            : (is_z_up ? glm::dvec3(0.9, -0.7, 0.4) : glm::dvec3(0.9, 0.4, 0.7));

@@ -206,9 +206,8 @@ private:
 
     PointTurn turn(const Context& context, const FoundPoints& found,
                    const UmbrellaIndex& umbrellas) const {
-        glm::dvec3 up(0.0, 1.0, 0.0);
-        if (found.cloud.up() == UpAxis::z) up = {0.0, 0.0, 1.0};
-        if (picture_.up) up = glm::dvec3(*picture_.up);
+        const glm::dvec3 up =
+            picture_.up ? glm::dvec3(*picture_.up) : direction_of(found.cloud.up());
         return turn_around(umbrellas, up, turn_frames_, turn_step_deg_, verify_, context);
     }
 

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <optional>
@@ -98,6 +99,17 @@ int difference(const Picture& a, const Picture& b) {
     for (std::size_t i = 0; i < a.rgba.size(); ++i)
         if (i % 4 != 3) greatest = std::max(greatest, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
     return greatest;
+}
+
+// Pixels whose red differs, left of where the panel ends and right of it.
+std::array<std::size_t, 2> changed_pixels(const Picture& with_panel, const Picture& picture) {
+    REQUIRE(with_panel.width == picture.width);
+    REQUIRE(with_panel.rgba.size() == picture.rgba.size());
+    std::array<std::size_t, 2> changed{};
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+        if (std::abs(int(with_panel.rgba[i]) - int(picture.rgba[i])) > 1)
+            ++changed[i / 4 % picture.width < 320 ? 0 : 1];
+    return changed;
 }
 
 // Whether there is something to compare at all.
@@ -250,18 +262,10 @@ TEST_CASE("the panel lies over the picture and leaves the rest of it as it is") 
     shown.capture();  // The toolkit lays out its windows in the first frame.
     const Picture with_panel = shown.capture();
     const Picture picture = shown.rendered(900, 500);
-    REQUIRE(with_panel.rgba.size() == picture.rgba.size());
-    std::size_t changed_left = 0;
-    std::size_t changed_right = 0;
-    for (std::uint32_t y = 0; y < 500; ++y)
-        for (std::uint32_t x = 0; x < 900; ++x) {
-            const std::size_t at = 4 * (std::size_t{y} * 900 + x);
-            const bool changed = std::abs(int(with_panel.rgba[at]) - int(picture.rgba[at])) > 1;
-            (x < 320 ? changed_left : changed_right) += changed;
-        }
-    CHECK(changed_left > 10'000);
+    const auto [under_panel, beside_it] = changed_pixels(with_panel, picture);
+    CHECK(under_panel > 10'000);
     // The sun's handle.
-    CHECK(changed_right < 3'000);
+    CHECK(beside_it < 3'000);
 }
 
 TEST_CASE("a model opened in the window takes the other's place, and a broken one does not") {
@@ -309,16 +313,9 @@ TEST_CASE("the panel of a cloud says what it is and what it cannot have") {
     shown.capture();
     const Picture with_panel = shown.capture();
     const Picture picture = shown.rendered(900, 700);
-    std::size_t changed_left = 0;
-    std::size_t changed_right = 0;
-    for (std::uint32_t y = 0; y < 700; ++y)
-        for (std::uint32_t x = 0; x < 900; ++x) {
-            const std::size_t at = 4 * (std::size_t{y} * 900 + x);
-            const bool changed = std::abs(int(with_panel.rgba[at]) - int(picture.rgba[at])) > 1;
-            (x < 320 ? changed_left : changed_right) += changed;
-        }
-    CHECK(changed_left > 10'000);
-    CHECK(changed_right == 0);  // Neither lights nor Hough space.
+    const auto [under_panel, beside_it] = changed_pixels(with_panel, picture);
+    CHECK(under_panel > 10'000);
+    CHECK(beside_it == 0);  // Neither lights nor Hough space.
 }
 
 TEST_CASE("without a display the error says what to set and what else to use") {
