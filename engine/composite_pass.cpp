@@ -10,7 +10,7 @@ namespace rimline {
 CompositePass::CompositePass(const DeviceContext& context)
     : images_(context, 2),
       layout_(make_pipeline_layout(context, sizeof(CompositeColors), VK_SHADER_STAGE_FRAGMENT_BIT,
-                                   images_.layout())) {}
+                                   {images_.layout()})) {}
 
 void CompositePass::prepare(const DeviceContext& context, const CompositeKind& kind) {
     if (pipelines_.contains(kind)) return;

@@ -1,10 +1,11 @@
 #pragma once
 
-// What the passes of one frame draw, resolved to addresses: they record from this and know nothing of
+// What the passes of one frame draw, resolved to places in buffers: they record from this and know nothing of
 // scenes, trackers or streams.
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -25,7 +26,7 @@ struct IndirectDraw {
 
 /// One instance as seen from one light.
 struct DrawnLight {
-    VkDeviceAddress data = 0;  ///< gpu::LightData.
+    std::uint32_t data = 0;  ///< Where DrawData has its gpu::LightData.
     bool casts_shadow = false;
     bool ends_in_one_point = false;  ///< A directional light whose volumes reach infinity.
     IndirectDraw sides;              ///< Of the silhouette slots; only of casters.
@@ -42,7 +43,9 @@ struct EveryEdgeDraw {
 };
 
 struct DrawnInstance {
-    VkDeviceAddress data = 0;  ///< gpu::InstanceData.
+    std::uint32_t data = 0;             ///< Where DrawData has its gpu::InstanceData.
+    VkBuffer indices = VK_NULL_HANDLE;  ///< Of its triangles' vertices, 32 bits each; three a face.
+    std::uint32_t vertex_count = 0;
     std::uint32_t face_count = 0;
     std::uint32_t border_count = 0;
     std::uint32_t crease_count = 0;  ///< Those drawn as lines.
@@ -70,7 +73,7 @@ struct ShadowBatch {
 };
 
 struct DrawList {
-    VkDeviceAddress frame = 0;  ///< gpu::FrameData.
+    VkDescriptorSet data = VK_NULL_HANDLE;  ///< DrawData's.
     std::size_t light_count = 0;
     bool shadows = false;
     bool is_orthographic = false;
@@ -85,11 +88,13 @@ struct DrawList {
 constexpr VkShaderStageFlags k_draw_stages =
     VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_GEOMETRY_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
-inline void push_draw_constants(VkCommandBuffer commands, VkPipelineLayout layout,
-                                const DrawList& list, const DrawnInstance& instance,
-                                const DrawnLight* light, std::uint32_t choice) {
-    const gpu::DrawConstants constants{list.frame, instance.data, light ? light->data : 0, choice,
-                                       0};
+/// Tells the next draws what they draw: binds set 0, and pushes the constants.
+inline void set_draw(VkCommandBuffer commands, VkPipelineLayout layout, const DrawList& list,
+                     const DrawnInstance& instance, const DrawnLight* light, std::uint32_t choice) {
+    const std::array<std::uint32_t, 2> offsets{instance.data, light ? light->data : 0};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &list.data,
+                            offsets.size(), offsets.data());
+    const gpu::DrawConstants constants{choice};
     vkCmdPushConstants(commands, layout, k_draw_stages, 0, sizeof constants, &constants);
 }
 

@@ -42,7 +42,8 @@ std::vector<gpu::EdgeRecord> loose_edge_records(const Mesh& mesh) {
 }
 
 GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, LinePath line_path)
-    : face_count_(mesh.face_count()),
+    : vertex_count_(mesh.vertex_count()),
+      face_count_(mesh.face_count()),
       border_count_(mesh.edges_of_class(EdgeClass::border).size()),
       border_offset_bytes_(sizeof(gpu::EdgeRecord) *
                            std::uint64_t{mesh.edges_of_class(EdgeClass::border).first}),

@@ -46,6 +46,9 @@ public:
     const glm::vec3& middle() const noexcept { return middle_; }
     VkDeviceAddress positions() const noexcept { return positions_.address(); }
     VkDeviceAddress triangles() const noexcept { return triangles_.address(); }
+    /// The same: 32-bit indices of vertices, three a face.
+    VkBuffer indices() const noexcept { return triangles_.handle(); }
+    std::uint32_t vertex_count() const noexcept { return vertex_count_; }
     VkDeviceAddress corner_normals() const noexcept { return corner_normals_.address(); }
     /// All edges, by edge number.
     VkDeviceAddress edges() const noexcept { return edges_.address(); }
@@ -59,6 +62,7 @@ public:
     const std::optional<LineComparatorMesh>& comparator() const noexcept { return comparator_; }
 
 private:
+    std::uint32_t vertex_count_ = 0;
     std::uint32_t face_count_ = 0;
     std::uint32_t border_count_ = 0;
     std::uint32_t loose_count_ = 0;

@@ -17,7 +17,7 @@ struct Constants {
 InkPass::InkPass(const DeviceContext& context, VkFormat surface_format)
     : lines_(context, 1),
       layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_FRAGMENT_BIT,
-                                   lines_.layout())),
+                                   {lines_.layout()})),
       pipeline_(make_graphics_pipeline(context, {.vertex = composite_vert,
                                                  .geometry = {},
                                                  .fragment = ink_frag,

@@ -37,11 +37,12 @@ GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
 
 }  // namespace
 
-LinePass::LinePass(const DeviceContext& context, VkFormat coverage_format, LinePath path)
+LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+                   VkFormat coverage_format, LinePath path)
     : path_(possible_path(context, path)),
       depth_(context, 1),
       layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages,
-                                   depth_.layout())),
+                                   {draw_data, depth_.layout()})),
       pipeline_(make_graphics_pipeline(context, description_of(path_, coverage_format, layout_))) {
     if (path_ != LinePath::adjacency) return;
     adjacency_ = make_graphics_pipeline(
@@ -68,29 +69,28 @@ void LinePass::record_every_edge(VkCommandBuffer commands, const DrawList& list,
     if (path_ == LinePath::adjacency) {
         if (every.adjacency_index_count > 0) {
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, adjacency_);
-            push_draw_constants(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
+            set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
             vkCmdBindIndexBuffer(commands, every.adjacency, 0, VK_INDEX_TYPE_UINT32);
             vkCmdDrawIndexed(commands, every.adjacency_index_count, 1, 0, 0, 0);
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
         }
     } else {
-        push_draw_constants(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
+        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
         record_list(commands, every.regular_edge_count);
     }
-    push_draw_constants(commands, layout_, list, instance, nullptr, RIMLINE_LINES_IRREGULAR);
+    set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_IRREGULAR);
     record_list(commands, every.irregular_pair_count);
 }
 
 void LinePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
     const VkDescriptorSet set = depth_.get();
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 0,
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set, 0,
                             nullptr);
     for (const DrawnInstance& instance : list.instances) {
         if (!instance.has_lines || instance.ink != ink) continue;
         if (draws_slots(path_)) {
-            push_draw_constants(commands, layout_, list, instance, nullptr,
-                                RIMLINE_LINES_SILHOUETTE);
+            set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_SILHOUETTE);
             vkCmdDrawIndirect(
                 commands, instance.silhouette.arguments,
                 path_ == LinePath::geometry ? IndirectDraw::k_points : IndirectDraw::k_strips, 1,
@@ -98,9 +98,9 @@ void LinePass::record(VkCommandBuffer commands, const DrawList& list, std::size_
         } else {
             record_every_edge(commands, list, instance);
         }
-        push_draw_constants(commands, layout_, list, instance, nullptr, RIMLINE_LINES_BORDER);
+        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_BORDER);
         record_list(commands, instance.border_count);
-        push_draw_constants(commands, layout_, list, instance, nullptr, RIMLINE_LINES_CREASE);
+        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_CREASE);
         record_list(commands, instance.crease_count);
     }
 }

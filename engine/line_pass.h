@@ -14,8 +14,8 @@ class LinePass {
 public:
     /// Draws into one two-channel attachment of `coverage_format`. Where the device has no geometry
     /// shaders LinePath::geometry is made pulling; other paths that need them throw Error{no_device}.
-    LinePass(const DeviceContext& context, VkFormat coverage_format,
-             LinePath path = LinePath::geometry);
+    LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+             VkFormat coverage_format, LinePath path = LinePath::geometry);
 
     LinePath path() const noexcept { return path_; }
 

@@ -22,8 +22,8 @@ enum class BufferPlace {
     readback,  ///< Persistently mapped; the GPU writes, the host reads.
 };
 
-/// Every buffer can be addressed by shaders, copied from and to, drawn from indirectly, and can hold
-/// indices.
+/// Every buffer can be addressed by shaders, bound as uniforms, copied from and to, drawn from
+/// indirectly, and can hold indices.
 class Buffer {
 public:
     Buffer() = default;

@@ -62,11 +62,11 @@ VkStencilOpState stencil_state(const GraphicsPipelineDescription& description) {
 
 OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint32_t size_bytes,
                                          VkShaderStageFlags stages,
-                                         VkDescriptorSetLayout set_layout) {
+                                         std::initializer_list<VkDescriptorSetLayout> sets) {
     const VkPushConstantRange range{.stageFlags = stages, .size = size_bytes};
     const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                          .setLayoutCount = set_layout != VK_NULL_HANDLE ? 1u : 0u,
-                                          .pSetLayouts = &set_layout,
+                                          .setLayoutCount = static_cast<std::uint32_t>(sets.size()),
+                                          .pSetLayouts = sets.begin(),
                                           .pushConstantRangeCount = 1,
                                           .pPushConstantRanges = &range};
     VkPipelineLayout layout = VK_NULL_HANDLE;

@@ -5,6 +5,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 
 #include "engine/device.h"
@@ -14,10 +15,10 @@ namespace rimline {
 
 using SpirvCode = std::span<const std::uint32_t>;
 
-/// Push constants of `size_bytes` for `stages`, and one descriptor set where `set_layout` is given.
+/// Push constants of `size_bytes` for `stages`, and descriptor sets of `sets`.
 OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint32_t size_bytes,
                                          VkShaderStageFlags stages,
-                                         VkDescriptorSetLayout set_layout = VK_NULL_HANDLE);
+                                         std::initializer_list<VkDescriptorSetLayout> sets = {});
 
 OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
                                     VkPipelineLayout layout);

@@ -40,9 +40,11 @@ Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
       options_(fitted(context, options)),
       own_service_(options.service ? nullptr : std::make_unique<SilhouetteService>()),
       scatter_(context),
-      surface_pass_(context, surface_formats(options_.samples)),
-      shadow_pass_(context, surface_formats(options_.samples), options_.shadow_sides),
-      line_pass_(context, k_coverage_format, options_.line_path),
+      draw_data_(context, k_frames_in_flight),
+      surface_pass_(context, draw_data_.layout(), surface_formats(options_.samples)),
+      shadow_pass_(context, draw_data_.layout(), surface_formats(options_.samples),
+                   options_.shadow_sides),
+      line_pass_(context, draw_data_.layout(), k_coverage_format, options_.line_path),
       ink_pass_(context, k_surface_format),
       composite_pass_(context),
       timeline_(make_timeline(context)),
@@ -118,21 +120,9 @@ const ChangeStream& Renderer::follow(TrackedSilhouette& silhouette, const Homoge
 
 DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
     const std::size_t light_count = scene.lights.size();
-    const std::uint64_t instances_at = sizeof(gpu::FrameData);
-    // Addresses need multiples of 8.
-    static_assert(sizeof(gpu::FrameData) % 8 == 0 && sizeof(gpu::InstanceData) % 8 == 0);
-    const std::uint64_t lights_at =
-        instances_at + sizeof(gpu::InstanceData) * scene.instances.size();
-    const std::uint64_t size =
-        lights_at + sizeof(gpu::LightData) * scene.instances.size() * light_count;
-    if (frame.data.size() < size)
-        frame.data = Buffer(context_, size, BufferPlace::upload, "frame data");
-    const auto put = [&](std::uint64_t offset, const auto& value) {
-        std::memcpy(frame.data.mapped() + offset, &value, sizeof value);
-        return frame.data.address() + offset;
-    };
-
-    DrawList list{.frame = put(0, frame_data(scene, *targets_)),
+    draw_data_.begin_frame(ring_slot(), frame_data(scene, *targets_), scene.instances.size(),
+                           scene.instances.size() * light_count);
+    DrawList list{.data = draw_data_.set(ring_slot()),
                   .light_count = light_count,
                   .shadows = scene.shadows,
                   .is_orthographic = scene.camera.is_orthographic(),
@@ -148,6 +138,8 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
         const SceneInstance& instance = scene.instances[i];
         InstanceState& state = instances_.all()[i];
         DrawnInstance drawn{.data = 0,
+                            .indices = state.mesh->indices(),
+                            .vertex_count = state.mesh->vertex_count(),
                             .face_count = state.mesh->face_count(),
                             .border_count = state.mesh->border_count(),
                             .crease_count = 0,
@@ -188,7 +180,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
             data.positions = state.deforming->mesh().positions();
             data.corner_normals = state.deforming->mesh().corner_normals();
         }
-        drawn.data = put(instances_at + i * sizeof(gpu::InstanceData), data);
+        drawn.data = draw_data_.put(data);
         const ShadowView view = shadow_view(scene, instance, projection);
         const CasterBox box = caster_box(instance);
         for (std::size_t l = 0; l < light_count; ++l) {
@@ -196,7 +188,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
             const HomogeneousPoint point = casting_point(scene, instance, scene.lights[l]);
             gpu::LightData light{.slots = 0,
                                  .face_words = 0,
-                                 .light = {point.x, point.y, point.z, point.w},
+                                 .point = {point.x, point.y, point.z, point.w},
                                  .color = glm::vec3(1.0f / float(light_count)),
                                  .extrusion = 0.0f};
             if (scene.camera.is_orthographic())
@@ -236,8 +228,7 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
                 drawn_light.sides = {stream.arguments().handle()};
                 frame.report.shadow_edges += state.lights[l]->regular_count() + drawn.loose_count;
             }
-            drawn_light.data =
-                put(lights_at + (i * light_count + l) * sizeof(gpu::LightData), light);
+            drawn_light.data = draw_data_.put(light);
             drawn.lights.push_back(drawn_light);
         }
         list.instances.push_back(std::move(drawn));

@@ -22,6 +22,7 @@
 
 #include "engine/composite_pass.h"
 #include "engine/consistency_check.h"
+#include "engine/draw_data.h"
 #include "engine/draw_list.h"
 #include "engine/frame_marks.h"
 #include "engine/ink_pass.h"
@@ -186,7 +187,6 @@ private:
         std::uint64_t timeline_value = 0;           // 0: a caller submits it.
         Buffer picture;
         VkExtent2D size{};
-        Buffer data;
         std::vector<TrackedSilhouette*> silhouettes;  // Those followed.
         DeformedFrame deformed;
         std::chrono::steady_clock::time_point started;
@@ -220,6 +220,7 @@ private:
     RendererOptions options_;
     std::unique_ptr<SilhouetteService> own_service_;
     ScatterPass scatter_;
+    DrawData draw_data_;
     SurfacePass surface_pass_;
     ShadowVolumePass shadow_pass_;
     LinePass line_pass_;

@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 
+#include "engine/descriptor_sets.h"
 #include "engine/memory.h"
 
 namespace rimline {
@@ -20,15 +21,13 @@ public:
     /// DEPTH_STENCIL_READ_ONLY_OPTIMAL. Not while a frame that reads the set is in flight.
     void set(std::initializer_list<const Image*> images);
 
-    VkDescriptorSetLayout layout() const noexcept { return layout_; }
-    VkDescriptorSet get() const noexcept { return set_; }
+    VkDescriptorSetLayout layout() const noexcept { return sets_.layout(); }
+    VkDescriptorSet get() const noexcept { return sets_[0]; }
 
 private:
     VkDevice device_;
     OwnedSampler sampler_;
-    OwnedDescriptorSetLayout layout_;
-    OwnedDescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    DescriptorSets sets_;
 };
 
 }  // namespace rimline

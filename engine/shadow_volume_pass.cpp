@@ -69,9 +69,10 @@ ShadowVolumePass::Pipelines ShadowVolumePass::make_pipelines(const DeviceContext
     return pipelines;
 }
 
-ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, const AttachmentFormats& formats,
-                                   SideStage stage)
-    : layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages)),
+ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+                                   const AttachmentFormats& formats, SideStage stage)
+    : layout_(
+          make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages, {draw_data})),
       perspective_(make_pipelines(context, formats, layout_, stage, false)),
       orthographic_(make_pipelines(context, formats, layout_, stage, true)) {
     fold_ = make_graphics_pipeline(context, {.vertex = composite_vert,
@@ -114,7 +115,7 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
             if (drawn.method == ShadowMethod::pass) continue;
             const bool single = drawn.form == ShadowForm::single && !draw.face_by_face;
             if (single && front_bit == 0) continue;
-            push_draw_constants(commands, layout_, list, instance, &drawn, front_bit);
+            set_draw(commands, layout_, list, instance, &drawn, front_bit);
             // Where all light rays end in one point there is no dark cap.
             const std::uint32_t caps = drawn.ends_in_one_point ? 1 : 2;
             vkCmdDraw(commands, 3 * draw.face_count, caps, 3 * draw.first_face, 0);
@@ -140,7 +141,7 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
         if (draw.face_by_face) {
             bind(pipelines.pulled_sides);
             set_counting(commands, drawn.method, false);
-            push_draw_constants(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_FACES);
+            set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_FACES);
             vkCmdDraw(commands, 3 * corners * draw.face_count, 1, 3 * corners * draw.first_face, 0);
             continue;
         }
@@ -148,7 +149,7 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
         set_counting(commands, drawn.method, false);
         const bool single = drawn.form == ShadowForm::single;
         const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
-        push_draw_constants(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_SLOTS | flag);
+        set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_SLOTS | flag);
         const VkDeviceSize offset = !pulled        ? IndirectDraw::k_points
                                     : corners == 3 ? IndirectDraw::k_pointed_sides
                                                    : IndirectDraw::k_sides;
@@ -157,7 +158,7 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
             vkCmdDrawIndirect(commands, drawn.sides.arguments, offset, 1,
                               sizeof(VkDrawIndirectCommand));
         if (instance.loose_count == 0) continue;
-        push_draw_constants(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_LOOSE | flag);
+        set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_LOOSE | flag);
         vkCmdDraw(commands, instance.loose_count * (pulled ? corners : 1), 1, 0, 0);
     }
 }

@@ -40,8 +40,8 @@ enum class SideStage : std::uint8_t {
 class ShadowVolumePass {
 public:
     /// SideStage::geometry becomes vertex where the device has no geometry shaders.
-    ShadowVolumePass(const DeviceContext& context, const AttachmentFormats& formats,
-                     SideStage stage = SideStage::vertex);
+    ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+                     const AttachmentFormats& formats, SideStage stage = SideStage::vertex);
 
     /// Clears the stencil and counts into it. Depth must be complete; color is left alone.
     void record(VkCommandBuffer commands, const DrawList& list, std::size_t light,

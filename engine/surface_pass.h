@@ -7,7 +7,6 @@
 // lavapipe computed the strokes of hatch for every pixel, and threw them away: two thirds of a frame.
 
 #include <map>
-#include <optional>
 
 #include "engine/draw_list.h"
 #include "engine/pipeline.h"
@@ -17,7 +16,8 @@ namespace rimline {
 
 class SurfacePass {
 public:
-    SurfacePass(const DeviceContext& context, const AttachmentFormats& formats);
+    SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+                const AttachmentFormats& formats);
 
     /// Makes ready for lists of `style`, before they are recorded; has no effect the second time.
     void prepare(const DeviceContext& context, Style style);
@@ -33,10 +33,11 @@ private:
     // Of one style, by whether an instance fades.
     struct Pipelines {
         OwnedPipeline unlit[2], lit[2], shadowless[2];
+        OwnedPipeline unlit_by_vertices[2];  // Null where a style's shade has strokes.
     };
 
     void record(VkCommandBuffer commands, const DrawList& list, const OwnedPipeline (&pipelines)[2],
-                std::optional<std::size_t> light) const;
+                std::size_t light) const;
 
     AttachmentFormats formats_;
     OwnedPipelineLayout layout_;

@@ -34,18 +34,18 @@ void clip(float a, float b, inout float begin, inout float end) {
 }
 
 vec3 from_camera(uint vertex) {
-    precise vec3 position = draw.instance.data.positions.at[vertex] - draw.instance.data.camera;
-    return eye_from_object(draw.instance, position);
+    precise vec3 position = instance.positions.at[vertex] - instance.camera;
+    return eye_from_object(position);
 }
 
 vec2 pixel_of(vec2 ndc) {
-    precise vec2 pixel = (ndc * (0.5 * draw.frame.data.guard) + 0.5) * draw.frame.data.extent;
+    precise vec2 pixel = (ndc * (0.5 * frame.guard) + 0.5) * frame.extent;
     return pixel;
 }
 
 // How far to the left of the line from `from` along `across` a corner lies on the screen.
 float side_of(vec3 eye_corner, vec2 from, vec2 across) {
-    const vec4 clip = clip_from_eye(draw.frame, eye_corner, 1.0);
+    const vec4 clip = clip_from_eye(eye_corner, 1.0);
     if (clip.w <= 0.0) return 0.0;
     precise vec2 away = pixel_of(clip.xy / clip.w) - from;
     precise float side = away.x * across.x + away.y * across.y;
@@ -64,7 +64,7 @@ vec2 dash_direction(vec3 a, vec3 b, vec3 corner_0, vec3 corner_1, bool has_norma
         const vec3 normal_0 = cross(b - a, corner_0 - a);
         const vec3 normal_1 = cross(corner_1 - a, b - a);
         const vec3 sum = normal_0 + normal_1;
-        const vec2 normal = sum.xy * sign(draw.frame.data.clip_scale);
+        const vec2 normal = sum.xy * sign(frame.clip_scale);
         const float bend = dot(normal_0, normal_1);
         // Not where the faces meet at a sharp edge, or the normal points at the viewer.
         if (bend > 0.76 * length(normal_0) * length(normal_1) && length(normal) > 0.5 * length(sum))
@@ -83,12 +83,12 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     if (edge.v0 > edge.v1) edge = LineEdge(edge.v1, edge.v0, edge.corner_1, edge.corner_0);
     const vec3 eye_a = from_camera(edge.v0);
     const vec3 eye_b = from_camera(edge.v1);
-    const vec4 a = clip_from_eye(draw.frame, eye_a, 1.0);
-    const vec4 b = clip_from_eye(draw.frame, eye_b, 1.0);
+    const vec4 a = clip_from_eye(eye_a, 1.0);
+    const vec4 b = clip_from_eye(eye_b, 1.0);
 
     // In front of the near plane, and not farther outside the picture than a line is wide.
-    const float radius = draw.frame.data.line_radius + 1.0;
-    precise vec2 reach = (1.0 + 2.0 * radius / draw.frame.data.extent) / draw.frame.data.guard;
+    const float radius = frame.line_radius + 1.0;
+    precise vec2 reach = (1.0 + 2.0 * radius / frame.extent) / frame.guard;
     precise float begin = 0.0;
     precise float end = 1.0;
     clip(a.w - a.z, b.w - b.z, begin, end);
@@ -122,14 +122,14 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     capsule.depths = vec2(ndc_a.z, ndc_b.z);
     capsule.outwards = side > 0.0 ? -across : across;
     const bool may_be_two_sided =
-        draw.choice == RIMLINE_LINES_CREASE || draw.frame.data.frozen_lines != 0u;
+        draw.choice == RIMLINE_LINES_CREASE || frame.frozen_lines != 0u;
     capsule.two_sided = may_be_two_sided && side_0 * side_1 < 0.0 ? 1.0 : 0.0;
     capsule.dashes = vec2(0.0);
-    if (draw.frame.data.dash_period > 0.0) {
+    if (frame.dash_period > 0.0) {
         const bool is_contour = has_0 && has_1 && draw.choice != RIMLINE_LINES_CREASE;
         const vec2 counted = dash_direction(eye_a, eye_b, eye_0, eye_1, is_contour, along);
         // Counted from the middle of the mesh, so that dashes go along with it.
-        const vec4 middle = clip_from_object(draw.frame, draw.instance, draw.instance.data.middle);
+        const vec4 middle = clip_from_object(instance.middle);
         const vec2 anchor = middle.w > 0.0 ? pixel_of(middle.xy / middle.w) : vec2(0.0);
         capsule.dashes = vec2(dot(p - anchor, counted), dot(q - anchor, counted));
     }
@@ -140,12 +140,12 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
 vec4 capsule_corner(Capsule capsule, uint corner) {
     const vec2 p = capsule.ends.xy;
     const vec2 q = capsule.ends.zw;
-    const float radius = draw.frame.data.line_radius + 1.0;
+    const float radius = frame.line_radius + 1.0;
     const float len = distance(p, q);
     const vec2 along = (len > 1e-6 ? (q - p) / len : vec2(1.0, 0.0)) * radius;
     const vec2 across = vec2(-along.y, along.x) * ((corner & 1u) == 0u ? 1.0 : -1.0);
     const vec2 place = corner < 2u ? p - along + across : q + along + across;
-    return vec4((place / draw.frame.data.extent * 2.0 - 1.0) / draw.frame.data.guard, 0.5, 1.0);
+    return vec4((place / frame.extent * 2.0 - 1.0) / frame.guard, 0.5, 1.0);
 }
 
 #endif

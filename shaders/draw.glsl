@@ -1,10 +1,14 @@
 #ifndef RIMLINE_SHADERS_DRAW_GLSL
 #define RIMLINE_SHADERS_DRAW_GLSL
 
-// The push constants of every drawing pass.
+// What every drawing pass is given for a draw (engine/draw_data.h).
 
 #include "layout.h"
 
 layout(push_constant, scalar) uniform Constants { DrawConstants draw; };
+
+layout(set = 0, binding = 0, scalar) uniform FrameBlock { FrameData frame; };
+layout(set = 0, binding = 1, scalar) uniform InstanceBlock { InstanceData instance; };
+layout(set = 0, binding = 2, scalar) uniform LightBlock { LightData light; };
 
 #endif

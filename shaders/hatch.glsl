@@ -25,13 +25,13 @@ float random_of(float value) {
 // How far the surface goes on for each pixel to the right and up, in the mesh's coordinates. From its
 // smooth normal, not by differences of neighbouring pixels: strokes must not show the triangles.
 void surface_steps(vec3 position, vec3 normal, out vec3 right_step, out vec3 up_step) {
-    const mat3 axes = transpose(draw.instance.data.eye_from_object);
-    const vec3 from_camera = position - draw.instance.data.camera;
-    const vec2 clip_w = draw.frame.data.clip_w;
+    const mat3 axes = transpose(instance.eye_from_object);
+    const vec3 from_camera = position - instance.camera;
+    const vec2 clip_w = frame.clip_w;
     const float w = clip_w.x * dot(axes[2], from_camera) + clip_w.y;
     const vec3 ray = clip_w.x == 0.0 ? -axes[2] : normalize(from_camera);
-    const float pixel = 2.0 * w / (abs(draw.frame.data.clip_scale.x) * draw.frame.data.guard *
-                                   draw.frame.data.extent.x);
+    const float pixel = 2.0 * w / (abs(frame.clip_scale.x) * frame.guard *
+                                   frame.extent.x);
     const float facing = min(dot(normal, ray), -0.12);
     right_step = pixel * (axes[0] - ray * (dot(normal, axes[0]) / facing));
     up_step = pixel * (axes[1] - ray * (dot(normal, axes[1]) / facing));
@@ -52,7 +52,7 @@ vec2 passing(vec3 direction, HatchedPlace place) {
 
 // Ink of the planes across `direction` where a share `density` of the surface is to be inked.
 float strokes_ink(vec3 direction, float density, HatchedPlace place) {
-    const float spacing = draw.frame.data.hatch_spacing;
+    const float spacing = frame.hatch_spacing;
     const float along = dot(direction, place.from_middle);
     const float gradient = length(passing(direction, place));
     const float level = log2(spacing * gradient);
@@ -100,7 +100,7 @@ float hatch_ink(vec3 position, vec3 normal, float density) {
     const vec3 k_second = vec3(-0.7807, 0.4880, 0.3904);
     const vec3 k_third = vec3(0.3554, -0.4443, 0.8224);
     HatchedPlace place;
-    place.from_middle = position - draw.instance.data.middle;
+    place.from_middle = position - instance.middle;
     place.normal = normal;
     surface_steps(position, normal, place.right_step, place.up_step);
     const float first = density < k_single ? density : k_single + 0.5 * (density - k_single);

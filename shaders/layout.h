@@ -4,8 +4,9 @@
 // What C++ and GLSL both read, written down once. Everything is in scalar layout, addresses first, so
 // that both languages place every member alike; the asserts at the end hold C++ to it.
 //
-// Buffers are reached by address: there are no descriptors but for the pictures a pass samples, and no
-// limit on a buffer's size but the device's memory.
+// Buffers are reached by address, and have no limit on their size but the device's memory. There are
+// descriptors for the pictures that a pass samples, and for what all invocations of a draw read alike:
+// a load by address is each invocation's own, which a CPU that stands in for a GPU pays for.
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -172,32 +173,16 @@ struct InstanceData {
 struct LightData {
     RIMLINE_ADDRESS(Slots) slots;
     RIMLINE_ADDRESS(FaceWords) face_words;
-    vec4 light;  // Homogeneous, in the mesh's coordinates.
+    vec4 point;  // Homogeneous, in the mesh's coordinates.
     vec3 color;  // Its share of a fully lit surface.
     float
         extrusion;  // 0: volumes reach infinity. Else how far (directional light) or how many times as
     // far as the edge (point light), for orthographic views, which infinity is not in.
 };
 
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameRef {
-    FrameData data;
-};
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer InstanceRef {
-    InstanceData data;
-};
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer LightRef {
-    LightData data;
-};
-#endif
-
 // Push constants of every drawing pass.
 struct DrawConstants {
-    RIMLINE_ADDRESS(FrameRef) frame;
-    RIMLINE_ADDRESS(InstanceRef) instance;
-    RIMLINE_ADDRESS(LightRef) light;  // 0 where there is none.
-    uint choice;                      // What the pass's shader says.
-    uint padding;
+    uint choice;  // What the pass's shader says.
 };
 
 // Push constants of the passes of a visible ratio: one viewpoint of one mesh.
@@ -220,7 +205,7 @@ static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 24);
 static_assert(sizeof(InstanceData) == 10 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
-static_assert(sizeof(DrawConstants) == 32);
+static_assert(sizeof(DrawConstants) == 4);
 }  // namespace rimline::gpu
 #endif
 

@@ -18,10 +18,10 @@ layout(location = 1) flat in vec4 depths_out;  // Depths at both ends; the unit 
 layout(location = 2) flat in vec3 pattern;     // Dashes at both ends; whether to look on both sides.
 layout(location = 0) out vec2 coverage;
 
-layout(set = 0, binding = 0) uniform sampler2D surface_depth;
+layout(set = 1, binding = 0) uniform sampler2D surface_depth;
 
 float depth_at(ivec2 pixel) {
-    return texelFetch(surface_depth, clamp(pixel, ivec2(0), ivec2(draw.frame.data.extent) - 1), 0).r;
+    return texelFetch(surface_depth, clamp(pixel, ivec2(0), ivec2(frame.extent) - 1), 0).r;
 }
 
 float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
@@ -32,7 +32,7 @@ float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
 // differences the smaller is a slope, the other may be a step to another surface; as much as they differ
 // the surface is not plane, and then a line in front of what is seen there may be free.
 bool is_free(vec2 spine, vec2 offset, vec2 outwards, float nearest) {
-    const vec2 place = draw.frame.data.depth_place;
+    const vec2 place = frame.depth_place;
     const ivec2 pixel = ivec2(floor(spine + offset - place + 0.5));
     const ivec2 x = ivec2(outwards.x < 0.0 ? -1 : 1, 0);
     const ivec2 y = ivec2(0, outwards.y < 0.0 ? -1 : 1);
@@ -48,27 +48,33 @@ bool is_free(vec2 spine, vec2 offset, vec2 outwards, float nearest) {
     return depth <= nearest && continued - abs(x_2 - x_1) - abs(y_2 - y_1) <= nearest;
 }
 
-// Straight out and to both sides of that: near the end of a line another one's surface may begin.
-bool is_free_outwards(vec2 spine, vec2 outwards, float nearest) {
+// Whether the line is free on the side of `outwards`, or on either. Straight out first, then to both sides
+// of that: near the end of a line another one's surface may begin. A loop, for a CPU that stands in for a
+// GPU leaves one early, and takes both sides of every branch; most lines are free at the first look.
+bool is_free_on(vec2 spine, vec2 outwards, bool on_both_sides, float nearest) {
     const vec2 turned = vec2(-outwards.y, outwards.x);
-    return is_free(spine, 1.25 * outwards, outwards, nearest) ||
-           is_free(spine, 0.8 * outwards, outwards, nearest) ||
-           is_free(spine, 0.9 * (outwards + turned), outwards, nearest) ||
-           is_free(spine, 0.9 * (outwards - turned), outwards, nearest);
+    const vec2 looks[4] = vec2[](1.25 * outwards, 0.8 * outwards, 0.9 * (outwards + turned),
+                                 0.9 * (outwards - turned));
+    const int count = on_both_sides ? 8 : 4;
+    for (int i = 0; i < count; ++i) {
+        const float side = i < 4 ? 1.0 : -1.0;
+        if (is_free(spine, side * looks[i & 3], side * outwards, nearest)) return true;
+    }
+    return false;
 }
 
 // What of a pixel `away` pixels from a line's middle the line covers, across: a box a pixel wide.
 float covered_across(float away) {
-    const float radius = draw.frame.data.line_radius;
+    const float radius = frame.line_radius;
     return min(clamp(radius + 0.5 - away, 0.0, 1.0), 2.0 * radius);
 }
 
 // How much of the dash pattern is drawn at `place` along it.
 float dash_at(float place) {
-    const float period = draw.frame.data.dash_period;
+    const float period = frame.dash_period;
     if (period == 0.0) return 1.0;
     const float from_middle = abs(fract(place / period) - 0.5) * period;
-    return clamp(0.5 * draw.frame.data.dash_length + 0.5 - from_middle, 0.0, 1.0);
+    return clamp(0.5 * frame.dash_length + 0.5 - from_middle, 0.0, 1.0);
 }
 
 void main() {
@@ -82,10 +88,9 @@ void main() {
 
     const float depth = mix(depths_out.x, depths_out.y, t);
     const float nearest_seen =
-        depth + depth * draw.frame.data.depth_slack + draw.frame.data.depth_slack_absolute;
+        depth + depth * frame.depth_slack + frame.depth_slack_absolute;
     const vec2 outwards = depths_out.zw;
-    const bool seen = is_free_outwards(spine, outwards, nearest_seen) ||
-                      (pattern.z != 0.0 && is_free_outwards(spine, -outwards, nearest_seen));
+    const bool seen = is_free_on(spine, outwards, pattern.z != 0.0, nearest_seen);
     coverage = seen ? vec2(covered, 0.0)
                     : vec2(0.0, covered * dash_at(mix(pattern.x, pattern.y, t)));
 }

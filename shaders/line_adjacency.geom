@@ -14,10 +14,10 @@ layout(location = 0) flat in uint corner[];
 RIMLINE_CAPSULE_VARYINGS(out)
 
 bool is_front_triangle(uint a, uint b, uint c) {
-    const vec3 origin = draw.instance.data.positions.at[a];
-    const vec3 across = cross(draw.instance.data.positions.at[b] - origin,
-                              draw.instance.data.positions.at[c] - origin);
-    const vec4 viewpoint = draw.instance.data.viewpoint;
+    const vec3 origin = instance.positions.at[a];
+    const vec3 across = cross(instance.positions.at[b] - origin,
+                              instance.positions.at[c] - origin);
+    const vec4 viewpoint = instance.viewpoint;
     return dot(across, viewpoint.xyz - viewpoint.w * origin) > 0.0;
 }
 

@@ -19,7 +19,7 @@ struct LineEdge {
 
 uint corner_across(uint face, uint v0, uint v1) {
     if (face == k_no_face) return k_no_corner;
-    const TriangleRecord triangle = draw.instance.data.triangles.at[face];
+    const TriangleRecord triangle = instance.triangles.at[face];
     uint corner = triangle.v0;
     if (corner == v0 || corner == v1) corner = triangle.v1;
     if (corner == v0 || corner == v1) corner = triangle.v2;
@@ -28,23 +28,23 @@ uint corner_across(uint face, uint v0, uint v1) {
 
 // Subnormals may be flushed here, so a comparator can part from the tracker at planes of that size.
 bool is_front_here(uint face) {
-    return is_front(draw.instance.data.planes.at[face], draw.instance.data.viewpoint);
+    return is_front(instance.planes.at[face], instance.viewpoint);
 }
 
 // False where the edge of this number is not drawn.
 bool read_line_edge(uint number, out LineEdge line) {
     EdgeRecord edge;
     if (draw.choice == RIMLINE_LINES_SILHOUETTE) {
-        edge = draw.instance.data.edges.at[draw.instance.data.slots.at[number]];
+        edge = instance.edges.at[instance.slots.at[number]];
     } else if (draw.choice == RIMLINE_LINES_BORDER) {
-        edge = draw.instance.data.borders.at[number];
+        edge = instance.borders.at[number];
     } else if (draw.choice == RIMLINE_LINES_CREASE) {
-        edge = draw.instance.data.creases.at[number];
+        edge = instance.creases.at[number];
     } else if (draw.choice == RIMLINE_LINES_TESTED) {
-        edge = draw.instance.data.edges.at[number];
+        edge = instance.edges.at[number];
         if (is_front_here(edge.f0) == is_front_here(edge.f1)) return false;
     } else {
-        const FacePairRecord pair = draw.instance.data.irregular_pairs.at[number];
+        const FacePairRecord pair = instance.irregular_pairs.at[number];
         edge = pair.edge;
         if ((is_front_here(pair.face_a) == is_front_here(pair.face_b)) != (pair.drawn_if_equal == 1u))
             return false;

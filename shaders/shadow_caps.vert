@@ -16,15 +16,15 @@ precise gl_Position;
 
 void main() {
     const uint face = gl_VertexIndex / 3u;
-    if ((draw.light.data.face_words.at[face / 32u] >> (face % 32u) & 1u) != draw.choice) {
+    if ((light.face_words.at[face / 32u] >> (face % 32u) & 1u) != draw.choice) {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }
-    const VolumeCorner corner = cap_corner(draw.instance.data.triangles.at[face],
+    const VolumeCorner corner = cap_corner(instance.triangles.at[face],
                                            gl_InstanceIndex == 1, gl_VertexIndex % 3u);
-    const vec3 position = draw.instance.data.positions.at[corner.vertex];
+    const vec3 position = instance.positions.at[corner.vertex];
     if (corner.is_far)
-        gl_Position = clip_from_extruded(draw.frame, draw.instance, draw.light, position);
+        gl_Position = clip_from_extruded(position);
     else
-        gl_Position = clip_from_object(draw.frame, draw.instance, position);
+        gl_Position = clip_from_object(position);
 }

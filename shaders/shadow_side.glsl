@@ -16,19 +16,19 @@ struct Side {
 };
 
 bool shadow_face_bit(uint face) {
-    return (draw.light.data.face_words.at[face / 32u] >> (face % 32u) & 1u) == 1u;
+    return (light.face_words.at[face / 32u] >> (face % 32u) & 1u) == 1u;
 }
 
 Side side_of_record(uint record) {
     const uint list = draw.choice & 3u;
     Side side;
     if (list == RIMLINE_SIDES_SLOTS)
-        side.edge = draw.instance.data.edges.at[draw.light.data.slots.at[record]];
+        side.edge = instance.edges.at[light.slots.at[record]];
     else if (list == RIMLINE_SIDES_LOOSE)
-        side.edge = draw.instance.data.loose_edges.at[record];
+        side.edge = instance.loose_edges.at[record];
     else
         side.edge =
-            edge_of_face(draw.instance.data.triangles.at[record / 3u], record / 3u, record % 3u);
+            edge_of_face(instance.triangles.at[record / 3u], record / 3u, record % 3u);
     side.is_front = shadow_face_bit(side.edge.f0);
     // Of slots every regular one casts; others do through the loose list.
     side.is_cast = list == RIMLINE_SIDES_SLOTS
@@ -38,10 +38,10 @@ Side side_of_record(uint record) {
 }
 
 vec4 clip_of_corner(VolumeCorner corner) {
-    const vec3 position = draw.instance.data.positions.at[corner.vertex];
+    const vec3 position = instance.positions.at[corner.vertex];
     if (corner.is_far)
-        return clip_from_extruded(draw.frame, draw.instance, draw.light, position);
-    return clip_from_object(draw.frame, draw.instance, position);
+        return clip_from_extruded(position);
+    return clip_from_object(position);
 }
 
 #endif

@@ -17,7 +17,7 @@ void main() {
         EmitVertex();
     }
     // The strip's second triangle has corners 1, 3 and 2 of the strip: 3, 4 and 5 of the side.
-    if (!ends_in_one_point(draw.light)) {
+    if (!ends_in_one_point()) {
         gl_Position = clip_of_corner(side_corner(side.edge, side.is_front, 4u));
         EmitVertex();
     }

@@ -9,7 +9,7 @@
 precise gl_Position;
 
 void main() {
-    const uint corners = ends_in_one_point(draw.light) ? 3u : 6u;
+    const uint corners = ends_in_one_point() ? 3u : 6u;
     const Side side = side_of_record(gl_VertexIndex / corners);
     if (!side.is_cast) {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0);

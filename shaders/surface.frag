@@ -32,11 +32,11 @@ float tone(float cosine) {
 
 // The surface where a share `amount` of the light arrives.
 vec3 shown(float amount, vec3 facing_normal) {
-    const vec3 lit = draw.instance.data.color;
-    const vec3 shade = draw.frame.data.shade;
+    const vec3 lit = instance.color;
+    const vec3 shade = frame.shade;
     if (k_style != RIMLINE_STYLE_HATCH) return lit * mix(shade, vec3(1.0), amount);
     const float density = (1.0 - dot(shade, vec3(1.0 / 3.0))) * (1.0 - amount);
-    return mix(lit, draw.instance.data.ink, hatch_ink(position, facing_normal, density));
+    return mix(lit, instance.ink, hatch_ink(position, facing_normal, density));
 }
 
 void main() {
@@ -47,17 +47,17 @@ void main() {
     color = k_has_shade ? vec4(shaded, 1.0) : vec4(0.0);
     if (k_has_light) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
-        const vec4 light = draw.light.data.light;
-        const vec3 to_light = normalize(light.xyz - light.w * position);
+        const vec4 light_point = light.point;
+        const vec3 to_light = normalize(light_point.xyz - light_point.w * position);
         float amount = reached ? tone(dot(n, to_light)) : 0.0;
         // What only catches shadows is paper: strokes all over it would say nothing.
         if (k_style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
             amount = smoothstep(0.14, 0.17, dot(n, to_light));
-        color.rgb += (shown(amount, n) - shaded) * draw.light.data.color;
+        color.rgb += (shown(amount, n) - shaded) * light.color;
     }
     if (k_fades) {
-        const float away = distance(position, draw.instance.data.fade_center);
-        const float fade = smoothstep(0.45, 1.0, away / draw.instance.data.fade_radius);
-        color.rgb = mix(color.rgb, k_has_shade ? draw.frame.data.background : vec3(0.0), fade);
+        const float away = distance(position, instance.fade_center);
+        const float fade = smoothstep(0.45, 1.0, away / instance.fade_radius);
+        color.rgb = mix(color.rgb, k_has_shade ? frame.background : vec3(0.0), fade);
     }
 }

@@ -18,22 +18,22 @@ const float k_grazing = 1e-3;  // The sine of the angle between light and face.
 precise gl_Position;
 
 uint side_grazed(uint face, TriangleRecord triangle) {
-    const vec3 corner = draw.instance.data.positions.at[triangle.v0];
-    const vec3 across = cross(draw.instance.data.positions.at[triangle.v1] - corner,
-                              draw.instance.data.positions.at[triangle.v2] - corner);
-    const vec4 light = draw.light.data.light;
-    const vec3 to_light = light.xyz - light.w * corner;
+    const vec3 corner = instance.positions.at[triangle.v0];
+    const vec3 across = cross(instance.positions.at[triangle.v1] - corner,
+                              instance.positions.at[triangle.v2] - corner);
+    const vec4 light_point = light.point;
+    const vec3 to_light = light_point.xyz - light_point.w * corner;
     if (abs(dot(across, to_light)) > k_grazing * length(across) * length(to_light)) return 0u;
-    return 2u - (draw.light.data.face_words.at[face / 32u] >> (face % 32u) & 1u);
+    return 2u - (light.face_words.at[face / 32u] >> (face % 32u) & 1u);
 }
 
 void main() {
     const uint face = gl_VertexIndex / 3u;
     const uint corner = gl_VertexIndex % 3u;
-    const TriangleRecord triangle = draw.instance.data.triangles.at[face];
+    const TriangleRecord triangle = instance.triangles.at[face];
     const uint vertex = corner == 0u ? triangle.v0 : corner == 1u ? triangle.v1 : triangle.v2;
     grazed_side = draw.choice == 1u ? side_grazed(face, triangle) : 0u;
-    position = draw.instance.data.positions.at[vertex];
-    normal = draw.instance.data.corner_normals.at[gl_VertexIndex];
-    gl_Position = clip_from_object(draw.frame, draw.instance, position);
+    position = instance.positions.at[vertex];
+    normal = instance.corner_normals.at[gl_VertexIndex];
+    gl_Position = clip_from_object(position);
 }

@@ -79,9 +79,10 @@ RIMLINE_FAULT_SCENARIO("pictures of a mesh that deforms") {
 }
 
 RIMLINE_FAULT_SCENARIO("pictures of lines that are tested in every frame") {
+    const auto data = stage.make<DrawData>(stage.context(), 2u);
     for (const LinePath path :
          {LinePath::pulling, LinePath::all_edges, LinePath::quads, LinePath::adjacency})
-        stage.make<LinePass>(stage.context(), k_coverage_format, path);
+        stage.make<LinePass>(stage.context(), data->layout(), k_coverage_format, path);
     RendererOptions options = k_plain;
     options.line_path = LinePath::adjacency;
     const auto renderer =
@@ -92,8 +93,9 @@ RIMLINE_FAULT_SCENARIO("pictures of lines that are tested in every frame") {
 
 RIMLINE_FAULT_SCENARIO("pictures of shadows by every method and form") {
     const AttachmentFormats formats{k_surface_format, k_depth_stencil_format, 1};
+    const auto data = stage.make<DrawData>(stage.context(), 2u);
     for (const SideStage sides : {SideStage::vertex, SideStage::geometry})
-        stage.make<ShadowVolumePass>(stage.context(), formats, sides);
+        stage.make<ShadowVolumePass>(stage.context(), data->layout(), formats, sides);
     RendererOptions options = k_plain;
     options.shadow_sides = SideStage::geometry;
     const auto renderer =
