@@ -17,6 +17,12 @@ namespace rimline {
 /// sRGB, 8 bits a channel: red, green, blue.
 using PointColor = std::array<std::uint8_t, 3>;
 
+/// What to do with positions that are NaN or infinite. Finite ones beyond k_max_coordinate are an error.
+enum class BadPoints {
+    refuse,  ///< The first is an error that names its place, and its number, from 0, where a file has one.
+    keep,  ///< They keep their numbers; PointCloud leaves them out and counts them.
+};
+
 struct PointSource {
     /// In the file's own numbering. Finite ones within k_max_coordinate; others only where they were
     /// asked for (BadPoints::keep).

@@ -296,6 +296,54 @@ TEST_CASE("Points that are not finite are refused with number and place, or keep
     CHECK(read_points("a.obj", mesh, BadPoints::keep).triangles.empty());
 }
 
+TEST_CASE("Points that are not finite are refused or kept in what is read as a mesh, too") {
+    // The first vertex of every sample: its x is NaN, or its z infinite.
+    const auto patched = [](std::string bytes, std::size_t offset, float value) {
+        std::memcpy(bytes.data() + offset, &value, sizeof value);
+        return bytes;
+    };
+    const std::string stl =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex X 0 Z\nvertex 1 0 0\n"
+        "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+    // A square, which must not be cut along a diagonal to nowhere.
+    const std::string off = "OFF\n4 1 0\nX 0 Z\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+    const auto with = [](std::string text, const char* x, const char* z) {
+        text.replace(text.find('X'), 1, x);
+        return text.replace(text.find('Z'), 1, z);
+    };
+    const std::string soup = sample_stl_binary();
+    const std::string glb = sample_glb();
+    const std::size_t in_soup = 80 + 4 + 12;
+    const std::size_t in_glb = glb.size() - 188;  // Positions begin the chunk at its end.
+    struct Case {
+        std::string name, with_nan, with_infinity, place;
+    };
+    for (const Case& test :
+         {Case{"a.stl", with(stl, "nan", "0"), with(stl, "0", "inf"), "a.stl:4: "},
+          Case{"b.stl", patched(soup, in_soup, NAN), patched(soup, in_soup + 8, INFINITY),
+               "b.stl: byte "},
+          Case{"a.off", with(off, "nan", "0"), with(off, "0", "-inf"), "a.off:3: "},
+          Case{"a.glb", patched(glb, in_glb, NAN), patched(glb, in_glb + 8, -INFINITY),
+               "a.glb: meshes[0].primitives[0]: vertex 0 is not a finite"}}) {
+        CAPTURE(test.name);
+        for (const std::string& bytes : {test.with_nan, test.with_infinity}) {
+            CHECK(point_error(test.name, bytes).starts_with(test.place));
+            CHECK(error_of(test.name, bytes).starts_with(test.place));
+            const PointSource kept = read_points(test.name, bytes, BadPoints::keep);
+            REQUIRE(kept.positions.size() >= 3);
+            CHECK(kept.triangles.empty());
+            for (std::size_t p = 1; p < kept.positions.size(); ++p)
+                CHECK(std::isfinite(kept.positions[p].x + kept.positions[p].z));
+        }
+        CHECK(std::isnan(read_points(test.name, test.with_nan, BadPoints::keep).positions[0].x));
+        CHECK(
+            std::isinf(read_points(test.name, test.with_infinity, BadPoints::keep).positions[0].z));
+    }
+    // Where all is well the faces are kept aside as ever.
+    CHECK(read_points("a.off", with(off, "0", "0"), BadPoints::keep).triangles.size() == 2);
+    CHECK(read_points("b.stl", soup, BadPoints::keep).triangles.size() == 5);
+}
+
 TEST_CASE("Every prefix of a cloud is an error, or has lost digits of its last number") {
     const ScratchFolder folder;
     for (const SampleFile& sample : sample_clouds()) {

@@ -34,9 +34,10 @@ double load_scalar(const char* bytes, ScalarType type, std::endian order) noexce
     return 0.0;
 }
 
-float ByteScanner::coordinate(ScalarType type, const char* what) {
+float ByteScanner::coordinate(ScalarType type, const char* what, BadPoints bad) {
     const std::size_t place = at_;
     const double value = number(type, what);
+    if (!std::isfinite(value) && bad == BadPoints::keep) return static_cast<float>(value);
     // Compared in double: the conversion of what lies beyond float's range is not defined.
     if (!(std::abs(value) <= static_cast<double>(k_max_coordinate)))
         bad_byte(name_, place,

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "silhouette/mesh/formats/source_file.h"
+#include "silhouette/mesh/point_source.h"
 
 namespace rimline {
 
@@ -55,8 +56,8 @@ public:
         at_ += size_bytes(type);
         return value;
     }
-    /// The next value as a coordinate: finite and within k_max_coordinate.
-    float coordinate(ScalarType type, const char* what);
+    /// The next value as a coordinate: within k_max_coordinate, or kept where it is not finite.
+    float coordinate(ScalarType type, const char* what, BadPoints bad = BadPoints::refuse);
     /// The next value as an integer, whatever its type.
     std::int64_t integer(ScalarType type, const char* what);
     /// Steps over `count` elements of `size` bytes.

@@ -82,9 +82,10 @@ glm::dmat4 local_transform(const std::string& file, const tinygltf::Node& node,
 class Flattener {
 public:
     Flattener(const SourceFile& file, const tinygltf::Model& model, const GltfBuffers& buffers,
-              const LongCall& call)
+              BadPoints bad, const LongCall& call)
         : file_(file.name),
           model_(model),
+          bad_(bad),
           call_(call),
           accessors_(file_, model, buffers, file.bytes.size() + buffers.bytes_read()) {}
 
@@ -179,7 +180,8 @@ private:
         for (std::size_t i = 0; i < positions.size(); ++i) {
             const glm::dvec3 p(transform * glm::dvec4(positions[i], 1.0));
             for (int axis = 0; axis < 3; ++axis)
-                if (!(std::abs(p[axis]) <= static_cast<double>(k_max_coordinate)))
+                if (!(std::abs(p[axis]) <= static_cast<double>(k_max_coordinate)) &&
+                    (std::isfinite(p[axis]) || bad_ == BadPoints::refuse))
                     fail("vertex " + std::to_string(i) + " is " +
                          (std::isfinite(p[axis]) ? "beyond 2^60 in size; scale the model down"
                                                  : "not a finite position"));
@@ -229,6 +231,7 @@ private:
 
     const std::string& file_;
     const tinygltf::Model& model_;
+    BadPoints bad_;
     const LongCall& call_;
     GltfAccessors accessors_;
     MeshSource source_;
@@ -237,23 +240,23 @@ private:
 };
 
 MeshSource read_document(const SourceFile& file, std::string_view json, std::size_t first_byte,
-                         std::string_view binary_chunk, const LongCall& call) {
+                         std::string_view binary_chunk, BadPoints bad, const LongCall& call) {
     const GltfScene scene = read_gltf_scene(file.name, json, first_byte);
     parse_checkpoint(call, 0.3);
     const GltfBuffers buffers(file, scene.buffers, binary_chunk);
     const tinygltf::Model model = parse_model(file, scene);
     parse_checkpoint(call, 0.6);
-    return Flattener(file, model, buffers, call).run();
+    return Flattener(file, model, buffers, bad, call).run();
 }
 
 }  // namespace
 
-MeshSource read_gltf(const SourceFile& file, const LongCall& call) {
-    return read_document(file, file.text(), file.text_begin, {}, call);
+MeshSource read_gltf(const SourceFile& file, BadPoints bad, const LongCall& call) {
+    return read_document(file, file.text(), file.text_begin, {}, bad, call);
 }
 
 // A GLB is a header (magic, version, length) and chunks (length, type, bytes): JSON, then perhaps BIN.
-MeshSource read_glb(const SourceFile& file, const LongCall& call) {
+MeshSource read_glb(const SourceFile& file, BadPoints bad, const LongCall& call) {
     constexpr std::uint32_t k_json = 0x4e4f534a;
     constexpr std::uint32_t k_bin = 0x004e4942;
     const std::string_view bytes = file.bytes;
@@ -286,7 +289,7 @@ MeshSource read_glb(const SourceFile& file, const LongCall& call) {
         }
     }
     if (json.empty()) scanner.fail("there is no JSON chunk");
-    return read_document(file, json, json_begin, binary, call);
+    return read_document(file, json, json_begin, binary, bad, call);
 }
 
 }  // namespace rimline

@@ -7,28 +7,19 @@
 
 namespace rimline {
 
-namespace {
-
-using Reader = MeshSource (*)(const SourceFile&, const LongCall&);
-
-Reader reader_of(FileFormat format) {
-    switch (format) {
-        case FileFormat::ply: return read_ply;
-        case FileFormat::stl_text: return read_stl_text;
-        case FileFormat::stl_binary: return read_stl_binary;
-        case FileFormat::off: return read_off;
-        case FileFormat::obj: return read_obj;
-        case FileFormat::gltf: return read_gltf;
-        case FileFormat::glb: return read_glb;
+MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call) {
+    const SourceFile& file = known.file;
+    switch (known.format) {
+        case FileFormat::ply: return read_ply(file, call);
+        case FileFormat::stl_text: return read_stl_text(file, bad, call);
+        case FileFormat::stl_binary: return read_stl_binary(file, bad, call);
+        case FileFormat::off: return read_off(file, bad, call);
+        case FileFormat::obj: return read_obj(file, call);
+        case FileFormat::gltf: return read_gltf(file, bad, call);
+        case FileFormat::glb: return read_glb(file, bad, call);
         case FileFormat::point_text: break;
     }
-    return read_point_text_as_mesh;
-}
-
-}  // namespace
-
-MeshSource read_mesh(const KnownFile& known, const LongCall& call) {
-    return reader_of(known.format)(known.file, call);
+    return read_point_text_as_mesh(file, call);
 }
 
 MeshSource read_mesh_file(const std::filesystem::path& path, FaceRequirement requirement,
@@ -37,7 +28,7 @@ MeshSource read_mesh_file(const std::filesystem::path& path, FaceRequirement req
         call.checkpoint(0.0);
         const KnownFile known(path, call);
         const SourceFile& file = known.file;
-        MeshSource source = read_mesh(known, call);
+        MeshSource source = read_mesh(known, BadPoints::refuse, call);
         if (source.triangles.empty() && requirement == FaceRequirement::faces)
             bad_file(file.name,
                      "no faces: it holds " +

@@ -5,6 +5,9 @@
 // coordinate (2), in this order. A face is its corner count, its corners and up to four numbers of
 // colour. The kinds with a fourth coordinate or n of them, and the binary form, are refused by name.
 
+#include <algorithm>
+#include <cmath>
+
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/text_scanner.h"
 #include "silhouette/mesh/formats/triangulate.h"
@@ -45,7 +48,8 @@ std::string_view word_or_fail(TextScanner& scanner, const char* what) {
 
 class OffReader {
 public:
-    OffReader(TextScanner& scanner, OffKind kind) : scanner_(scanner), kind_(kind) {}
+    OffReader(TextScanner& scanner, OffKind kind, BadPoints bad)
+        : scanner_(scanner), kind_(kind), bad_(bad) {}
 
     glm::vec3 read_vertex() {
         const char* const what = "another vertex's number";
@@ -59,7 +63,7 @@ public:
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis) {
             if (axis > 0) token = word_or_fail(scanner_, what);
-            position[axis] = scanner_.coordinate(token, "a vertex's coordinate");
+            position[axis] = scanner_.coordinate(token, "a vertex's coordinate", bad_);
         }
         const int more = fixed - 3 + (kind_.colour ? colours_ : 0);
         for (int i = 0; i < more; ++i)
@@ -110,6 +114,7 @@ private:
 
     TextScanner& scanner_;
     OffKind kind_;
+    BadPoints bad_;
     int colours_ = 4;
     std::uint64_t last_line_ = 0;     // Where the last vertex ended.
     std::uint64_t crowded_line_ = 0;  // The first where one vertex ends and another begins.
@@ -123,7 +128,7 @@ std::uint64_t read_count(TextScanner& scanner, std::string_view token, const cha
 
 }  // namespace
 
-MeshSource read_off(const SourceFile& file, const LongCall& call) {
+MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call) {
     TextScanner scanner(file.name, file.text(), {.comment = '#'});
     scanner.expect_line("OFF's first word");
     std::string_view token = scanner.token();
@@ -152,20 +157,24 @@ MeshSource read_off(const SourceFile& file, const LongCall& call) {
     if (vertex_count > k_max_file_vertices)
         throw Error(ErrorCode::too_large, file.name + ": more than 2^32 vertices");
 
-    OffReader reader(scanner, kind);
+    OffReader reader(scanner, kind, bad);
     MeshSource source;
     source.positions.reserve(vertex_count);
     for (std::uint64_t i = 0; i < vertex_count; ++i) {
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
         source.positions.push_back(reader.read_vertex());
     }
+    // No polygon is taken apart where a corner may be nowhere.
+    const bool all_finite = std::ranges::all_of(source.positions, [](const glm::vec3& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
     source.triangles.reserve(face_count);
     std::vector<std::uint32_t> polygon;
     Triangulator triangulator;
     for (std::uint64_t i = 0; i < face_count; ++i) {
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
         reader.read_face(vertex_count, polygon);
-        triangulator.triangulate(source.positions, polygon, source.triangles);
+        if (all_finite) triangulator.triangulate(source.positions, polygon, source.triangles);
     }
     if (!scanner.word().empty())
         scanner.fail("there is more after the last face; a count at the beginning is too small");

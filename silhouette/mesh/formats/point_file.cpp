@@ -23,12 +23,14 @@ PointSource read_points(const KnownFile& known, BadPoints bad, const LongCall& c
         case FileFormat::ply: records = read_ply_points(known.file, bad, call); break;
         case FileFormat::obj: records = read_obj_points(known.file, bad, call); break;
         case FileFormat::point_text: records = read_point_text(known.file, bad, call); break;
-        default: return points_of(read_mesh(known, call));
+        default: records.source = points_of(read_mesh(known, bad, call));
     }
     PointSource& source = records.source;
-    // Readers of meshes refuse a file with positions that are not finite, and nothing is true of it.
-    if (records.has_faces && std::ranges::all_of(source.positions, is_finite))
-        source.triangles = read_mesh(known, {call.stop, {}}).triangles;
+    // Of a mesh with positions that are not finite nothing is true.
+    if (!std::ranges::all_of(source.positions, is_finite))
+        source.triangles.clear();
+    else if (records.has_faces)
+        source.triangles = read_mesh(known, bad, {call.stop, {}}).triangles;
     return std::move(source);
 }
 

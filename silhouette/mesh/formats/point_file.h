@@ -1,7 +1,7 @@
 #pragma once
 
 // Reads the points of a file into a PointSource: PLY, OBJ, XYZ and PTS text in double precision; STL, OFF,
-// glTF and GLB as mesh_file.h reads them. As strict as mesh_file.h: a file gives exactly what its bytes
+// glTF and GLB in the float of mesh_file.h. As strict as mesh_file.h: a file gives exactly what its bytes
 // say or an Error that names the file and the line or byte.
 //
 //   PLY   x y z; nx ny nz; red green blue, whole numbers or shares of 1. All other properties are
@@ -24,13 +24,6 @@
 #include "silhouette/mesh/point_source.h"
 
 namespace rimline {
-
-/// What to do with positions that are NaN or infinite. Finite ones beyond k_max_coordinate are an error.
-enum class BadPoints {
-    refuse,  ///< The first is an error that names its number, from 0, and place.
-    keep,  ///< They keep their numbers; PointCloud leaves them out and counts them. The formats that
-           ///< are read as meshes refuse them all the same.
-};
 
 /// Throws what read_mesh_file throws; a file without points is an error. Cost: O(file), at most a few
 /// times its length in memory. A PLY or OBJ with faces is understood twice.

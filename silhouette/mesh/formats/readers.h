@@ -15,17 +15,18 @@
 namespace rimline {
 
 MeshSource read_ply(const SourceFile& file, const LongCall& call);
-MeshSource read_stl_text(const SourceFile& file, const LongCall& call);
-MeshSource read_stl_binary(const SourceFile& file, const LongCall& call);
-MeshSource read_off(const SourceFile& file, const LongCall& call);
 MeshSource read_obj(const SourceFile& file, const LongCall& call);
-/// The JSON form; external buffers lie beside the file.
-MeshSource read_gltf(const SourceFile& file, const LongCall& call);
-MeshSource read_glb(const SourceFile& file, const LongCall& call);
 MeshSource read_point_text_as_mesh(const SourceFile& file, const LongCall& call);
+// What these keep of a mesh with points that are not finite is no mesh: faces may be missing.
+MeshSource read_stl_text(const SourceFile& file, BadPoints bad, const LongCall& call);
+MeshSource read_stl_binary(const SourceFile& file, BadPoints bad, const LongCall& call);
+MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call);
+/// The JSON form; external buffers lie beside the file.
+MeshSource read_gltf(const SourceFile& file, BadPoints bad, const LongCall& call);
+MeshSource read_glb(const SourceFile& file, BadPoints bad, const LongCall& call);
 
-/// By whichever of these it takes.
-MeshSource read_mesh(const KnownFile& known, const LongCall& call);
+/// By whichever of these it takes. Bad points are refused but by those that are asked.
+MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call);
 
 /// Points in double precision; `triangles` is left empty and `has_faces` says whether there are any.
 struct PointRecords {

@@ -39,7 +39,7 @@ void add_facet(MeshSource& source) {
 }
 
 // After the word `facet`.
-void read_facet(TextScanner& scanner, MeshSource& source) {
+void read_facet(TextScanner& scanner, BadPoints bad, MeshSource& source) {
     expect_word(scanner, "normal");
     for (int i = 0; i < 3; ++i) scanner.skip_number(scanner.word(), "a normal's component");
     expect_word(scanner, "outer");
@@ -48,7 +48,7 @@ void read_facet(TextScanner& scanner, MeshSource& source) {
         expect_word(scanner, "vertex");
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis)
-            position[axis] = scanner.coordinate(scanner.word(), "a vertex's coordinate");
+            position[axis] = scanner.coordinate(scanner.word(), "a vertex's coordinate", bad);
         source.positions.push_back(position);
     }
     expect_word(scanner, "endloop");
@@ -58,7 +58,7 @@ void read_facet(TextScanner& scanner, MeshSource& source) {
 
 }  // namespace
 
-MeshSource read_stl_text(const SourceFile& file, const LongCall& call) {
+MeshSource read_stl_text(const SourceFile& file, BadPoints bad, const LongCall& call) {
     MeshSource source;
     source.up = UpAxis::z;
     TextScanner scanner(file.name, file.text());
@@ -74,7 +74,7 @@ MeshSource read_stl_text(const SourceFile& file, const LongCall& call) {
             if (inner.empty()) scanner.fail("the file ends before 'endsolid'; it is truncated");
             if (!equals_ignoring_case(inner, "facet"))
                 scanner.fail(excerpt(inner) + " where 'facet' or 'endsolid' should stand");
-            read_facet(scanner, source);
+            read_facet(scanner, bad, source);
             if (source.triangles.size() % k_checkpoint_interval == 0)
                 parse_checkpoint(call, scanner.share());
         }
@@ -83,7 +83,7 @@ MeshSource read_stl_text(const SourceFile& file, const LongCall& call) {
     return source;
 }
 
-MeshSource read_stl_binary(const SourceFile& file, const LongCall& call) {
+MeshSource read_stl_binary(const SourceFile& file, BadPoints bad, const LongCall& call) {
     MeshSource source;
     source.up = UpAxis::z;
     const std::size_t size = file.bytes.size();
@@ -109,7 +109,8 @@ MeshSource read_stl_binary(const SourceFile& file, const LongCall& call) {
         for (int corner = 0; corner < 3; ++corner) {
             glm::vec3 position;
             for (int axis = 0; axis < 3; ++axis)
-                position[axis] = scanner.coordinate(ScalarType::float32, "a vertex's coordinate");
+                position[axis] =
+                    scanner.coordinate(ScalarType::float32, "a vertex's coordinate", bad);
             source.positions.push_back(position);
         }
         scanner.skip(1, 2, "a facet's attributes");

@@ -173,12 +173,14 @@ void TextScanner::expect_end_of_line(const char* what) {
     if (!extra.empty()) fail(excerpt(extra) + " after " + what + ", which should end the line");
 }
 
-float TextScanner::coordinate(std::string_view token, const char* what) const {
+float TextScanner::coordinate(std::string_view token, const char* what, BadPoints bad) const {
     if (token.empty()) fail(std::string("the line ends where ") + what + " should follow");
     const std::optional<float> value = parse_float(token);
     if (!value) fail(excerpt(token) + " is not a number; " + what + " should stand here");
-    if (!std::isfinite(*value) && token.find_first_of("nN") != std::string_view::npos)
+    if (!std::isfinite(*value) && token.find_first_of("nN") != std::string_view::npos) {
+        if (bad == BadPoints::keep) return *value;
         fail(std::string(what) + " is " + excerpt(token) + "; only finite numbers can be used");
+    }
     if (!(std::abs(*value) <= k_max_coordinate))
         fail(std::string(what) + " is " + excerpt(token) +
              ", beyond 2^60 in size; scale the model down");

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "silhouette/mesh/formats/source_file.h"
+#include "silhouette/mesh/point_source.h"
 
 namespace rimline {
 
@@ -53,8 +54,10 @@ public:
     /// A number that is not used: NaN and infinities are let pass, as exporters write them.
     void skip_number(const char* what) { skip_number(token(), what); }
 
-    /// A given token of the current line as a number.
-    float coordinate(std::string_view token, const char* what) const;
+    /// A given token of the current line as a number. A coordinate is within k_max_coordinate, or is
+    /// kept where the file calls it NaN or infinite.
+    float coordinate(std::string_view token, const char* what,
+                     BadPoints bad = BadPoints::refuse) const;
     std::int64_t integer(std::string_view token, const char* what) const;
     double number(std::string_view token, const char* what) const;
     void skip_number(std::string_view token, const char* what) const;
