@@ -1,6 +1,9 @@
 #include "engine/draw_data.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <string>
 
 #include "engine/draw_list.h"
 
@@ -33,10 +36,15 @@ void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std:
                            std::size_t lights) {
     slot_ = slot;
     end_ = padded(sizeof frame);
-    // A light more than there are, for draws without one have a descriptor of one all the same.
-    const VkDeviceSize size = VkDeviceSize{padded(sizeof frame)} +
-                              instances * padded(sizeof(gpu::InstanceData)) +
-                              (lights + 1) * padded(sizeof(gpu::LightData));
+    // Descriptors lie within the buffer even where there is no instance; a light takes less room.
+    static_assert(sizeof(gpu::LightData) <= sizeof(gpu::InstanceData));
+    const VkDeviceSize size =
+        VkDeviceSize{padded(sizeof frame)} +
+        VkDeviceSize{std::max<std::size_t>(instances, 1)} * padded(sizeof(gpu::InstanceData)) +
+        VkDeviceSize{lights} * padded(sizeof(gpu::LightData));
+    if (size > std::numeric_limits<std::uint32_t>::max())
+        throw Error(ErrorCode::too_large, "a scene's " + std::to_string(instances) +
+                                              " instances and their lights are more than 4 GiB");
     Buffer& buffer = buffers_[slot];
     if (buffer.size() < size) {
         buffer = Buffer(context_, size, BufferPlace::upload, "frame data");

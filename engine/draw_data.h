@@ -24,7 +24,7 @@ public:
     VkDescriptorSet set(std::uint32_t slot) const noexcept { return sets_[slot]; }
 
     /// Makes room for what is put next, which goes from the buffer's begin. Not while a frame that reads the
-    /// slot is in flight. Throws Error{too_large} where a device has no such buffers.
+    /// slot is in flight. Throws Error{too_large} beyond 4 GiB, or where a device has no such buffers.
     void begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std::size_t instances,
                      std::size_t lights);
 

@@ -11,10 +11,10 @@ namespace rimline {
 namespace {
 
 // Drawing by larger indices is a device feature (fullDrawIndexUint32), and not asked for.
-constexpr std::uint32_t k_greatest_index = (1u << 24) - 1;
+constexpr std::uint32_t k_most_vertices = 1u << 24;
 
 bool can_draw_by_vertices(const DrawnInstance& instance) {
-    return instance.vertex_count <= k_greatest_index + 1;
+    return instance.vertex_count <= k_most_vertices;
 }
 
 }  // namespace

@@ -52,6 +52,26 @@ TEST_CASE("the same scene gives the same picture, and what it holds follows the 
     for (const std::size_t tone : tones) CHECK(tone > 200);
 }
 
+TEST_CASE(
+    "a scene of nothing is its background, with lights or without, before and after one of "
+    "something") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("box", 12));
+    const HoughOctree octree(mesh);
+    const Scene full = scene_of(mesh, octree, Style::ink);
+    Scene empty = full;
+    empty.instances.clear();
+    Scene unlit = empty;
+    unlit.lights.clear();
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    const Picture first = renderer.render(unlit, 32, 32);
+    for (std::size_t i = 0; i < first.rgba.size(); i += 4)
+        REQUIRE(std::equal(&first.rgba[i], &first.rgba[i] + 4, &first.rgba[0]));
+    CHECK(renderer.render(empty, 32, 32).rgba == first.rgba);
+    CHECK(renderer.render(full, 32, 32).rgba != first.rgba);
+    CHECK(renderer.render(unlit, 32, 32).rgba == first.rgba);
+}
+
 TEST_CASE("a camera that moves frame by frame draws what a fresh renderer draws") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("spring", 4000));
