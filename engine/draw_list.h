@@ -52,6 +52,7 @@ struct DrawnInstance {
     std::uint32_t loose_count = 0;
     bool has_lines = false;
     bool fades = false;
+    bool shows_backs = true;   ///< Else the backs of its faces are hidden behind fronts.
     std::size_t ink = 0;       ///< Of DrawList::inks: what its lines are drawn with.
     IndirectDraw silhouette;   ///< Of the slots; only where has_lines and the path draws them.
     EveryEdgeDraw every_edge;  ///< Only where has_lines and the path draws no slots.

@@ -145,13 +145,16 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
         .attachmentCount = has_color ? 1u : 0u,
         .pAttachments = &attachment};
-    constexpr std::array k_dynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                   VK_DYNAMIC_STATE_STENCIL_OP,
-                                   VK_DYNAMIC_STATE_STENCIL_WRITE_MASK};
+    std::vector<VkDynamicState> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    if (description.stencil == StencilUse::count) {
+        dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_OP);
+        dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_WRITE_MASK);
+    }
+    if (description.sets_cull) dynamic_states.push_back(VK_DYNAMIC_STATE_CULL_MODE);
     const VkPipelineDynamicStateCreateInfo dynamic{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-        .dynamicStateCount = description.stencil == StencilUse::count ? 4u : 2u,
-        .pDynamicStates = k_dynamic.data()};
+        .dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size()),
+        .pDynamicStates = dynamic_states.data()};
     const VkPipelineRenderingCreateInfo rendering{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
         .colorAttachmentCount = has_color ? 1u : 0u,

@@ -63,6 +63,7 @@ struct GraphicsPipelineDescription {
     StencilUse stencil = StencilUse::off;
     VkStencilOpState stencil_state{};
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
+    bool sets_cull = false;  ///< What is culled is set dynamically instead.
     VkPipelineLayout layout = VK_NULL_HANDLE;
 };
 

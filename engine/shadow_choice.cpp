@@ -75,8 +75,7 @@ const char* why_not_single(const Box& box, const ShadowView& view, const ShadowC
     if (!caster.light.is_direction() && contains(box, light_vector(caster)))
         return "the light is within the mesh's bounds";
     if (!caster.reaches_far_enough) return "the light is too near for a finite volume";
-    if (!view.orthographic && contains(grown(box, view.near_reach), view.eye))
-        return "the camera is within the mesh's bounds";
+    if (!is_outside(view, box.low, box.high)) return "the camera is within the mesh's bounds";
     return nullptr;
 }
 
@@ -103,6 +102,10 @@ const char* why_not_pass(const Box& box, const ShadowView& view, const ShadowCas
 }
 
 }  // namespace
+
+bool is_outside(const ShadowView& view, const glm::dvec3& low, const glm::dvec3& high) {
+    return view.orthographic || !contains(grown({low, high}, view.near_reach), view.eye);
+}
 
 bool is_closed_chain(const Mesh& mesh) {
     if (mesh.edges_of_class(EdgeClass::border).size() > 0) return false;

@@ -79,6 +79,9 @@ struct ShadowView {
     double far = 0.0;                ///< Orthographic: the far plane is where back·x is this.
 };
 
+/// Whether a perspective view's eye and near rectangle are outside a box, an orthographic view's always.
+bool is_outside(const ShadowView& view, const glm::dvec3& low, const glm::dvec3& high);
+
 /// A caster before one light.
 struct ShadowCaster {
     glm::dvec3 low{0.0}, high{0.0};  ///< Bounds of all its vertices.

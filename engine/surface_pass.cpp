@@ -17,6 +17,11 @@ bool can_draw_by_vertices(const DrawnInstance& instance) {
     return instance.vertex_count <= k_most_vertices;
 }
 
+void bind(VkCommandBuffer commands, VkPipeline pipeline, const DrawnInstance& instance) {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdSetCullMode(commands, instance.shows_backs ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+}
+
 }  // namespace
 
 SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
@@ -41,6 +46,7 @@ void SurfacePass::prepare(const DeviceContext& context, Style style) {
                       .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
                       .depth_write = has_shade,
                       .stencil = has_shade ? StencilUse::off : StencilUse::zero,
+                      .sets_cull = true,
                       .layout = layout_});
     };
     const auto make_by_vertices = [&](bool fades) {
@@ -57,7 +63,7 @@ void SurfacePass::prepare(const DeviceContext& context, Style style) {
 void SurfacePass::record(VkCommandBuffer commands, const DrawList& list,
                          const OwnedPipeline (&pipelines)[2], std::size_t light) const {
     for (const DrawnInstance& instance : list.instances) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines[instance.fades]);
+        bind(commands, pipelines[instance.fades], instance);
         const DrawnLight& drawn = instance.lights[light];
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 2);
         vkCmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
@@ -69,8 +75,8 @@ void SurfacePass::record_unlit(VkCommandBuffer commands, const DrawList& list) c
     for (const DrawnInstance& instance : list.instances) {
         const VkPipeline by_vertices = pipelines.unlit_by_vertices[instance.fades];
         const bool indexed = by_vertices != VK_NULL_HANDLE && can_draw_by_vertices(instance);
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                          indexed ? by_vertices : VkPipeline(pipelines.unlit[instance.fades]));
+        bind(commands, indexed ? by_vertices : VkPipeline(pipelines.unlit[instance.fades]),
+             instance);
         set_draw(commands, layout_, list, instance, nullptr, 0);
         if (indexed) {
             vkCmdBindIndexBuffer(commands, instance.indices, 0, VK_INDEX_TYPE_UINT32);

@@ -137,7 +137,8 @@ public:
         check_scene_reach(model_.model, mesh, {&first.camera.eye, 1}, scene_.ground);
         first.instances.push_back({.octree = octree ? &*octree : nullptr,
                                    .name = model_.model,
-                                   .material = scene_.material(picture_)});
+                                   .material = scene_.material(picture_),
+                                   .is_solid = octree && check_solid(mesh, context)});
         std::optional<Ground> ground;
         if (scene_.ground) {
             ground.emplace(mesh, up, wave ? wave->amplitude : 0.0);

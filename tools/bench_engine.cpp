@@ -15,6 +15,7 @@
 #include "engine/visible_ratio.h"
 #include "silhouette/field/named_functions.h"
 #include "silhouette/hough/orbit.h"
+#include "silhouette/mesh/solid.h"
 #include "tools/bench_timing.h"
 #include "tools/progress.h"
 
@@ -141,6 +142,10 @@ std::vector<FrameWay> line_ways(const DeviceContext& device) {
     add("all edges, geometry shader", LinePath::all_edges);
     add("all edges, quads", LinePath::quads);
     add("adjacency, geometry shader", LinePath::adjacency);
+    // What it gives that the backs of a solid are left out.
+    ways.push_back({"slots, vertex pulling, backs drawn too",
+                    {.samples = 1, .scale = 1, .line_path = LinePath::pulling},
+                    [](Scene& scene) { scene.instances[0].is_solid = false; }});
     return ways;
 }
 
@@ -295,12 +300,14 @@ EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Devi
     context.checkpoint();
     result.bytes = stream_bytes_by_step(octree, device.context(), options.frames);
 
-    result.difference = time_frames(
-        line_ways(device.context()), octree, device, options.frames, [](Scene&) {}, result.lines,
-        "drawing lines", context);
+    result.is_solid = is_solid(mesh, {context.stop, {}});
+    const auto as_solid = [&](Scene& scene) { scene.instances[0].is_solid = result.is_solid; };
+    result.difference = time_frames(line_ways(device.context()), octree, device, options.frames,
+                                    as_solid, result.lines, "drawing lines", context);
     if (!result.difference.empty()) return result;
 
-    const auto with_sun = [](Scene& scene) {
+    const auto with_sun = [&](Scene& scene) {
+        as_solid(scene);
         scene.lines = false;
         scene.shadows = true;
         scene.lights = {default_sun(scene.camera)};

@@ -37,6 +37,7 @@ struct EngineResult {
     std::string model;
     std::uint32_t faces = 0;
     bool is_closed = false;
+    bool is_solid = false;     ///< Frames are drawn without the backs of its faces (SceneInstance).
     std::string difference{};  ///< Between two ways that should agree; the rest is empty then.
     std::vector<StreamedBytes> bytes;
     std::vector<EngineTime>

@@ -24,7 +24,9 @@ void print_times(const char* title, const std::vector<EngineTime>& times, std::s
 
 void print_result(const EngineResult& result) {
     std::printf("%s: %u faces, %s\n", result.model.c_str(), result.faces,
-                result.is_closed ? "closed" : "open");
+                result.is_solid    ? "a solid, drawn without the backs of faces"
+                : result.is_closed ? "closed"
+                                   : "open");
     if (!result.difference.empty()) {
         std::printf("  not measured: %s differs\n", result.difference.c_str());
         return;
@@ -52,6 +54,7 @@ Json to_json(const EngineResult& result) {
     Json object{{"model", result.model},
                 {"faces", result.faces},
                 {"closed", result.is_closed},
+                {"solid", result.is_solid},
                 {"verified", result.difference.empty()}};
     if (!result.difference.empty()) return object;
     Json bytes = Json::array();

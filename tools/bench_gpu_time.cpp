@@ -23,8 +23,7 @@ CommandTimer::CommandTimer(const DeviceContext& context) : context_(context) {
 }
 
 CommandTimes CommandTimer::run(const std::function<void(VkCommandBuffer)>& record) const {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     run_commands(context_, [&](VkCommandBuffer commands) {
         if (valid_bits_ == 0) return record(commands);
         vkCmdResetQueryPool(commands, queries_, 0, 2);
@@ -32,9 +31,10 @@ CommandTimes CommandTimer::run(const std::function<void(VkCommandBuffer)>& recor
         record(commands);
         vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 1);
     });
-    CommandTimes times{
-        .wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count(),
-        .device_ms = {}};
+    CommandTimes times{.wall_ms = std::chrono::duration<double, std::milli>(
+                                      std::chrono::steady_clock::now() - start)
+                                      .count(),
+                       .device_ms = {}};
     if (valid_bits_ == 0) return times;
     std::array<std::uint64_t, 2> ticks{};
     vk_check(

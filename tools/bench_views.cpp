@@ -46,15 +46,15 @@ Choices choose_all(const Mesh& mesh, const Device& device, const ViewsBenchOptio
                    bool is_variant, const Context& context) {
     const HoughOctree octree(mesh);
     VisibleRatioPass pass(device.context(), octree);
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const TangentialField field = make_view_field(mesh);
     BestViewsOptions views;
     views.count = is_variant ? 1 : options.views;
     views.visible_ratios = visible_ratios_of(pass, context);
     Choices choices;
     choices.weighted = find_best_views(field, views, {context.stop, {}});
-    choices.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    choices.ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     FieldOptions area;
     area.weight = FieldOptions::Weight::area;
     choices.by_area = find_best_views(make_view_field(mesh, area), views, {context.stop, {}});

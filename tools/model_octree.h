@@ -1,6 +1,6 @@
 #pragma once
 
-// A model's octree, built with progress.
+// What is asked of a model before it is drawn or searched, with progress.
 
 #include <string>
 
@@ -8,6 +8,9 @@
 #include "tools/command.h"
 
 namespace rimline::tools {
+
+/// As is_solid(), for who draws many frames of it: silhouette/mesh/solid.h.
+bool check_solid(const Mesh& mesh, const Context& context);
 
 /// Errors name the model.
 HoughOctree build_octree(const std::string& model, const Mesh& mesh, const Context& context,

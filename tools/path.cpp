@@ -13,6 +13,7 @@
 #include "tools/command.h"
 #include "tools/frame_sequence.h"
 #include "tools/model_argument.h"
+#include "tools/model_octree.h"
 #include "tools/path_report.h"
 #include "tools/picture_scene.h"
 #include "tools/progress.h"
@@ -107,7 +108,8 @@ private:
         Scene first = style_.make_scene(camera, mesh, picture_);
         first.instances.push_back({.octree = &*drawn.octree,
                                    .name = model_.model,
-                                   .material = style_.material(picture_)});
+                                   .material = style_.material(picture_),
+                                   .is_solid = check_solid(mesh, context)});
         std::optional<Ground> ground;
         if (style_.ground) {
             ground.emplace(mesh, up_of(mesh, picture_), 0.0);

@@ -32,8 +32,7 @@ void PathPlan::add_to(CLI::App& app) {
 
 PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
                            const Context& context) const {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     Progress progress(context, "planning the path");
     std::vector<glm::dvec3> views;
     for (const BestView& view : chosen.best.views) views.push_back(view.eye);
@@ -61,13 +60,15 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
     for (int i = 0; i < k_distance_samples; ++i)
         min_distance = std::min(
             min_distance, glm::distance(path.position(double(i) / k_distance_samples), center));
-    return {.nodes = std::move(nodes),
-            .path = std::move(path),
-            .samples = std::move(samples),
-            .ups = std::move(ups),
-            .sample_votes = std::move(sample_votes),
-            .min_distance = min_distance,
-            .ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count()};
+    return {
+        .nodes = std::move(nodes),
+        .path = std::move(path),
+        .samples = std::move(samples),
+        .ups = std::move(ups),
+        .sample_votes = std::move(sample_votes),
+        .min_distance = min_distance,
+        .ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                  .count()};
 }
 
 Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& chosen,

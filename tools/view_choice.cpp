@@ -25,8 +25,7 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t least) {
 ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
                                const VisibleRatios& ratios, std::uint32_t least,
                                const Context& context) const {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     Progress progress(context, "choosing views");
     FieldOptions weighed;
     if (by_area) weighed.weight = FieldOptions::Weight::area;
@@ -42,12 +41,14 @@ ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
                              ? "no face has a plane, so no view is better than another: take a "
                                "model with faces that are not degenerate"
                              : "one view shows all there is to see: take a model with more faces"));
-    return {.field = std::move(field),
-            .best = std::move(best),
-            .asked = count,
-            .is_inside_out = is_inside_out(mesh),
-            .is_weighted = bool(ratios),
-            .ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count()};
+    return {
+        .field = std::move(field),
+        .best = std::move(best),
+        .asked = count,
+        .is_inside_out = is_inside_out(mesh),
+        .is_weighted = bool(ratios),
+        .ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                  .count()};
 }
 
 nlohmann::ordered_json to_json(const ChosenViews& chosen) {

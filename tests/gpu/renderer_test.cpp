@@ -7,6 +7,7 @@
 #include "engine/view_defaults.h"
 #include "silhouette/hough/baselines/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/solid.h"
 #include "tests/gpu/gpu_fixture.h"
 
 namespace rimline {
@@ -70,6 +71,59 @@ TEST_CASE(
     CHECK(renderer.render(empty, 32, 32).rgba == first.rgba);
     CHECK(renderer.render(full, 32, 32).rgba != first.rgba);
     CHECK(renderer.render(unlit, 32, 32).rgba == first.rgba);
+}
+
+TEST_CASE("solids are the same pictures without the backs of their faces") {
+    RIMLINE_OPEN_GPU(gpu);
+    for (const std::string_view shape : {"sphere", "torus", "knot", "box", "spring"}) {
+        const Mesh mesh(make_built_in_shape(shape, 3'000));
+        REQUIRE(is_solid(mesh));
+        const HoughOctree octree(mesh);
+        Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+        for (const Style style : {Style::ink, Style::toon, Style::hatch})
+            for (const double orthographic_height : {0.0, 1.5 * mesh.radius()})
+                for (const bool shadows : {false, true}) {
+                    CAPTURE(shape);
+                    CAPTURE(int(style));
+                    CAPTURE(orthographic_height);
+                    CAPTURE(shadows);
+                    Scene scene = scene_of(mesh, octree, style);
+                    scene.camera.ortho_height = orthographic_height;
+                    scene.shadows = shadows;
+                    const Picture with_backs = renderer.render(scene, 200, 200);
+                    scene.instances[0].is_solid = true;
+                    const Picture without = renderer.render(scene, 200, 200);
+                    CHECK(agreement(with_backs, without) == 1.0);
+                }
+    }
+}
+
+TEST_CASE(
+    "backs are left out of what is said to be a solid, seen from outside, and of nothing else") {
+    RIMLINE_OPEN_GPU(gpu);
+    // No solid, to see what is left out of it.
+    const Mesh sheet(make_built_in_shape("terrain", 3'000));
+    const HoughOctree octree(sheet);
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    Scene scene = scene_of(sheet, octree, Style::toon);
+    scene.shadows = false;
+    const auto changed_share = [&](const Scene& as_it_is) {
+        Scene said = as_it_is;
+        said.instances[0].is_solid = true;
+        const Picture picture = renderer.render(as_it_is, 100, 100);
+        return 1.0 - agreement(picture, renderer.render(said, 100, 100));
+    };
+    CHECK(changed_share(scene) < 0.01);  // Backs show where hills begin to hide what is behind.
+    Scene below = scene;
+    below.camera.eye.y = 2.0 * sheet.center().y - scene.camera.eye.y;
+    CHECK(changed_share(below) > 0.05);
+    Scene fading = below;
+    fading.instances[0].fade_radius = 10.0 * sheet.radius();
+    CHECK(changed_share(fading) == 0.0);
+    Scene within = below;
+    within.camera.eye = sheet.center() + glm::dvec3(0.3, -0.02, 0.2);
+    within.camera.target = sheet.center() + glm::dvec3(0.0, 0.3, 0.0);
+    CHECK(changed_share(within) == 0.0);
 }
 
 TEST_CASE("a camera that moves frame by frame draws what a fresh renderer draws") {

@@ -5,6 +5,7 @@
 
 #include "engine/view_defaults.h"
 #include "silhouette/hough/box_walk.h"
+#include "silhouette/mesh/solid.h"
 #include "tools/picture_scene.h"
 
 namespace rimline::tools {
@@ -34,6 +35,7 @@ OpenedModel::OpenedModel(std::string name, const MeshSource& source, const Begin
       octree_(about_model(
           name_,
           [&] { return HoughOctree(checked(name_, mesh_), {}, begin("building the octree")); })),
+      is_solid_(rimline::is_solid(mesh_, begin("asking whether it is a solid"))),
       face_tree_(make_face_tree(octree_, 0)) {}
 
 const HoughOctree& OpenedModel::ground(const glm::dvec3& up) {

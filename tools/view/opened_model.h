@@ -29,6 +29,7 @@ public:
     const std::string& name() const noexcept { return name_; }
     const Mesh& mesh() const noexcept { return mesh_; }
     const HoughOctree& octree() const noexcept { return octree_; }
+    bool is_solid() const noexcept { return is_solid_; }
     /// The tree over the faces of the index's origin, to look at (silhouette/hough/box_walk.h).
     const BoxTree& face_tree() const noexcept { return face_tree_; }
     /// The ground when `up` is up, made when it is first asked for. It stays as long as the model.
@@ -45,6 +46,7 @@ private:
     std::string name_;
     Mesh mesh_;
     HoughOctree octree_;
+    bool is_solid_;
     BoxTree face_tree_;
     std::vector<std::unique_ptr<Ground>> grounds_;
 };

@@ -136,7 +136,8 @@ Scene ViewSession::scene() const {
                                .name = model.name(),
                                .material = {.color = look.color.value_or(
                                                 default_surface_color(look.style, look.background)),
-                                            .line_color = look.line_color}});
+                                            .line_color = look.line_color},
+                               .is_solid = model.is_solid()});
     if (look.ground)
         scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(camera.up)));
     return scene;

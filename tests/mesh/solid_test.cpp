@@ -1,0 +1,143 @@
+#include "silhouette/mesh/solid.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <stop_token>
+#include <vector>
+
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/winding.h"
+#include "tests/mesh/random.h"
+#include "tests/mesh/small_meshes.h"
+
+namespace rimline {
+namespace {
+
+using tests::Random;
+
+MeshSource moved(MeshSource source, const glm::vec3& by, float scale = 1.0f) {
+    for (glm::vec3& p : source.positions) p = scale * p + by;
+    return source;
+}
+
+MeshSource both(MeshSource a, const MeshSource& b) {
+    const auto first = static_cast<std::uint32_t>(a.positions.size());
+    a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+    for (const auto& t : b.triangles)
+        a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    return a;
+}
+
+MeshSource turned(const MeshSource& source) {
+    MeshSource other = source;
+    for (auto& t : other.triangles) std::swap(t[1], t[2]);
+    return other;
+}
+
+// Whether an edge goes through a face that it shares no vertex with, by five signs of volumes.
+bool crosses_itself(const Mesh& mesh) {
+    const auto corner = [&](VertexId v) { return glm::dvec3(mesh.positions()[index(v)]); };
+    for (const Edge& edge : mesh.edges()) {
+        const glm::dvec3 a = corner(edge.vertices[0]), b = corner(edge.vertices[1]);
+        for (const Triangle& t : mesh.triangles()) {
+            bool shares = false;
+            for (const VertexId v : t) shares |= v == edge.vertices[0] || v == edge.vertices[1];
+            if (shares) continue;
+            const glm::dvec3 p = corner(t[0]), q = corner(t[1]), r = corner(t[2]);
+            const auto side = [](const glm::dvec3& w, const glm::dvec3& x, const glm::dvec3& y,
+                                 const glm::dvec3& z) {
+                return glm::dot(x - w, glm::cross(y - w, z - w)) > 0.0;
+            };
+            if (side(a, p, q, r) == side(b, p, q, r)) continue;
+            const bool around = side(a, b, p, q);
+            if (around == side(a, b, q, r) && around == side(a, b, r, p)) return true;
+        }
+    }
+    return false;
+}
+
+TEST_CASE("built-in shapes that are closed are solids at any number of faces") {
+    for (const std::string_view shape : {"sphere", "torus", "knot", "box", "spring"})
+        for (const std::uint32_t faces : {0u, 100u, 3'000u, 40'000u}) {
+            CAPTURE(shape);
+            CAPTURE(faces);
+            const Mesh mesh(make_built_in_shape(shape, faces));
+            CHECK(is_solid(mesh));
+            CHECK_FALSE(is_solid(turned_inside_out(mesh)));
+        }
+    CHECK_FALSE(is_solid(Mesh(make_built_in_shape("terrain", 1'000))));
+    CHECK_FALSE(is_solid(Mesh(MeshSource{})));
+}
+
+TEST_CASE(
+    "shells beside and within each other are a solid, one that lines a hollow is not shown to be") {
+    const MeshSource ball = make_built_in_shape("sphere", 300);
+    CHECK(is_solid(Mesh(both(ball, moved(ball, {2.5f, 0.0f, 0.0f})))));
+    CHECK(is_solid(Mesh(both(ball, moved(ball, glm::vec3(0.0f), 0.5f)))));
+    CHECK_FALSE(is_solid(Mesh(both(ball, turned(moved(ball, glm::vec3(0.0f), 0.5f))))));
+    CHECK_FALSE(is_solid(Mesh(both(ball, turned(moved(ball, {2.5f, 0.0f, 0.0f}))))));
+    CHECK_FALSE(is_solid(Mesh(both(ball, moved(ball, {1.5f, 0.1f, 0.2f})))));
+}
+
+TEST_CASE("shells that touch in a corner are a solid, in an edge or a face not") {
+    const MeshSource whole = tests::octahedron();
+    CHECK(is_solid(Mesh(both(whole, moved(whole, {2.0f, 0.0f, 0.0f})))));
+    // The corner of one in the middle of the other's face.
+    CHECK_FALSE(is_solid(
+        Mesh(both(moved(whole, glm::vec3(0.0f), 3.0f), moved(whole, {2.0f, 1.0f, 1.0f})))));
+    const MeshSource box = make_built_in_shape("box", 12);
+    CHECK_FALSE(is_solid(Mesh(both(box, moved(box, {2.0f, 2.0f, 0.0f})))));
+    CHECK_FALSE(is_solid(Mesh(both(box, moved(box, {2.0f, 0.5f, 0.25f})))));
+    CHECK(is_solid(Mesh(both(box, moved(box, {2.001f, 0.5f, 0.25f})))));
+}
+
+TEST_CASE("faces folded flat onto each other and sheets of two sides are no solids") {
+    const MeshSource sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
+    CHECK_FALSE(is_solid(Mesh(sheet)));
+    // A tetrahedron with a face that is divided in three about a point in its plane, beyond an edge.
+    MeshSource folded = tests::tetrahedron();
+    folded.positions.push_back({-0.5f, -0.5f, -2.0f});
+    folded.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    CHECK_FALSE(is_solid(Mesh(folded)));
+    folded.positions[4] = {0.4f, 0.4f, -0.3f};  // Within the face, a little outside its plane.
+    CHECK(is_solid(Mesh(folded)));
+}
+
+TEST_CASE("dented balls are solids just where no edge goes through a face") {
+    Random random(7);
+    int solids = 0;
+    constexpr int k_balls = 400;
+    for (int ball = 0; ball < k_balls; ++ball) {
+        MeshSource source = make_built_in_shape("sphere", 180);
+        const int dents = random.between(1, 6);
+        for (int d = 0; d < dents; ++d) {
+            glm::vec3& p =
+                source.positions[random.below(static_cast<std::uint32_t>(source.positions.size()))];
+            p = p * (0.2f + random.signed_unit()) + 0.2f * random.in_cube();
+        }
+        const Mesh mesh(source);
+        CAPTURE(ball);
+        const bool expected = !crosses_itself(mesh);
+        CHECK(is_solid(mesh) == expected);
+        CHECK(is_solid(Mesh(tests::shuffled(source, 3))) == expected);
+        solids += expected;
+    }
+    CHECK(solids > k_balls / 10);
+    CHECK(solids < k_balls - k_balls / 10);
+}
+
+TEST_CASE("asking whether a mesh is a solid can be stopped, and reports how far it is") {
+    const Mesh mesh(make_built_in_shape("knot", 200'000));
+    std::stop_source stop;
+    std::vector<double> reports;
+    CHECK(is_solid(mesh, {{}, [&](double done) { reports.push_back(done); }}));
+    CHECK(reports.size() > 2);
+    CHECK(std::ranges::is_sorted(reports));
+    stop.request_stop();
+    CHECK_THROWS_AS(is_solid(mesh, {stop.get_token(), {}}), Error);
+}
+
+}  // namespace
+}  // namespace rimline
