@@ -46,7 +46,7 @@ bool are_apart(Points a, Points b, const glm::dvec3& axis) {
         }
         ++side;
     }
-    const double margin = k_rounding * std::sqrt(reach * glm::dot(axis, axis));
+    const double margin = k_rounding * std::sqrt(reach) * std::sqrt(glm::dot(axis, axis));
     return low[1] - high[0] > margin || low[0] - high[1] > margin;
 }
 
@@ -219,18 +219,22 @@ bool shells_turn_outwards(const Mesh& mesh) {
     for (std::uint32_t first = 0; first < mesh.face_count(); ++first) {
         if (seen[first]) continue;
         const glm::dvec3 origin(mesh.positions()[index(mesh.triangles()[first][0])]);
-        double volume = 0.0, size = 0.0;
+        // Sixfold; with the sums that its rounding is a share of.
+        double volume = 0.0, terms = 0.0, products = 0.0;
+        std::uint32_t faces = 0;
         seen[first] = 1;
         open.assign(1, first);
         while (!open.empty()) {
             const std::uint32_t face = open.back();
             open.pop_back();
+            ++faces;
             const auto corner = [&](std::size_t i) {
                 return glm::dvec3(mesh.positions()[index(mesh.triangles()[face][i])]) - origin;
             };
-            const glm::dvec3 across = glm::cross(corner(1), corner(2));
-            volume += glm::dot(corner(0), across);
-            size += glm::length(corner(0)) * glm::length(across);
+            const double term = glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+            volume += term;
+            terms += std::abs(term);
+            products += glm::length(corner(0)) * glm::length(corner(1)) * glm::length(corner(2));
             for (const EdgeId edge : mesh.edges_of(FaceId{face}))
                 for (const FaceId next : mesh.edge(edge).faces)
                     if (!seen[index(next)]) {
@@ -238,7 +242,8 @@ bool shells_turn_outwards(const Mesh& mesh) {
                         open.push_back(index(next));
                     }
         }
-        if (!(volume > k_rounding * size)) return false;
+        // Of a term at most five roundings of 2^-53 of its product; of the sum, one a face.
+        if (!(volume > 0x1p-49 * products + 0x1p-52 * faces * terms)) return false;
     }
     return true;
 }

@@ -15,7 +15,7 @@ namespace rimline {
 /// then the number of shells around it, so a ray from outside all of them meets the front of a face first.
 ///
 /// Never true of a mesh of which that does not hold. False, too, where doubles cannot tell: faces without an area,
-/// and faces nearer to each other than some 2^-40 of their size. And false where a shell lines a hollow.
+/// and faces nearer to each other than some 2^-40 of their size, or a shell as flat as that. And false where a shell lines a hollow.
 /// O(n log n) where faces are not much longer than wide, about a microsecond a face, on all threads that
 /// oneTBB gives. Throws Error{cancelled}.
 bool is_solid(const Mesh& mesh, const LongCall& call = {});

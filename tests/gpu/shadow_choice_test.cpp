@@ -132,6 +132,26 @@ TEST_CASE("the single form is for closed meshes with the light and the camera ou
     CHECK(form(torus, high, {side + 1.2e-3, 0, 0}) == ShadowForm::single);
 }
 
+TEST_CASE(
+    "a perspective view is outside a box where its near rectangle is, an orthographic one "
+    "everywhere") {
+    const glm::dvec3 low(-1.0), high(1.0);
+    ShadowView view{.near_reach = 0.25};
+    for (const glm::dvec3& eye : {glm::dvec3(0.0), glm::dvec3(0.9, -0.9, 0.9),
+                                  glm::dvec3(1.2, 0.0, 0.0), glm::dvec3(0.0, -1.2, 1.2)}) {
+        view.eye = eye;
+        view.orthographic = false;
+        CHECK_FALSE(is_outside(view, low, high));
+        view.orthographic = true;
+        CHECK(is_outside(view, low, high));
+    }
+    view.orthographic = false;
+    for (const glm::dvec3& eye : {glm::dvec3(1.3, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.3)}) {
+        view.eye = eye;
+        CHECK(is_outside(view, low, high));
+    }
+}
+
 TEST_CASE("depth pass is taken just where no volume meets the near plane") {
     constexpr std::uint64_t k_seed = 5;
     CAPTURE(k_seed);

@@ -105,6 +105,42 @@ TEST_CASE("faces folded flat onto each other and sheets of two sides are no soli
     CHECK(is_solid(Mesh(folded)));
 }
 
+TEST_CASE("what is too flat or too small for doubles to tell is not said to be a solid") {
+    const auto flat = [](float height) {
+        return Mesh(MeshSource{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25f, 0.25f, height}},
+                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+    };
+    CHECK(is_solid(flat(0x1p-20f)));
+    CHECK_FALSE(is_solid(flat(-0x1p-20f)));
+    CHECK_FALSE(is_solid(flat(0x1p-41f)));
+    // A needle that encloses a negative volume, of less than its products' rounding; at any corner first.
+    for (std::uint32_t first = 0; first < 4; ++first) {
+        MeshSource needle{{{0.006118535064160824f, 0.006121410522609949f, 0.006627361290156841f},
+                           {0.8314335942268372f, 0.8314335942268372f, 0.799463152885437f},
+                           {0.8314276337623596f, 0.8314276337623596f, 0.7994624376296997f},
+                           {0.831428050994873f, 0.831428050994873f, 0.7994691729545593f}},
+                          {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
+        std::rotate(needle.triangles.begin(), needle.triangles.begin() + first,
+                    needle.triangles.end());
+        for (auto& t : needle.triangles) std::rotate(t.begin(), t.begin() + first % 3, t.end());
+        CHECK_FALSE(is_solid(Mesh(needle)));
+    }
+    // The corner of one on the edge of the other, in denormal numbers.
+    const MeshSource a{{{-0x1.06cp-139f, -0x1.558p-140f, -0x1.dp-143f},
+                        {-0x1.d46p-136f, 0x1.5b4p-136f, 0x1.12d8p-136f},
+                        {-0x1.45e8p-136f, -0x1.6518p-136f, 0x1.83p-136f},
+                        {-0x1.1158p-136f, -0x1.f41p-136f, -0x1.5e8p-140f}},
+                       {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
+    const MeshSource b{{{-0x1.b7p-137f, 0x1.114p-137f, 0x1.ceep-138f},
+                        {-0x1.7ep-139f, 0x1.7d68p-136f, 0x1.678p-140f},
+                        {-0x1.48ap-138f, 0x1.9c98p-136f, -0x1.48p-143f},
+                        {-0x1.e2p-139f, 0x1.7c7p-136f, 0x1.068p-139f}},
+                       {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
+    for (const MeshSource& one : {a, turned(a)})
+        for (const MeshSource& other : {b, turned(b)})
+            CHECK_FALSE(is_solid(Mesh(both(one, other))));
+}
+
 TEST_CASE("dented balls are solids just where no edge goes through a face") {
     Random random(7);
     int solids = 0;

@@ -42,7 +42,7 @@ constexpr std::uint64_t k_most_faults = 20'000;
 
 // Sanitizers make a play several times as long; what is right without them is tested without them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t k_sparseness = 3;
+constexpr std::uint64_t k_sparseness = 7;
 #else
 constexpr std::uint64_t k_sparseness = 1;
 #endif
