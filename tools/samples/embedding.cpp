@@ -11,6 +11,7 @@
 #include "sample_count_comp.h"
 #include "silhouette/hough/baselines/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/solid.h"
 #include "tools/samples/foreign_renderer.h"
 
 namespace {
@@ -54,7 +55,8 @@ void run() {
     scene.instances.push_back(
         {.octree = &octree,
          .name = "knot",
-         .material = {.color = {0.9f, 0.8f, 0.6f}, .line_color = glm::vec3(0.1f, 0.0f, 0.3f)}});
+         .material = {.color = {0.9f, 0.8f, 0.6f}, .line_color = glm::vec3(0.1f, 0.0f, 0.3f)},
+         .is_solid = is_solid(mesh)});
     scene.lights.push_back({.vector = {1, 2, 1}});
     Renderer renderer(context);
     for (int frame = 0; frame < 5; ++frame) {
