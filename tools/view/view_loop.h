@@ -59,6 +59,8 @@ public:
     /// Brings back what the window shows in the next frame; run() does with the last of its frames.
     void capture_next() noexcept { captures_ = true; }
     const Picture& captured() const noexcept { return captured_; }
+    /// Whether the last frame was drawn coarsely, for something had moved a moment before.
+    bool is_coarse() const noexcept { return is_coarse_; }
 
     /// Of the window's area that the panel leaves free: width over height.
     double free_aspect() const;
@@ -90,7 +92,7 @@ private:
     Picture captured_;
     bool captures_ = false;
     bool moving_ = false;
-    bool is_coarse_ = false;  // The last frame was.
+    bool is_coarse_ = false;
     int frames_due_ = 0;
     std::uint32_t frames_of_model_ = 0;  // Drawn since it was opened.
     double last_change_s_ = 0.0;
