@@ -8,9 +8,9 @@
 namespace rimline {
 
 CompositePass::CompositePass(const DeviceContext& context)
-    : images_(context, 2),
-      layout_(make_pipeline_layout(context, sizeof(CompositeColors), VK_SHADER_STAGE_FRAGMENT_BIT,
-                                   {images_.layout()})) {}
+    : surfaces_(context, 1),
+      layout_(make_pipeline_layout(context, sizeof(glm::vec3), VK_SHADER_STAGE_FRAGMENT_BIT,
+                                   {surfaces_.layout()})) {}
 
 void CompositePass::prepare(const DeviceContext& context, const CompositeKind& kind) {
     if (pipelines_.contains(kind)) return;
@@ -21,8 +21,7 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
         (properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) == 0)
         throw Error(ErrorCode::bad_input,
                     "pictures cannot be drawn in VkFormat " + std::to_string(kind.format));
-    const std::array<std::uint32_t, 3> constants{kind.scale, encoding == PictureEncoding::srgb,
-                                                 kind.has_grid};
+    const std::array<std::uint32_t, 2> constants{kind.scale, encoding == PictureEncoding::srgb};
     pipelines_.emplace(kind, make_graphics_pipeline(context, {.vertex = composite_vert,
                                                               .geometry = {},
                                                               .fragment = composite_frag,
@@ -32,12 +31,12 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
 }
 
 void CompositePass::record(VkCommandBuffer commands, const CompositeKind& kind,
-                           const CompositeColors& colors) const {
+                           const glm::vec3& ink) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.at(kind));
-    const VkDescriptorSet set = images_.get();
+    const VkDescriptorSet set = surfaces_.get();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 0,
                             nullptr);
-    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof colors, &colors);
+    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof ink, &ink);
     vkCmdDraw(commands, 3, 1, 0, 0);
 }
 

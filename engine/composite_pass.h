@@ -1,11 +1,11 @@
 #pragma once
 
-// The finished picture: ink over a grid over surfaces, samples averaged in linear light, encoded as the target's
-// format wants it (picture_target.h).
+// The finished picture: ink over surfaces, as much as their alpha says that lines cover (line_pass.h), samples
+// averaged in linear light, encoded as the target's format wants it (picture_target.h).
 
 #include <compare>
 #include <cstdint>
-#include <glm/vec4.hpp>
+#include <glm/vec3.hpp>
 #include <map>
 
 #include "engine/picture_target.h"
@@ -14,17 +14,10 @@
 
 namespace rimline {
 
-/// In linear light.
-struct CompositeColors {
-    glm::vec4 ink;   ///< Alpha is the strength of hidden lines.
-    glm::vec4 grid;  ///< Alpha is the strength of its lines; 0: no grid.
-};
-
 /// What a pipeline is made for: everything else may change from frame to frame.
 struct CompositeKind {
     VkFormat format;      ///< Of the target.
-    std::uint32_t scale;  ///< `scale` x `scale` texels of the images make one pixel.
-    bool has_grid;        ///< Else CompositeColors::grid counts for nothing.
+    std::uint32_t scale;  ///< `scale` x `scale` texels of the surfaces make one pixel.
     auto operator<=>(const CompositeKind&) const = default;
 };
 
@@ -36,14 +29,13 @@ public:
     /// the device cannot draw into it, or where it is none of colors.
     void prepare(const DeviceContext& context, const CompositeKind& kind);
 
-    void set_images(const Image& surfaces, const Image& lines) { images_.set({&surfaces, &lines}); }
+    void set_surfaces(const Image& surfaces) { surfaces_.set({&surfaces}); }
 
-    /// Into a target of a prepared kind.
-    void record(VkCommandBuffer commands, const CompositeKind& kind,
-                const CompositeColors& colors) const;
+    /// Into a target of a prepared kind; linear `ink`.
+    void record(VkCommandBuffer commands, const CompositeKind& kind, const glm::vec3& ink) const;
 
 private:
-    SampledImages images_;
+    SampledImages surfaces_;
     OwnedPipelineLayout layout_;
     std::map<CompositeKind, OwnedPipeline> pipelines_;
 };

@@ -25,7 +25,7 @@ GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
                                             .fragment = line_frag,
                                             .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
                                             .formats = {.color = format},
-                                            .blend = Blend::maximum,
+                                            .blend = Blend::maximum_alpha,
                                             .layout = layout};
     if (needs_geometry_shader(path)) {
         description.vertex = points_vert;
@@ -38,20 +38,20 @@ GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
 }  // namespace
 
 LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
-                   VkFormat coverage_format, LinePath path)
+                   VkFormat surface_format, LinePath path)
     : path_(possible_path(context, path)),
       depth_(context, 1),
       layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages,
                                    {draw_data, depth_.layout()})),
-      pipeline_(make_graphics_pipeline(context, description_of(path_, coverage_format, layout_))) {
+      pipeline_(make_graphics_pipeline(context, description_of(path_, surface_format, layout_))) {
     if (path_ != LinePath::adjacency) return;
     adjacency_ = make_graphics_pipeline(
         context, {.vertex = line_adjacency_vert,
                   .geometry = line_adjacency_geom,
                   .fragment = line_frag,
                   .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
-                  .formats = {.color = coverage_format},
-                  .blend = Blend::maximum,
+                  .formats = {.color = surface_format},
+                  .blend = Blend::maximum_alpha,
                   .layout = layout_});
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Silhouette, border and crease lines with a width in pixels and round ends, as coverage: red where
-// seen, green where hidden. A compositing pass inks them (shaders/composite.frag).
+// Silhouette, border and crease lines with a width in pixels and round ends, as coverage in the surfaces' alpha.
+// The ink and composite passes put color there (ink_pass.h, composite_pass.h).
 
 #include "engine/draw_list.h"
 #include "engine/line_path.h"
@@ -12,17 +12,18 @@ namespace rimline {
 
 class LinePass {
 public:
-    /// Draws into one two-channel attachment of `coverage_format`. Where the device has no geometry
-    /// shaders LinePath::geometry is made pulling; other paths that need them throw Error{no_device}.
-    LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
-             VkFormat coverage_format, LinePath path = LinePath::geometry);
+    /// Draws into the alpha of one color attachment of `surface_format`, one sample a pixel. Where the device has
+    /// no geometry shaders LinePath::geometry is made pulling; other paths that need them throw
+    /// Error{no_device}.
+    LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data, VkFormat surface_format,
+             LinePath path = LinePath::geometry);
 
     LinePath path() const noexcept { return path_; }
 
     /// The finished depth of the surfaces, one sample a pixel.
     void set_surface_depth(const Image& depth) { depth_.set({&depth}); }
 
-    /// The lines of one color. Inside a rendering scope with the coverage cleared to zero.
+    /// The lines of one color. Inside a rendering scope whose alpha is zero, or has lines of this color.
     void record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const;
 
 private:

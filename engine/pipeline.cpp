@@ -24,26 +24,41 @@ VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits stage, VkShaderMo
 }
 
 VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
-    constexpr VkColorComponentFlags k_all = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                                            VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-    const VkBlendOp operation = blend == Blend::maximum ? VK_BLEND_OP_MAX : VK_BLEND_OP_ADD;
-    if (blend == Blend::over)
-        return {.blendEnable = VK_TRUE,
-                .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
-                .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-                .colorBlendOp = VK_BLEND_OP_ADD,
-                .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-                .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-                .alphaBlendOp = VK_BLEND_OP_ADD,
-                .colorWriteMask = k_all};
-    return {.blendEnable = blend == Blend::add || blend == Blend::maximum,
-            .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
-            .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
-            .colorBlendOp = operation,
-            .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-            .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-            .alphaBlendOp = operation,
-            .colorWriteMask = blend == Blend::none_written ? 0 : k_all};
+    constexpr VkColorComponentFlags k_color =
+        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
+    constexpr VkColorComponentFlags k_alpha = VK_COLOR_COMPONENT_A_BIT;
+    VkPipelineColorBlendAttachmentState state{.blendEnable = VK_TRUE,
+                                              .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .colorBlendOp = VK_BLEND_OP_ADD,
+                                              .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .alphaBlendOp = VK_BLEND_OP_ADD,
+                                              .colorWriteMask = k_color | k_alpha};
+    switch (blend) {
+        case Blend::replace: state.blendEnable = VK_FALSE; break;
+        case Blend::add: break;
+        case Blend::over:
+            state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+            state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            state.colorWriteMask = k_color;
+            break;
+        case Blend::maximum_alpha:
+            state.alphaBlendOp = VK_BLEND_OP_MAX;
+            state.colorWriteMask = k_alpha;
+            break;
+        case Blend::over_by_target:
+            state.srcColorBlendFactor = VK_BLEND_FACTOR_DST_ALPHA;
+            state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
+            state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+            state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+            break;
+        case Blend::none_written:
+            state.blendEnable = VK_FALSE;
+            state.colorWriteMask = 0;
+            break;
+    }
+    return state;
 }
 
 VkStencilOpState stencil_state(const GraphicsPipelineDescription& description) {

@@ -26,9 +26,10 @@ OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code
 enum class Blend {
     replace,
     add,
-    maximum,
-    over,          ///< By the source's alpha; the picture stays opaque.
-    none_written,  ///< The pass writes no color.
+    over,            ///< By the source's alpha; the target's is left alone.
+    maximum_alpha,   ///< Alpha keeps its maximum, color is left alone.
+    over_by_target,  ///< By the target's own alpha, which becomes zero.
+    none_written,    ///< The pass writes no color.
 };
 
 enum class StencilUse {

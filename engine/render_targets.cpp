@@ -76,8 +76,8 @@ VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp 
 
 std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
                             std::uint32_t samples) {
-    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved, and lines (2).
-    const std::uint64_t pixel_bytes = 16 * (samples > 1 ? samples + 1 : 1) + 2;
+    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved.
+    const std::uint64_t pixel_bytes = 16 * (samples > 1 ? samples + 1 : 1);
     VkDeviceSize memory = 0;
     for (std::uint32_t i = 0; i < context.memory.memoryHeapCount; ++i)
         if ((context.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
@@ -120,14 +120,13 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
             {k_depth_stencil_format, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
             "the depth of the picture's samples");
     }
-    lines_ = Image(context, {k_coverage_format, extent, k_drawn_and_read}, "the picture's lines");
 }
 
-void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float background[4]) const {
+void RenderTargets::begin_surfaces(VkCommandBuffer commands, const glm::vec3& background) const {
     VkRenderingAttachmentInfo color =
         color_attachment((is_multisampled() ? multisampled_surfaces_ : surfaces_).attachment_view(),
                          VK_ATTACHMENT_LOAD_OP_CLEAR);
-    color.clearValue.color = {{background[0], background[1], background[2], background[3]}};
+    color.clearValue.color = {{background.r, background.g, background.b, 0.0f}};
     VkRenderingAttachmentInfo depth{
         .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
         .imageView = (is_multisampled() ? multisampled_depth_ : depth_).attachment_view(),
@@ -148,11 +147,6 @@ void RenderTargets::begin_surfaces(VkCommandBuffer commands, const float backgro
 
 void RenderTargets::begin_lines(VkCommandBuffer commands) const {
     begin_rendering(commands, pass_extent(), guard_,
-                    color_attachment(lines_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
-}
-
-void RenderTargets::begin_ink(VkCommandBuffer commands) const {
-    begin_rendering(commands, pass_extent(), 1.0f,
                     color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD));
 }
 
@@ -172,13 +166,11 @@ void RenderTargets::record_before_surfaces(VkCommandBuffer commands,
                         {depth_, k_fresh, k_depth},
                         {multisampled_surfaces_, k_fresh, k_color},
                         {multisampled_depth_, k_fresh, k_depth},
-                        {lines_, k_fresh, k_color},
                         {target, target.initial_layout, k_color}});
     else
         record_barrier(commands, k_before, k_drawing,
                        {{surfaces_, k_fresh, k_color},
                         {depth_, k_fresh, k_depth},
-                        {lines_, k_fresh, k_color},
                         {target, target.initial_layout, k_color}});
 }
 
@@ -188,24 +180,9 @@ void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
 }
 
-void RenderTargets::record_before_ink(VkCommandBuffer commands) const {
-    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    record_barrier(commands, k_drawing,
-                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
-                   {{surfaces_, k_color, k_color},
-                    {lines_, k_color, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
-}
-
-void RenderTargets::record_after_ink(VkCommandBuffer commands) const {
-    record_barrier(commands, {k_sampling.stages, VK_ACCESS_2_NONE}, k_drawing,
-                   {{lines_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
-}
-
 void RenderTargets::record_before_picture(VkCommandBuffer commands) const {
     record_barrier(commands, k_drawing, k_sampling,
                    {{surfaces_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
-                    {lines_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
 }
 

@@ -3,10 +3,12 @@
 // The images that the passes of one picture size draw into, up to the picture itself.
 //
 //     surfaces (color, depth + stencil; several samples) --resolved--> surfaces, depth (one sample)
-//     lines (coverage) is drawn against depth; composite averages scale x scale texels to a pixel of
-//     the target.
+//     lines are drawn against depth into the surfaces' alpha, as coverage; composite averages scale x
+//     scale texels to a pixel of the target.
 
 #include <vulkan/vulkan.h>
+
+#include <glm/vec3.hpp>
 
 #include "engine/memory.h"
 #include "engine/picture_target.h"
@@ -15,7 +17,6 @@
 namespace rimline {
 
 constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
-constexpr VkFormat k_coverage_format = VK_FORMAT_R8G8_UNORM;
 
 /// The greatest scale up to `wanted`, and at least 1, whose images are within the device's limits and
 /// take no more than half of its memory.
@@ -42,21 +43,17 @@ public:
 
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
-    const Image& lines() const noexcept { return lines_; }
 
-    /// Scopes of dynamic rendering; each clears what it draws into, or overwrites all of it.
-    void begin_surfaces(VkCommandBuffer commands, const float background[4]) const;
+    /// Scopes of dynamic rendering. The surfaces' begins with linear `background`, where lines cover nothing.
+    void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background) const;
+    /// Draws over the finished surfaces, and into their alpha.
     void begin_lines(VkCommandBuffer commands) const;
-    /// Draws over the finished surfaces.
-    void begin_ink(VkCommandBuffer commands) const;
+    /// Overwrites all of the target.
     static void begin_picture(VkCommandBuffer commands, const PictureTarget& target);
 
     /// Layout changes between the scopes, for all images at once, the target among them.
     void record_before_surfaces(VkCommandBuffer commands, const PictureTarget& target) const;
     void record_before_lines(VkCommandBuffer commands) const;
-    /// Between the lines of one color, ink of that color on the surfaces, and lines of the next.
-    void record_before_ink(VkCommandBuffer commands) const;
-    void record_after_ink(VkCommandBuffer commands) const;
     void record_before_picture(VkCommandBuffer commands) const;
     /// Leaves the target in its final layout, and orders all that follows after it.
     static void record_after_picture(VkCommandBuffer commands, const PictureTarget& target);
@@ -70,7 +67,6 @@ private:
     float guard_;
     Image surfaces_, depth_;                            // One sample.
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
-    Image lines_;
 };
 
 }  // namespace rimline

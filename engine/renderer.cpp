@@ -44,7 +44,7 @@ Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
       surface_pass_(context, draw_data_.layout(), surface_formats(options_.samples)),
       shadow_pass_(context, draw_data_.layout(), surface_formats(options_.samples),
                    options_.shadow_sides),
-      line_pass_(context, draw_data_.layout(), k_coverage_format, options_.line_path),
+      line_pass_(context, draw_data_.layout(), k_surface_format, options_.line_path),
       ink_pass_(context, k_surface_format),
       composite_pass_(context),
       timeline_(make_timeline(context)),
@@ -95,8 +95,7 @@ void Renderer::prepare_targets(VkExtent2D size) {
     targets_.reset();  // Free before making anew.
     auto targets = std::make_unique<RenderTargets>(context_, size, scale, options_.samples);
     line_pass_.set_surface_depth(targets->depth());
-    ink_pass_.set_lines(targets->lines());
-    composite_pass_.set_images(targets->surfaces(), targets->lines());
+    composite_pass_.set_surfaces(targets->surfaces());
     targets_ = std::move(targets);
 }
 
@@ -285,8 +284,7 @@ void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const
 
     const VkExtent2D extent = targets_->pass_extent();
     targets_->record_before_surfaces(commands, target);
-    const glm::vec4 background(scene.palette.background, 1.0f);
-    targets_->begin_surfaces(commands, &background[0]);
+    targets_->begin_surfaces(commands, scene.palette.background);
     if (!list.shadows && list.light_count == 1) {
         surface_pass_.record_shadowless(commands, list);
     } else {
@@ -298,45 +296,28 @@ void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const
     }
     vkCmdEndRendering(commands);
 
-    CompositeColors colors{.ink = glm::vec4(list.inks.back(), scene.hidden_line_strength),
-                           .grid = glm::vec4(scene.palette.grid, scene.palette.grid_strength)};
-    record_lines(commands, list, colors);
-    if (list.inks.size() > 1) colors.grid.a = 0.0f;  // It lies under the first ink already.
+    targets_->record_before_lines(commands);
+    targets_->begin_lines(commands);
+    if (scene.palette.grid_strength > 0.0f)
+        ink_pass_.record_grid(commands, glm::vec4(scene.palette.grid, scene.palette.grid_strength),
+                              targets_->size(), targets_->scale());
+    for (std::size_t ink = 0; ink < list.inks.size(); ++ink) {
+        if (ink > 0) ink_pass_.record_ink(commands, list.inks[ink - 1]);
+        line_pass_.record(commands, list, ink);
+    }
+    vkCmdEndRendering(commands);
+
     targets_->record_before_picture(commands);
     RenderTargets::begin_picture(commands, target);
-    composite_pass_.record(commands, composite_kind(scene, target), colors);
+    composite_pass_.record(commands, {target.format, targets_->scale()}, list.inks.back());
     vkCmdEndRendering(commands);
     RenderTargets::record_after_picture(commands, target);
-}
-
-CompositeKind Renderer::composite_kind(const Scene& scene, const PictureTarget& target) const {
-    return {target.format, targets_->scale(), scene.palette.grid_strength > 0.0f};
-}
-
-// Each color's lines in turn, all but the last laid on the surfaces; `colors` has hidden lines and grid.
-void Renderer::record_lines(VkCommandBuffer commands, const DrawList& list,
-                            const CompositeColors& colors) const {
-    targets_->record_before_lines(commands);
-    for (std::size_t ink = 0; ink < list.inks.size(); ++ink) {
-        targets_->begin_lines(commands);
-        line_pass_.record(commands, list, ink);
-        vkCmdEndRendering(commands);
-        if (ink + 1 == list.inks.size()) break;
-        targets_->record_before_ink(commands);
-        targets_->begin_ink(commands);
-        ink_pass_.record(commands,
-                         {.ink = glm::vec4(list.inks[ink], colors.ink.a),
-                          .grid = ink == 0 ? colors.grid : glm::vec4(0.0f)},
-                         targets_->scale());
-        vkCmdEndRendering(commands);
-        targets_->record_after_ink(commands);
-    }
 }
 
 // What a frame needs before it begins.
 void Renderer::prepare(const Scene& scene, const PictureTarget& target, Frame& frame) {
     prepare_targets(target.extent);
-    composite_pass_.prepare(context_, composite_kind(scene, target));
+    composite_pass_.prepare(context_, {target.format, targets_->scale()});
     surface_pass_.prepare(context_, scene.style);
     frame.report = {};
     InstanceStates::Frames frames{.recorded = recorded_};

@@ -210,9 +210,6 @@ private:
                              const PictureTarget& target, Frame& frame);
     void record_passes(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
                        Frame& frame, const PictureTarget& target) const;
-    CompositeKind composite_kind(const Scene& scene, const PictureTarget& target) const;
-    void record_lines(VkCommandBuffer commands, const DrawList& list,
-                      const CompositeColors& colors) const;
     static void add_deformed_counts(Frame& frame);
     void submit(Frame& frame);
 

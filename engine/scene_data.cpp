@@ -131,6 +131,7 @@ gpu::FrameData frame_data(const Scene& scene, const RenderTargets& targets) {
             .extent = {float(extent.width), float(extent.height)},
             .depth_place = first_sample_place(targets.samples()),
             .line_radius = 0.5f * scene.line_width_px * float(targets.scale()),
+            .hidden_strength = scene.hidden_line_strength,
             .depth_slack = orthographic ? 0.0f : k_depth_slack,
             .depth_slack_absolute = orthographic ? k_depth_slack : 0.0f,
             .background = scene.palette.background,

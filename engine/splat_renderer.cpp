@@ -43,7 +43,7 @@ void SplatRenderer::prepare_targets(VkExtent2D size) {
         return;
     targets_.reset();  // Free before making anew.
     auto targets = std::make_unique<RenderTargets>(context_, size, scale, options_.samples);
-    composite_pass_.set_images(targets->surfaces(), targets->lines());
+    composite_pass_.set_surfaces(targets->surfaces());
     targets_ = std::move(targets);
 }
 
@@ -69,7 +69,7 @@ void SplatRenderer::prepare_cloud(const SplatCloud* cloud, Frame& frame) {
 void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
                            const PictureTarget& target) {
     prepare_targets(target.extent);
-    const CompositeKind kind{target.format, targets_->scale(), /*has_grid=*/false};
+    const CompositeKind kind{target.format, targets_->scale()};
     composite_pass_.prepare(context_, kind);
     // The GPU is done with the frame that had this slot before.
     Frame& frame = frames_[recorded_ % k_frames_in_flight];
@@ -82,8 +82,7 @@ void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
     ++recorded_;
 
     targets_->record_before_surfaces(commands, target);
-    const glm::vec4 background(scene.background, 1.0f);
-    targets_->begin_surfaces(commands, &background[0]);
+    targets_->begin_surfaces(commands, scene.background);
     gpu::SplatConstants constants = constants_of(scene, *targets_);
     if (uploaded_) {
         constants.splats = uploaded_->splats.address();
@@ -93,13 +92,9 @@ void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
     constants.strokes = frame.strokes.address();
     splat_pass_.record(commands, constants, 0, static_cast<std::uint32_t>(scene.strokes.size()));
     vkCmdEndRendering(commands);
-    // The composite pass reads lines' coverage too: there is none.
-    targets_->record_before_lines(commands);
-    targets_->begin_lines(commands);
-    vkCmdEndRendering(commands);
     targets_->record_before_picture(commands);
     RenderTargets::begin_picture(commands, target);
-    composite_pass_.record(commands, kind, {glm::vec4(0.0f), glm::vec4(0.0f)});
+    composite_pass_.record(commands, kind, glm::vec3(0.0f));
     vkCmdEndRendering(commands);
     RenderTargets::record_after_picture(commands, target);
 }

@@ -4,7 +4,7 @@
 // An edge becomes a capsule on the screen: the segment it projects to, widened by the line's radius.
 // Every line path makes its capsules here, and line.frag inks them from these values alone, so all
 // paths give the same pixels: the quads of different stages may be rasterised with other roundings,
-// but ink ends half a pixel inside them. `precise`, for the same reason, all the way.
+// but ink ends an eighth of a pixel inside them. `precise`, for the same reason, all the way.
 
 #include "draw.glsl"
 #include "line_edge.glsl"
@@ -87,7 +87,7 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     const vec4 b = clip_from_eye(eye_b, 1.0);
 
     // In front of the near plane, and not farther outside the picture than a line is wide.
-    const float radius = frame.line_radius + 1.0;
+    const float radius = frame.line_radius + 0.625;
     precise vec2 reach = (1.0 + 2.0 * radius / frame.extent) / frame.guard;
     precise float begin = 0.0;
     precise float end = 1.0;
@@ -136,11 +136,12 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     return true;
 }
 
-// Corner 0 to 3, in the order of a triangle strip, of a quad that holds the capsule and half a pixel.
+// Corner 0 to 3, in the order of a triangle strip, of a quad that holds the capsule, the half pixel over which
+// its ink ends, and an eighth for rounding.
 vec4 capsule_corner(Capsule capsule, uint corner) {
     const vec2 p = capsule.ends.xy;
     const vec2 q = capsule.ends.zw;
-    const float radius = frame.line_radius + 1.0;
+    const float radius = frame.line_radius + 0.625;
     const float len = distance(p, q);
     const vec2 along = (len > 1e-6 ? (q - p) / len : vec2(1.0, 0.0)) * radius;
     const vec2 across = vec2(-along.y, along.x) * ((corner & 1u) == 0u ? 1.0 : -1.0);

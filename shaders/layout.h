@@ -119,6 +119,7 @@ struct FrameData {
     vec2 extent;        // Width and height of the picture in the pass, in pixels.
     vec2 depth_place;   // Where in a pixel its one depth was taken: of samples, the first.
     float line_radius;  // Half of a line's width, in pixels of the pass.
+    float hidden_strength;  // Of hidden lines' ink; 0: they are not drawn.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
     vec3 background;
@@ -202,7 +203,7 @@ static_assert(sizeof(LineEnds) == 8);
 static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
-static_assert(sizeof(FrameData) == 4 * 24);
+static_assert(sizeof(FrameData) == 4 * 25);
 static_assert(sizeof(InstanceData) == 10 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 4);

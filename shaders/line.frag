@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "draw.glsl"
 
-// The ink of one capsule: how much of this pixel it covers, in the red channel where its spine is seen
-// and in the green where it is hidden. Channels keep their maximum, so neighbours join without seams.
+// The ink of one capsule: how much of this pixel it covers, in alpha, which keeps its maximum, so neighbours
+// join without seams. Where its spine is hidden that is as much less as hidden lines are fainter.
 //
 // Whether a line is seen is asked of its spine, not of the pixel it inks, for a line lies half over the
 // surface that bulges towards the viewer beside it (the spine test of Cole and Finkelstein, Two Fast
@@ -16,7 +16,7 @@
 layout(location = 0) flat in vec4 ends;        // From and to, in pixels.
 layout(location = 1) flat in vec4 depths_out;  // Depths at both ends; the unit vector outwards.
 layout(location = 2) flat in vec3 pattern;     // Dashes at both ends; whether to look on both sides.
-layout(location = 0) out vec2 coverage;
+layout(location = 0) out vec4 coverage;
 
 layout(set = 1, binding = 0) uniform sampler2D surface_depth;
 
@@ -91,6 +91,7 @@ void main() {
         depth + depth * frame.depth_slack + frame.depth_slack_absolute;
     const vec2 outwards = depths_out.zw;
     const bool seen = is_free_on(spine, outwards, pattern.z != 0.0, nearest_seen);
-    coverage = seen ? vec2(covered, 0.0)
-                    : vec2(0.0, covered * dash_at(mix(pattern.x, pattern.y, t)));
+    const float strength =
+        seen ? 1.0 : frame.hidden_strength * dash_at(mix(pattern.x, pattern.y, t));
+    coverage = vec4(0.0, 0.0, 0.0, covered * strength);
 }

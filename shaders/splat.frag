@@ -11,6 +11,6 @@ layout(location = 0) out vec4 result;
 
 void main() {
     if (dot(place, place) > 1.0 || dot(place, cuts.xy) < 0.0 || dot(place, cuts.zw) < 0.0) discard;
-    result = vec4(color, 1.0);
+    result = vec4(color, 0.0);
     gl_FragDepth = gl_FragCoord.z - fall * length(place);
 }

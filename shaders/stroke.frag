@@ -15,5 +15,5 @@ void main() {
     const float along = clamp(dot(from, line) / max(dot(line, line), 1e-12), 0.0, 1.0);
     const vec2 away = from - along * line;
     if (dot(away, away) > radius * radius) discard;
-    result = vec4(color, 1.0);
+    result = vec4(color, 0.0);
 }

@@ -44,7 +44,7 @@ void main() {
     // Sheets are lit on the side that is seen.
     if (!gl_FrontFacing) n = -n;
     const vec3 shaded = shown(0.0, n);
-    color = k_has_shade ? vec4(shaded, 1.0) : vec4(0.0);
+    color = vec4(k_has_shade ? shaded : vec3(0.0), 0.0);  // Lines cover nothing yet.
     if (k_has_light) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
         const vec4 light_point = light.point;

@@ -180,11 +180,11 @@ TEST_CASE("without geometry shaders lines are pulled, and paths that need them a
     DeviceContext lacking = gpu->context();
     lacking.features.geometry_shader = false;
     const DrawData data(lacking, 1);
-    CHECK(LinePass(lacking, data.layout(), k_coverage_format).path() == LinePath::pulling);
-    CHECK(LinePass(lacking, data.layout(), k_coverage_format, LinePath::quads).path() ==
+    CHECK(LinePass(lacking, data.layout(), k_surface_format).path() == LinePath::pulling);
+    CHECK(LinePass(lacking, data.layout(), k_surface_format, LinePath::quads).path() ==
           LinePath::quads);
     for (const LinePath path : {LinePath::all_edges, LinePath::adjacency}) try {
-            LinePass(lacking, data.layout(), k_coverage_format, path);
+            LinePass(lacking, data.layout(), k_surface_format, path);
             FAIL("a path was accepted that the device cannot draw");
         } catch (const Error& error) {
             CHECK(error.code() == ErrorCode::no_device);

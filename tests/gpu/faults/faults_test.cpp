@@ -82,7 +82,7 @@ RIMLINE_FAULT_SCENARIO("pictures of lines that are tested in every frame") {
     const auto data = stage.make<DrawData>(stage.context(), 2u);
     for (const LinePath path :
          {LinePath::pulling, LinePath::all_edges, LinePath::quads, LinePath::adjacency})
-        stage.make<LinePass>(stage.context(), data->layout(), k_coverage_format, path);
+        stage.make<LinePass>(stage.context(), data->layout(), k_surface_format, path);
     RendererOptions options = k_plain;
     options.line_path = LinePath::adjacency;
     const auto renderer =

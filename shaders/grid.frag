@@ -1,0 +1,21 @@
+#version 460
+
+// The paper's grid, to be blended over the surfaces by alpha: lines a pixel of the picture wide, one of them
+// through the middle, every fifth one of full strength.
+
+layout(push_constant) uniform Constants {
+    vec4 grid;   // Linear; alpha is the strength of every fifth line.
+    ivec2 size;  // Of the picture, whose pixels are ...
+    int scale;   // ... so many of the surfaces' wide and high.
+};
+
+layout(location = 0) out vec4 color;
+
+const int k_grid_px = 16;
+
+void main() {
+    const ivec2 from_middle = abs(ivec2(gl_FragCoord.xy) / scale - size / 2);
+    if (!any(equal(from_middle % k_grid_px, ivec2(0)))) discard;
+    const bool is_fifth = any(equal(from_middle % (5 * k_grid_px), ivec2(0)));
+    color = vec4(grid.rgb, is_fifth ? grid.a : 0.45 * grid.a);
+}
