@@ -1,11 +1,30 @@
 #include "engine/composite_pass.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "composite_frag.h"
 #include "composite_vert.h"
 
 namespace rimline {
+
+std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFormat format) {
+    if (format != VK_FORMAT_R8G8B8A8_UNORM && format != VK_FORMAT_B8G8R8A8_UNORM) return {};
+    VkClearColorValue value{.float32 = {0.0f, 0.0f, 0.0f, 1.0f}};
+    for (int channel = 0; channel < 3; ++channel) {
+        const double linear = std::clamp(double(background[channel]), 0.0, 1.0);
+        const double steps =
+            255.0 *
+            (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055);
+        const double step = std::round(steps);
+        // Halves, in which surfaces are kept, are within a twentieth of a step; colors that were given as sRGB are at
+        // its middle.
+        if (std::abs(steps - step) > 0.4) return {};
+        value.float32[channel] = static_cast<float>(step / 255.0);
+    }
+    return value;
+}
 
 CompositePass::CompositePass(const DeviceContext& context)
     : surfaces_(context, 1),

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 
 #include "engine/picture_target.h"
 #include "engine/pipeline.h"
@@ -20,6 +21,11 @@ struct CompositeKind {
     std::uint32_t scale;  ///< `scale` x `scale` texels of the surfaces make one pixel.
     auto operator<=>(const CompositeKind&) const = default;
 };
+
+/// What the composite writes where surfaces are linear `background` and no line is, as a value to clear a
+/// target of `format` to. Nothing where another rounding would give another value, and for other formats than
+/// 8 bits of plain sRGB.
+std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFormat format);
 
 class CompositePass {
 public:

@@ -39,11 +39,11 @@ constexpr StageAccess k_drawing{
 constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 
-void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, float guard,
+void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, const VkRect2D& area, float guard,
                      const VkRenderingAttachmentInfo& color,
                      const VkRenderingAttachmentInfo* depth_stencil = nullptr) {
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                               .renderArea = {{0, 0}, extent},
+                               .renderArea = area,
                                .layerCount = 1,
                                .colorAttachmentCount = 1,
                                .pColorAttachments = &color,
@@ -59,8 +59,7 @@ void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, float guard,
                               .minDepth = 0.0f,
                               .maxDepth = 1.0f};
     vkCmdSetViewport(commands, 0, 1, &viewport);
-    const VkRect2D scissor{{0, 0}, extent};
-    vkCmdSetScissor(commands, 0, 1, &scissor);
+    vkCmdSetScissor(commands, 0, 1, &area);
 }
 
 VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp load) {
@@ -122,7 +121,14 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
     }
 }
 
-void RenderTargets::begin_surfaces(VkCommandBuffer commands, const glm::vec3& background) const {
+VkRect2D RenderTargets::in_pass(const VkRect2D& rect) const noexcept {
+    const auto scale = static_cast<std::int32_t>(scale_);
+    return {{rect.offset.x * scale, rect.offset.y * scale},
+            {rect.extent.width * scale_, rect.extent.height * scale_}};
+}
+
+void RenderTargets::begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
+                                   const DrawnArea& area) const {
     VkRenderingAttachmentInfo color =
         color_attachment((is_multisampled() ? multisampled_surfaces_ : surfaces_).attachment_view(),
                          VK_ATTACHMENT_LOAD_OP_CLEAR);
@@ -142,17 +148,24 @@ void RenderTargets::begin_surfaces(VkCommandBuffer commands, const glm::vec3& ba
         depth.resolveImageView = depth_.attachment_view();
         depth.resolveImageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     }
-    begin_rendering(commands, pass_extent(), guard_, color, &depth);
+    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_, color, &depth);
 }
 
-void RenderTargets::begin_lines(VkCommandBuffer commands) const {
-    begin_rendering(commands, pass_extent(), guard_,
+void RenderTargets::begin_lines(VkCommandBuffer commands, const DrawnArea& area) const {
+    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_,
                     color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD));
 }
 
-void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target) {
-    begin_rendering(commands, target.extent, 1.0f,
-                    color_attachment(target.view, VK_ATTACHMENT_LOAD_OP_DONT_CARE));
+void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target,
+                                  const DrawnArea& area) {
+    const VkRect2D whole{{0, 0}, target.extent};
+    const bool is_whole = area.rect.extent.width == whole.extent.width &&
+                          area.rect.extent.height == whole.extent.height;
+    VkRenderingAttachmentInfo color = color_attachment(
+        target.view, is_whole ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR);
+    color.clearValue.color = area.around;
+    begin_rendering(commands, target.extent, whole, 1.0f, color);
+    vkCmdSetScissor(commands, 0, 1, &area.rect);
 }
 
 void RenderTargets::record_before_surfaces(VkCommandBuffer commands,

@@ -23,6 +23,14 @@ constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
 std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
                             std::uint32_t samples);
 
+/// The part of a picture that a frame is drawn in, in its pixels.
+struct DrawnArea {
+    VkRect2D rect;
+    VkClearColorValue around{};  ///< What the picture is where `rect` is not.
+
+    static DrawnArea whole(VkExtent2D size) { return {{{0, 0}, size}}; }
+};
+
 class RenderTargets {
 public:
     /// `scale` pixels of the passes along each side of a pixel, each with `samples` samples.
@@ -35,6 +43,8 @@ public:
     VkExtent2D pass_extent() const noexcept {
         return {size_.width * scale_, size_.height * scale_};
     }
+    /// Of the picture, the same in the surface and line passes.
+    VkRect2D in_pass(const VkRect2D& rect) const noexcept;
     std::uint32_t scale() const noexcept { return scale_; }
     std::uint32_t samples() const noexcept { return samples_; }
     /// The viewport of the surface and line passes is so many times as wide and high as the picture in
@@ -44,12 +54,15 @@ public:
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
 
-    /// Scopes of dynamic rendering. The surfaces' begins with linear `background`, where lines cover nothing.
-    void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background) const;
+    /// Scopes of dynamic rendering, all in the same area. The surfaces' begins with linear `background`, where
+    /// lines cover nothing.
+    void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
+                        const DrawnArea& area) const;
     /// Draws over the finished surfaces, and into their alpha.
-    void begin_lines(VkCommandBuffer commands) const;
-    /// Overwrites all of the target.
-    static void begin_picture(VkCommandBuffer commands, const PictureTarget& target);
+    void begin_lines(VkCommandBuffer commands, const DrawnArea& area) const;
+    /// Overwrites all of the target: what is around the area by this, the area is the caller's to draw.
+    static void begin_picture(VkCommandBuffer commands, const PictureTarget& target,
+                              const DrawnArea& area);
 
     /// Layout changes between the scopes, for all images at once, the target among them.
     void record_before_surfaces(VkCommandBuffer commands, const PictureTarget& target) const;

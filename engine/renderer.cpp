@@ -273,6 +273,13 @@ void Renderer::plan_shadows(DrawList& list, Frame& frame) {
     }
 }
 
+// Not the paper around what is in the picture, unless something is drawn on it.
+DrawnArea Renderer::drawn_area(const Scene& scene, const PictureTarget& target) {
+    const auto around = composite_of(scene.palette.background, target.format);
+    if (!around || scene.palette.grid_strength > 0.0f) return DrawnArea::whole(target.extent);
+    return {drawn_rect(scene, target.extent), *around};
+}
+
 void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
                              Frame& frame, const PictureTarget& target) const {
     if (!frame.deformed.is_empty())
@@ -282,22 +289,23 @@ void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const
         silhouette->stream().record(commands, scatter_);
     ChangeStream::record_after(commands);
 
-    const VkExtent2D extent = targets_->pass_extent();
     targets_->record_before_surfaces(commands, target);
-    targets_->begin_surfaces(commands, scene.palette.background);
+    const DrawnArea area = drawn_area(scene, target);
+    targets_->begin_surfaces(commands, scene.palette.background, area);
     if (!list.shadows && list.light_count == 1) {
         surface_pass_.record_shadowless(commands, list);
     } else {
         surface_pass_.record_unlit(commands, list);
         for (std::size_t light = 0; light < list.light_count; ++light) {
-            if (list.shadows) shadow_pass_.record(commands, list, light, extent);
+            if (list.shadows)
+                shadow_pass_.record(commands, list, light, targets_->in_pass(area.rect));
             surface_pass_.record_lit(commands, list, light);
         }
     }
     vkCmdEndRendering(commands);
 
     targets_->record_before_lines(commands);
-    targets_->begin_lines(commands);
+    targets_->begin_lines(commands, area);
     if (scene.palette.grid_strength > 0.0f)
         ink_pass_.record_grid(commands, glm::vec4(scene.palette.grid, scene.palette.grid_strength),
                               targets_->size(), targets_->scale());
@@ -308,7 +316,7 @@ void Renderer::record_passes(VkCommandBuffer commands, const Scene& scene, const
     vkCmdEndRendering(commands);
 
     targets_->record_before_picture(commands);
-    RenderTargets::begin_picture(commands, target);
+    RenderTargets::begin_picture(commands, target, area);
     composite_pass_.record(commands, {target.format, targets_->scale()}, list.inks.back());
     vkCmdEndRendering(commands);
     RenderTargets::record_after_picture(commands, target);

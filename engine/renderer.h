@@ -208,6 +208,7 @@ private:
     DrawList build_draw_list(const Scene& scene, Frame& frame);
     FrameReport record_frame(VkCommandBuffer commands, const Scene& scene,
                              const PictureTarget& target, Frame& frame);
+    static DrawnArea drawn_area(const Scene& scene, const PictureTarget& target);
     void record_passes(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
                        Frame& frame, const PictureTarget& target) const;
     static void add_deformed_counts(Frame& frame);

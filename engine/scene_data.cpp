@@ -1,8 +1,10 @@
 #include "engine/scene_data.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 namespace rimline {
 
@@ -23,6 +25,9 @@ constexpr double k_finite_extrusion_radii = 8.0;
 // wrongly lies behind by a hundred-thousandth of its distance: a seventieth of a pixel's width at a field
 // of view of 40 degrees and 1000 pixels.
 constexpr float k_depth_slack = 1e-5f;
+
+// How far from the middle of a line line.frag looks for what hides it (4 pixels), and as much again.
+constexpr double k_look_reach_px = 8.0;
 
 // Points of the world in an instance's own coordinates.
 glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& world) {
@@ -94,6 +99,48 @@ CasterBox caster_box(const SceneInstance& instance) {
                 glm::dvec3(instance.mesh().bounds().high)};
     const BoundingSphere sphere = instance.bounds();
     return {sphere.center - sphere.radius, sphere.center + sphere.radius};
+}
+
+VkRect2D drawn_rect(const Scene& scene, VkExtent2D size) {
+    const VkRect2D whole{{0, 0}, size};
+    const SceneBounds bounds = bounds_of(scene);
+    const Projection projection = make_projection(scene.camera, double(size.width) / size.height,
+                                                  bounds.center, bounds.radius);
+    const glm::dmat3 eye_from_world = camera_from_world(scene.camera);
+    const double near = scene.camera.is_orthographic() ? 0.0 : projection.z[1];
+    const glm::dvec2 picture(size.width, size.height);
+    glm::dvec2 low = picture;
+    glm::dvec2 high(0.0);
+    for (const SceneInstance& instance : scene.instances) {
+        const CasterBox box = caster_box(instance);
+        int in_front = 0;
+        glm::dvec2 box_low(std::numeric_limits<double>::infinity());
+        glm::dvec2 box_high = -box_low;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 point((corner & 1u) != 0 ? box.high.x : box.low.x,
+                                   (corner & 2u) != 0 ? box.high.y : box.low.y,
+                                   (corner & 4u) != 0 ? box.high.z : box.low.z);
+            const glm::dvec3 world = instance.rotation * point + instance.translation;
+            const glm::dvec3 eye = eye_from_world * (world - scene.camera.eye);
+            const double w = projection.w[0] * eye.z + projection.w[1];
+            if (!(w > near)) continue;
+            ++in_front;
+            const glm::dvec2 ndc = projection.scale * glm::dvec2(eye) / w;
+            const glm::dvec2 pixel = (0.5 * ndc + 0.5) * picture;
+            box_low = glm::min(box_low, pixel);
+            box_high = glm::max(box_high, pixel);
+        }
+        if (in_front == 0) continue;
+        if (in_front < 8) return whole;
+        low = glm::min(low, box_low);
+        high = glm::max(high, box_high);
+    }
+    const double reach = k_look_reach_px + 0.5 * double(scene.line_width_px);
+    low = glm::floor(glm::clamp(low - reach, glm::dvec2(0.0), picture - 1.0));
+    high = glm::ceil(glm::clamp(high + reach, low + 1.0, picture));
+    return {
+        {static_cast<std::int32_t>(low.x), static_cast<std::int32_t>(low.y)},
+        {static_cast<std::uint32_t>(high.x - low.x), static_cast<std::uint32_t>(high.y - low.y)}};
 }
 
 bool has_lines(const Scene& scene, const SceneInstance& instance) {

@@ -86,10 +86,10 @@ ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSet
 }
 
 void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
-                              VkExtent2D extent) const {
+                              const VkRect2D& area) const {
     const VkClearAttachment stencil{.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT,
                                     .clearValue = {.depthStencil = {0.0f, 0}}};
-    const VkClearRect everywhere{.rect = {{0, 0}, extent}, .layerCount = 1};
+    const VkClearRect everywhere{.rect = area, .layerCount = 1};
     vkCmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
 
     const std::vector<ShadowBatch>& batches = list.shadow_batches[light];

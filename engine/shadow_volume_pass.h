@@ -43,9 +43,10 @@ public:
     ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                      const AttachmentFormats& formats, SideStage stage = SideStage::vertex);
 
-    /// Clears the stencil and counts into it. Depth must be complete; color is left alone.
+    /// Clears the stencil and counts into it, in a scope of rendering over `area`. Depth must be complete; color is
+    /// left alone.
     void record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
-                VkExtent2D extent) const;
+                const VkRect2D& area) const;
 
 private:
     struct Pipelines {

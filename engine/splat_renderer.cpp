@@ -82,7 +82,8 @@ void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
     ++recorded_;
 
     targets_->record_before_surfaces(commands, target);
-    targets_->begin_surfaces(commands, scene.background);
+    const DrawnArea area = DrawnArea::whole(target.extent);
+    targets_->begin_surfaces(commands, scene.background, area);
     gpu::SplatConstants constants = constants_of(scene, *targets_);
     if (uploaded_) {
         constants.splats = uploaded_->splats.address();
@@ -93,7 +94,7 @@ void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
     splat_pass_.record(commands, constants, 0, static_cast<std::uint32_t>(scene.strokes.size()));
     vkCmdEndRendering(commands);
     targets_->record_before_picture(commands);
-    RenderTargets::begin_picture(commands, target);
+    RenderTargets::begin_picture(commands, target, area);
     composite_pass_.record(commands, kind, glm::vec3(0.0f));
     vkCmdEndRendering(commands);
     RenderTargets::record_after_picture(commands, target);
