@@ -1,7 +1,8 @@
 #pragma once
 
-// The finished picture: ink over surfaces, as much as their alpha says that lines cover (line_pass.h), samples
-// averaged in linear light, encoded as the target's format wants it (picture_target.h).
+// The finished picture: ink over surfaces, as much as their alpha says that lines cover
+// (line_pass.h), samples averaged in linear light, encoded as the target's format wants it
+// (picture_target.h).
 
 #include <compare>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #pragma once
 
-// What is laid over the finished surfaces, all in their image: the paper's grid, under all lines, and lines of one
-// color where a scene has lines of several. Coverage is that of one color at a time: within a color
-// capsules join without seams (line_pass.h), and between colors the later one lies over the earlier, at
-// its own coverage. The last color is left to the composite pass.
+// What is laid over the finished surfaces, all in their image: the paper's grid, under all lines,
+// and lines of one color where a scene has lines of several. Coverage is that of one color at a
+// time: within a color capsules join without seams (line_pass.h), and between colors the later one
+// lies over the earlier, at its own coverage. The last color is left to the composite pass.
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Silhouette, border and crease lines with a width in pixels and round ends, as coverage in the surfaces' alpha.
-// The ink and composite passes put color there (ink_pass.h, composite_pass.h).
+// Silhouette, border and crease lines with a width in pixels and round ends, as coverage in the
+// surfaces' alpha. The ink and composite passes put color there (ink_pass.h, composite_pass.h).
 
 #include "engine/draw_list.h"
 #include "engine/line_path.h"
@@ -12,9 +12,9 @@ namespace rimline {
 
 class LinePass {
 public:
-    /// Draws into the alpha of one color attachment of `surface_format`, one sample a pixel. Where the device has
-    /// no geometry shaders LinePath::geometry is made pulling; other paths that need them throw
-    /// Error{no_device}.
+    /// Draws into the alpha of one color attachment of `surface_format`, one sample a pixel. Where
+    /// the device has no geometry shaders LinePath::geometry is made pulling; other paths that need
+    /// them throw Error{no_device}.
     LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data, VkFormat surface_format,
              LinePath path = LinePath::geometry);
 

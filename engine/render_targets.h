@@ -54,8 +54,8 @@ public:
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
 
-    /// Scopes of dynamic rendering, all in the same area. The surfaces' begins with linear `background`, where
-    /// lines cover nothing.
+    /// Scopes of dynamic rendering, all in the same area. The surfaces' begins with linear
+    /// `background`, where lines cover nothing.
     void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
                         const DrawnArea& area) const;
     /// Draws over the finished surfaces, and into their alpha.

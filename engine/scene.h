@@ -41,9 +41,10 @@ struct SceneInstance {
     Material material;
     bool has_lines = true;
     bool casts_shadows = true;
-    /// As is_solid(mesh()) says, which takes about a microsecond a face: worth asking where more than a few
-    /// frames are drawn. Backs of faces are then left out where the camera is outside the bounds, half of the
-    /// surfaces; the picture stays the same but for single pixels of silhouettes, which rounding gave a back. Of a mesh that deforms it says nothing.
+    /// As is_solid(mesh()) says, which takes about a microsecond a face: worth asking where more
+    /// than a few frames are drawn. Backs of faces are then left out where the camera is outside
+    /// the bounds, half of the surfaces; the picture stays the same but for single pixels of
+    /// silhouettes, which rounding gave a back. Of a mesh that deforms it says nothing.
     bool is_solid = false;
     /// Over 0: fades into the background towards this distance from fade_center (world), as a ground
     /// without an end does.

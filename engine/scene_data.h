@@ -55,9 +55,9 @@ struct CasterBox {
 };
 CasterBox caster_box(const SceneInstance& instance);
 
-/// Where in a picture of `size` anything of the scene may be, lines and what they look at around them included: a
-/// rectangle around its instances' boxes, all of the picture where one reaches behind the near plane.
-/// Where nothing is in the picture it is one pixel, for a pass needs one.
+/// Where in a picture of `size` anything of the scene may be, lines and what they look at around
+/// them included: a rectangle around its instances' boxes, all of the picture where one reaches
+/// behind the near plane. Where nothing is in the picture it is one pixel, for a pass needs one.
 VkRect2D drawn_rect(const Scene& scene, VkExtent2D size);
 
 /// How many of a mesh's creases are lines in this scene.

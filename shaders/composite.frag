@@ -1,7 +1,8 @@
 #version 460
 
-// The finished picture: ink over surfaces, as much as their alpha says that lines cover, averaged from
-// k_scale x k_scale samples a pixel in linear light, then encoded as sRGB where the image does not do so by itself.
+// The finished picture: ink over surfaces, as much as their alpha says that lines cover, averaged
+// from k_scale x k_scale samples a pixel in linear light, then encoded as sRGB where the image does
+// not do so by itself.
 
 layout(set = 0, binding = 0) uniform sampler2D surfaces;
 
