@@ -35,7 +35,8 @@ struct ImageTransition {
     VkImageLayout new_layout;
 };
 
-/// Orders `from` before `to` for all memory, and moves images to new layouts.
+/// Orders `from` before `to`: for all memory, or, where there are some, for these images, which move
+/// to new layouts.
 inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAccess to,
                            std::initializer_list<ImageTransition> transitions = {}) {
     std::vector<VkImageMemoryBarrier2> images;

@@ -20,7 +20,7 @@ std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFor
         const double step = std::round(steps);
         // Halves, in which surfaces are kept, are within a twentieth of a step; colors that were
         // given as sRGB are at its middle.
-        if (std::abs(steps - step) > 0.4) return {};
+        if (!(std::abs(steps - step) <= 0.4)) return {};
         value.float32[channel] = static_cast<float>(step / 255.0);
     }
     return value;

@@ -8,7 +8,7 @@ namespace rimline {
 
 namespace {
 
-struct Constants {
+struct GridConstants {
     glm::vec4 color;
     std::int32_t width, height, scale;
 };
@@ -23,6 +23,7 @@ OwnedPipeline make_pipeline(const DeviceContext& context, SpirvCode fragment, Vk
                                             .layout = layout});
 }
 
+template <typename Constants>
 void record(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout,
             const Constants& constants) {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
@@ -34,19 +35,19 @@ void record(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layo
 }  // namespace
 
 InkPass::InkPass(const DeviceContext& context, VkFormat surface_format)
-    : layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_FRAGMENT_BIT)),
+    : layout_(make_pipeline_layout(context, sizeof(GridConstants), VK_SHADER_STAGE_FRAGMENT_BIT)),
       grid_(make_pipeline(context, grid_frag, surface_format, Blend::over, layout_)),
       ink_(make_pipeline(context, ink_frag, surface_format, Blend::over_by_target, layout_)) {}
 
 void InkPass::record_grid(VkCommandBuffer commands, const glm::vec4& color, VkExtent2D size,
                           std::uint32_t scale) const {
     record(commands, grid_, layout_,
-           {color, static_cast<std::int32_t>(size.width), static_cast<std::int32_t>(size.height),
-            static_cast<std::int32_t>(scale)});
+           GridConstants{color, static_cast<std::int32_t>(size.width),
+                         static_cast<std::int32_t>(size.height), static_cast<std::int32_t>(scale)});
 }
 
 void InkPass::record_ink(VkCommandBuffer commands, const glm::vec3& ink) const {
-    record(commands, ink_, layout_, {glm::vec4(ink, 1.0f), 0, 0, 0});
+    record(commands, ink_, layout_, ink);
 }
 
 }  // namespace rimline

@@ -158,13 +158,12 @@ void RenderTargets::begin_lines(VkCommandBuffer commands, const DrawnArea& area)
 
 void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target,
                                   const DrawnArea& area) {
-    const VkRect2D whole{{0, 0}, target.extent};
-    const bool is_whole = area.rect.extent.width == whole.extent.width &&
-                          area.rect.extent.height == whole.extent.height;
+    const bool is_whole = area.rect.extent.width == target.extent.width &&
+                          area.rect.extent.height == target.extent.height;
     VkRenderingAttachmentInfo color = color_attachment(
         target.view, is_whole ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = area.around;
-    begin_rendering(commands, target.extent, whole, 1.0f, color);
+    begin_rendering(commands, target.extent, {{0, 0}, target.extent}, 1.0f, color);
     vkCmdSetScissor(commands, 0, 1, &area.rect);
 }
 
@@ -188,8 +187,11 @@ void RenderTargets::record_before_surfaces(VkCommandBuffer commands,
 }
 
 void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
-    record_barrier(commands, k_drawing, k_sampling,
-                   {{depth_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    record_barrier(commands, k_drawing,
+                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+                   {{surfaces_, k_color, k_color},
+                    {depth_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
 }
 

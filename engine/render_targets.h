@@ -54,13 +54,13 @@ public:
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
 
-    /// Scopes of dynamic rendering, all in the same area. The surfaces' begins with linear
-    /// `background`, where lines cover nothing.
+    /// Scopes of dynamic rendering. Surfaces and their depth hold something in the area alone, which
+    /// begins with linear `background`, where lines cover nothing.
     void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
                         const DrawnArea& area) const;
     /// Draws over the finished surfaces, and into their alpha.
     void begin_lines(VkCommandBuffer commands, const DrawnArea& area) const;
-    /// Overwrites all of the target: what is around the area by this, the area is the caller's to draw.
+    /// Overwrites what is around the area; the area is the caller's to draw.
     static void begin_picture(VkCommandBuffer commands, const PictureTarget& target,
                               const DrawnArea& area);
 

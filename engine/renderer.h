@@ -6,7 +6,7 @@
 // while the GPU draws the one before.
 //
 //     move trackers --> streams --> surfaces, unlit --> for each light: volumes, surfaces, lit
-//                                   --> lines --> composite --> picture
+//                                   --> grid, lines, ink --> composite --> picture
 //
 // There are two ways to a picture. render(), or its halves submit() and finish(), submit to the queue
 // and read the picture back. record() writes the same commands into a caller's command buffer, drawing
@@ -174,7 +174,8 @@ public:
     std::uint64_t stream_bytes() const noexcept { return instances_.stream_bytes(); }
     /// What trackers have reserved of options.tracker_memory_bytes.
     std::uint64_t tracker_bytes() const noexcept { return instances_.tracker_bytes(); }
-    /// The images of the passes, null before the first frame. After a frame depth() is read-only; with
+    /// The images of the passes, null before the first frame. They hold something where a scene is
+    /// (drawn_rect(), scene_data.h) and nothing around that. After a frame depth() is read-only; with
     /// one sample its stencil holds the count of the last light.
     const RenderTargets* targets() const noexcept { return targets_.get(); }
 

@@ -23,7 +23,7 @@ namespace rimline {
 struct Material {
     glm::vec3 color{1.0f};
     /// Of its lines, and of the strokes that shade it in Style::hatch; the palette's ink where there is
-    /// none. A frame takes one pass over its picture more for each color of lines beyond the first.
+    /// none. Each color of lines beyond the first is one draw over the picture more.
     std::optional<glm::vec3> line_color;
 };
 

@@ -1,10 +1,13 @@
 #include "engine/scene_data.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <optional>
 
 namespace rimline {
 
@@ -28,6 +31,13 @@ constexpr float k_depth_slack = 1e-5f;
 
 // How far from the middle of a line line.frag looks for what hides it (4 pixels), and as much again.
 constexpr double k_look_reach_px = 8.0;
+// Of a vector that a float matrix turns: each product and sum rounds by half of 2^-23, and some more.
+constexpr double k_float_rounding = 4e-7;
+
+struct ScreenBox {
+    glm::dvec2 low{std::numeric_limits<double>::infinity()};
+    glm::dvec2 high{-std::numeric_limits<double>::infinity()};
+};
 
 // Points of the world in an instance's own coordinates.
 glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& world) {
@@ -35,6 +45,43 @@ glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& worl
 }
 glm::dvec3 direction_in_object(const SceneInstance& instance, const glm::dvec3& world) {
     return glm::transpose(instance.rotation) * world;
+}
+
+// Where a box is on the screen, in pixels, which is nowhere for what lies behind the near plane; nothing
+// for what lies on both sides of it. As the GPU computes it: from a camera of floats in the box's own
+// coordinates, and with what rounds on the way.
+std::optional<ScreenBox> screen_box(const Scene& scene, const SceneInstance& instance,
+                                    const Projection& projection, const glm::dvec2& picture) {
+    const CasterBox box = caster_box(instance);
+    const glm::dvec3 camera(glm::vec3(point_in_object(instance, scene.camera.eye)));
+    const glm::dmat3 eye_from_object(
+        glm::mat3(camera_from_world(scene.camera) * instance.rotation));
+    const double near = scene.camera.is_orthographic() ? 0.0 : projection.z[1];
+    ScreenBox found;
+    bool is_before = false;
+    bool is_behind = false;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 point((corner & 1u) != 0 ? box.high.x : box.low.x,
+                               (corner & 2u) != 0 ? box.high.y : box.low.y,
+                               (corner & 4u) != 0 ? box.high.z : box.low.z);
+        const glm::dvec3 eye = eye_from_object * (point - camera);
+        const double w = projection.w[0] * eye.z + projection.w[1];
+        const double rounding = k_float_rounding * glm::length(point - camera);
+        const double w_rounding = std::abs(projection.w[0]) * rounding;
+        if (w + w_rounding <= near) {
+            is_behind = true;
+            continue;
+        }
+        if (!(w - w_rounding > near)) return std::nullopt;
+        is_before = true;
+        const glm::dvec2 ndc = projection.scale * glm::dvec2(eye) / w;
+        const glm::dvec2 off =
+            (glm::abs(projection.scale) * rounding + glm::abs(ndc) * w_rounding) / w;
+        found.low = glm::min(found.low, (0.5 * (ndc - off) + 0.5) * picture);
+        found.high = glm::max(found.high, (0.5 * (ndc + off) + 0.5) * picture);
+    }
+    if (is_before && is_behind) return std::nullopt;
+    return found;
 }
 
 // Where in a pixel the first of its samples lies (Vulkan's standard sample locations).
@@ -102,42 +149,25 @@ CasterBox caster_box(const SceneInstance& instance) {
 }
 
 VkRect2D drawn_rect(const Scene& scene, VkExtent2D size) {
-    const VkRect2D whole{{0, 0}, size};
     const SceneBounds bounds = bounds_of(scene);
     const Projection projection = make_projection(scene.camera, double(size.width) / size.height,
                                                   bounds.center, bounds.radius);
-    const glm::dmat3 eye_from_world = camera_from_world(scene.camera);
-    const double near = scene.camera.is_orthographic() ? 0.0 : projection.z[1];
     const glm::dvec2 picture(size.width, size.height);
-    glm::dvec2 low = picture;
-    glm::dvec2 high(0.0);
+    const double reach = k_look_reach_px + 0.5 * std::max(0.0, double(scene.line_width_px));
+    ScreenBox all;
     for (const SceneInstance& instance : scene.instances) {
-        const CasterBox box = caster_box(instance);
-        int in_front = 0;
-        glm::dvec2 box_low(std::numeric_limits<double>::infinity());
-        glm::dvec2 box_high = -box_low;
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 point((corner & 1u) != 0 ? box.high.x : box.low.x,
-                                   (corner & 2u) != 0 ? box.high.y : box.low.y,
-                                   (corner & 4u) != 0 ? box.high.z : box.low.z);
-            const glm::dvec3 world = instance.rotation * point + instance.translation;
-            const glm::dvec3 eye = eye_from_world * (world - scene.camera.eye);
-            const double w = projection.w[0] * eye.z + projection.w[1];
-            if (!(w > near)) continue;
-            ++in_front;
-            const glm::dvec2 ndc = projection.scale * glm::dvec2(eye) / w;
-            const glm::dvec2 pixel = (0.5 * ndc + 0.5) * picture;
-            box_low = glm::min(box_low, pixel);
-            box_high = glm::max(box_high, pixel);
-        }
-        if (in_front == 0) continue;
-        if (in_front < 8) return whole;
-        low = glm::min(low, box_low);
-        high = glm::max(high, box_high);
+        const std::optional<ScreenBox> box = screen_box(scene, instance, projection, picture);
+        if (!box) return {{0, 0}, size};
+        const glm::dvec2 low = box->low - reach;
+        const glm::dvec2 high = box->high + reach;
+        const bool is_seen = high.x > 0.0 && high.y > 0.0 && low.x < picture.x && low.y < picture.y;
+        if (!is_seen) continue;
+        all.low = glm::min(all.low, low);
+        all.high = glm::max(all.high, high);
     }
-    const double reach = k_look_reach_px + 0.5 * double(scene.line_width_px);
-    low = glm::floor(glm::clamp(low - reach, glm::dvec2(0.0), picture - 1.0));
-    high = glm::ceil(glm::clamp(high + reach, low + 1.0, picture));
+    if (!(all.low.x < all.high.x)) return {{0, 0}, {1, 1}};
+    const glm::dvec2 low = glm::floor(glm::max(all.low, 0.0));
+    const glm::dvec2 high = glm::ceil(glm::min(all.high, picture));
     return {
         {static_cast<std::int32_t>(low.x), static_cast<std::int32_t>(low.y)},
         {static_cast<std::uint32_t>(high.x - low.x), static_cast<std::uint32_t>(high.y - low.y)}};

@@ -43,8 +43,8 @@ public:
     ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                      const AttachmentFormats& formats, SideStage stage = SideStage::vertex);
 
-    /// Clears the stencil and counts into it, in a scope of rendering over `area`. Depth must be
-    /// complete; color is left alone.
+    /// Clears the stencil within `area`, to which the scope of rendering is cut, and counts into it.
+    /// Depth must be complete; color is left alone.
     void record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
                 const VkRect2D& area) const;
 
