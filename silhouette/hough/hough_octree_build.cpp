@@ -1,6 +1,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,9 @@ private:
                               LongCall{call_.stop, {}}.checkpoint(0.0);
                               for (std::size_t i = part.begin(); i < part.end(); ++i) visit(i);
                           });
+        // What fails beside this, in place_faces() or place_edges(), ends the loop early and tells
+        // nobody: what is not filled must not be gone on with. That failure is the one reported.
+        if (tbb::is_current_task_group_canceling()) throw Error(ErrorCode::cancelled, "cancelled");
     }
 
     HoughPoint hough_point_of(FaceId face, std::size_t group) const {

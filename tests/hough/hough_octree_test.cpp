@@ -3,8 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <stop_token>
+#include <thread>
 
 #include "silhouette/hough/baselines/brute_force.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/hough/against_brute_force.h"
 #include "tests/hough/support/hard_meshes.h"
 #include "tests/hough/support/origin_lists.h"
@@ -93,6 +97,33 @@ TEST_CASE("extraction looks at a small part of a large mesh") {
     CHECK(edges.size() > 100);
     CHECK(counters.edge_checks < mesh.edge_count() / 5);
     CHECK(counters.box_checks < mesh.face_count() / 5);
+}
+
+TEST_CASE("whenever a build is cancelled it says so, or is done") {
+    const Mesh mesh(make_built_in_shape("knot", 20'000));
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begun = Clock::now();
+    { const HoughOctree whole(mesh); }
+    const auto build_time = Clock::now() - begun;
+    constexpr int k_builds = 200;
+    int cancelled = 0;
+    for (int i = 0; i < k_builds; ++i) {
+        std::stop_source source;
+        const auto moment = Clock::now() + i * build_time / k_builds;
+        std::jthread stopper([&] {
+            while (Clock::now() < moment) {
+            }
+            source.request_stop();
+        });
+        try {
+            const HoughOctree octree(mesh, {}, {source.get_token(), {}});
+            CHECK(octree.statistics().faces == mesh.face_count());
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::cancelled);
+            ++cancelled;
+        }
+    }
+    CHECK(cancelled > k_builds / 4);
 }
 
 TEST_CASE("an empty mesh has an empty silhouette") {
