@@ -1,9 +1,12 @@
 #include "tools/point_truth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
+#include <ranges>
 
 #include "silhouette/mesh/angle_between.h"
 
@@ -17,6 +20,7 @@ constexpr double k_spacings = 3.0;
 constexpr double k_least_opening_rad = 100.0 * k_degree;
 constexpr double k_clear_of_faces_rad = 30.0 * k_degree;
 constexpr double k_greatest_turn_rad = 60.0 * k_degree;
+constexpr int k_own_rings = 4;
 
 glm::dvec3 direction_of(const glm::dvec3& v) {
     const double length = glm::length(v);
@@ -28,20 +32,27 @@ public:
     explicit Truth(const Mesh& mesh) : mesh_(mesh) {
         for (const glm::vec3& p : mesh.positions()) truth_.positions.emplace_back(p);
         truth_.normals.assign(truth_.positions.size(), glm::dvec3(0.0));
+        truth_.neighbours.resize(truth_.positions.size());
+        normals_by_area_ = truth_.normals;
         corners_.resize(truth_.positions.size());
-        neighbours_.resize(truth_.positions.size());
         for (const Triangle& triangle : mesh.triangles())
             for (int c = 0; c < 3; ++c) {
                 const std::uint32_t a = index(triangle[c]), b = index(triangle[(c + 1) % 3]),
                                     d = index(triangle[(c + 2) % 3]);
                 corners_[a].push_back({b, d});
-                truth_.normals[a] += glm::cross(edge(a, b), edge(a, d));
+                const glm::dvec3 product = glm::cross(edge(a, b), edge(a, d));
+                normals_by_area_[a] += product;
+                truth_.normals[a] += angle_between(edge(a, b), edge(a, d)) * direction_of(product);
             }
         for (const Edge& e : mesh.edges()) {
-            neighbours_[index(e.vertices[0])].push_back(index(e.vertices[1]));
-            neighbours_[index(e.vertices[1])].push_back(index(e.vertices[0]));
+            truth_.neighbours[index(e.vertices[0])].push_back(index(e.vertices[1]));
+            truth_.neighbours[index(e.vertices[1])].push_back(index(e.vertices[0]));
         }
-        for (glm::dvec3& normal : truth_.normals) normal = direction_of(normal);
+        for (auto* normals : {&truth_.normals, &normals_by_area_})
+            for (glm::dvec3& normal : *normals) normal = direction_of(normal);
+        by_x_.resize(truth_.positions.size());
+        std::iota(by_x_.begin(), by_x_.end(), 0u);
+        std::ranges::sort(by_x_, {}, [&](std::uint32_t v) { return truth_.positions[v].x; });
     }
 
     PointTruth find() {
@@ -73,12 +84,12 @@ private:
     bool is_smooth(std::uint32_t v) const {
         return std::ranges::all_of(corners_[v], [&](const auto& corner) {
             return angle_between(glm::cross(edge(v, corner[0]), edge(v, corner[1])),
-                                 truth_.normals[v]) <= k_greatest_turn_rad;
+                                 normals_by_area_[v]) <= k_greatest_turn_rad;
         });
     }
 
     bool is_wide(std::uint32_t v) const {
-        const glm::dvec3& n = truth_.normals[v];
+        const glm::dvec3& n = normals_by_area_[v];
         if (n == glm::dvec3(0.0)) return false;
         const glm::dvec3 u = glm::normalize(
             glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
@@ -87,8 +98,9 @@ private:
             return std::atan2(glm::dot(d, w), glm::dot(d, u));
         };
         double reach = 0.0;
-        for (const std::uint32_t x : neighbours_[v]) reach += glm::length(edge(v, x));
-        reach *= k_spacings / static_cast<double>(neighbours_[v].size());
+        const std::vector<std::uint32_t>& neighbours = truth_.neighbours[v];
+        for (const std::uint32_t x : neighbours) reach += glm::length(edge(v, x));
+        reach *= k_spacings / static_cast<double>(neighbours.size());
         double covered = 0.0;
         std::vector<std::array<double, 2>> sectors;
         for (const auto& corner : corners_[v]) {
@@ -100,12 +112,15 @@ private:
             const double angle = std::fmod(to - from, 2.0 * std::numbers::pi);
             return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
         };
-        for (std::uint32_t x = 0; x < truth_.positions.size(); ++x) {
+        const auto x_of = [&](std::uint32_t x) { return truth_.positions[x].x; };
+        const auto first = std::ranges::lower_bound(by_x_, x_of(v) - reach, {}, x_of);
+        const auto last = std::ranges::upper_bound(by_x_, x_of(v) + reach, {}, x_of);
+        for (const std::uint32_t x : std::ranges::subrange(first, last)) {
             const glm::dvec3 d = edge(v, x);
             const double length = glm::length(d);
             if (x == v || length > reach || !(length > 0.0)) continue;
             if (std::abs(glm::dot(d, n)) > std::sin(std::numbers::pi / 4) * length) continue;
-            if (std::ranges::find(neighbours_[v], x) != neighbours_[v].end()) continue;
+            if (std::ranges::find(neighbours, x) != neighbours.end()) continue;
             const double at = direction(d);
             const bool is_near_faces = std::ranges::any_of(sectors, [&](const auto& sector) {
                 return turn(sector[0], at) <= turn(sector[0], sector[1]) ||
@@ -119,12 +134,47 @@ private:
 
     const Mesh& mesh_;
     PointTruth truth_;
+    std::vector<glm::dvec3> normals_by_area_;  // Or zero.
     std::vector<std::vector<std::array<std::uint32_t, 2>>> corners_;
-    std::vector<std::vector<std::uint32_t>> neighbours_;
+    std::vector<std::uint32_t> by_x_;  // Vertices.
 };
 
 }  // namespace
 
+bool PointTruth::is_crowded(std::uint32_t vertex) const {
+    std::vector<std::uint32_t> own{vertex};
+    std::size_t ring_begin = 0;
+    for (int ring = 0; ring < k_own_rings; ++ring)
+        for (const std::size_t ring_end = own.size(); ring_begin < ring_end; ++ring_begin)
+            for (const std::uint32_t next : neighbours[own[ring_begin]])
+                if (std::ranges::find(own, next) == own.end()) own.push_back(next);
+    std::ranges::sort(own);
+    const auto distance = [&](std::uint32_t to) {
+        return glm::distance(positions[vertex], positions[to]);
+    };
+    double longest = 0.0;
+    for (const std::uint32_t next : neighbours[vertex]) longest = std::max(longest, distance(next));
+    for (std::uint32_t other = 0; other < positions.size(); ++other)
+        if (distance(other) < longest && !std::ranges::binary_search(own, other)) return true;
+    return false;
+}
+
 PointTruth point_truth(const Mesh& mesh) { return Truth(mesh).find(); }
+
+std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t> found) {
+    MeshSource rest;
+    rest.positions.assign(mesh.positions().begin(), mesh.positions().end());
+    std::vector<std::uint8_t> is_used(rest.positions.size(), 0);
+    for (const Triangle& t : mesh.triangles()) {
+        const std::array<std::uint32_t, 3> corners{index(t[0]), index(t[1]), index(t[2])};
+        if (std::ranges::all_of(corners, [&](std::uint32_t v) { return found[v] != 0; })) continue;
+        rest.triangles.push_back(corners);
+        for (const std::uint32_t v : corners) is_used[v] = 1;
+    }
+    const bool is_whole = rest.triangles.size() == mesh.face_count();
+    if (is_whole || std::ranges::find(is_used, 0) != is_used.end()) return 0;
+    const PointTruth opened = point_truth(Mesh(rest, Welding::none));
+    return 2 * opened.wide_count > opened.border_count ? opened.border_count : 0;
+}
 
 }  // namespace rimline::tools

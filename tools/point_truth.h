@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
@@ -19,8 +20,10 @@ namespace rimline::tools {
 
 struct PointTruth {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::dvec3>
-        normals;  ///< The sum of the faces', by area; zero where that has no length.
+    /// The mean of the faces', by their angles there, which a flat face split another way does not change
+    /// (Thürmer and Wüthrich 1998); zero where there are none.
+    std::vector<glm::dvec3> normals;
+    std::vector<std::vector<std::uint32_t>> neighbours;  ///< Over edges.
     std::vector<std::uint8_t> is_border;
     std::uint32_t border_count = 0;
     std::uint32_t wide_count = 0;  ///< Border vertices where the opening is wide.
@@ -30,11 +33,21 @@ struct PointTruth {
     bool is_open() const noexcept { return is_fit && border_count > 0; }
     bool is_wide() const noexcept { return is_open() && wide_count >= 0.9 * border_count; }
     bool is_smooth() const noexcept { return is_fit && border_count == 0 && smooth_share >= 0.99; }
+
+    /// Whether another sheet comes nearer to the vertex than its own longest edge: a vertex more than four
+    /// edges away. The points are too few there to tell one sheet from the other. O(vertices).
+    bool is_crowded(std::uint32_t vertex) const;
 };
 
 /// At a border vertex the opening is wide where its faces leave at least 100 degrees free and no other
-/// vertex lies in what they leave, seen along the vertex's normal: nearer than three times the mean length
-/// of its edges, within 45 degrees of the tangent plane, and 30 degrees away from its faces.
+/// vertex lies in what they leave, seen along the vertex's normal, by area: nearer than three times the mean
+/// length of its edges, within 45 degrees of the tangent plane, and 30 degrees away from its faces.
 PointTruth point_truth(const Mesh& mesh);
+
+/// How many of a closed mesh's vertices that were `found` to be a border, by number, surround holes in its
+/// samples: those that are a border once the faces between found vertices alone are taken away, if no vertex
+/// goes with them and the openings are wide, by the rule above, at most of these vertices. The mesh without
+/// these faces has the very same vertices, and nothing that sees vertices alone can be right of both. Else 0.
+std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t> found);
 
 }  // namespace rimline::tools

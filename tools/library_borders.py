@@ -1,0 +1,94 @@
+"""Borders of points by Open3D and PCL, for `rimline bench points`.
+
+Reads points from standard input, as little-endian numbers:
+
+    uint64  points
+    float32 x, y, z      for each
+
+and prints one JSON object: by library, neighbours and threshold in degrees ("Open3D 16 90"), the numbers of
+the points that it calls a border. Open3D is there where this Python imports it (Debian: python3-open3d), PCL
+where its programs are installed (pcl-tools); without either the object is empty.
+"""
+
+import array
+import json
+import math
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+DEBIANS = "/usr/bin/python3"
+try:
+    import open3d
+except ImportError:
+    if os.path.exists(DEBIANS) and sys.executable != DEBIANS:
+        sys.exit(77)  # That one may have it, and is asked next.
+    open3d = None
+
+SETTINGS = ((16, 90), (16, 120), (16, 150), (30, 90))  # 30 and 90 are what Open3D has by default.
+
+
+def read(type_code, count):
+    numbers = array.array(type_code)
+    numbers.frombytes(sys.stdin.buffer.read(count * numbers.itemsize))
+    if len(numbers) != count:
+        sys.exit("library_borders.py: standard input ends early")
+    return numbers
+
+
+def by_open3d(positions):
+    import numpy
+
+    points = numpy.array(positions, dtype=numpy.float64).reshape(-1, 3)
+    tensor = open3d.core.Tensor(points)
+    cloud = open3d.t.geometry.PointCloud(tensor)
+    search = open3d.core.nns.NearestNeighborSearch(tensor)
+    search.knn_index()
+    borders = {}
+    for neighbours, threshold in SETTINGS:
+        cloud.estimate_normals(max_nn=neighbours)
+        # It takes time by all that lie within a radius, which so is the least that holds the neighbours.
+        radius = 1.001 * float(search.knn_search(tensor, neighbours)[1].numpy().max()) ** 0.5
+        _, mask = cloud.compute_boundary_points(radius, neighbours, threshold)
+        borders[f"Open3D {neighbours} {threshold}"] = numpy.flatnonzero(mask.numpy()).tolist()
+    return borders
+
+
+def by_pcl(positions):
+    def run(program, *arguments):
+        subprocess.run([program, *map(str, arguments)], cwd=folder, check=True, stdin=subprocess.DEVNULL,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    count = len(positions) // 3
+    header = (f"VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {count}\nHEIGHT 1\n"
+              f"VIEWPOINT 0 0 0 1 0 0 0\nPOINTS {count}\nDATA binary\n")
+    borders = {}
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "points.pcd"), "wb") as file:
+            file.write(header.encode() + positions.tobytes())
+        for neighbours, threshold in SETTINGS:
+            run("pcl_normal_estimation", "points.pcd", "normals.pcd", "-k", neighbours)
+            run("pcl_boundary_estimation", "normals.pcd", "borders.pcd", "-k", neighbours,
+                "-thresh", math.radians(threshold))
+            with open(os.path.join(folder, "borders.pcd")) as file:
+                lines = file.read().split("\n")
+            fields = next(line.split()[1:] for line in lines if line.startswith("FIELDS"))
+            at = fields.index("boundary_point")
+            rows = lines[lines.index("DATA ascii") + 1:][:count]
+            borders[f"PCL {neighbours} {threshold}"] = \
+                [number for number, row in enumerate(rows) if row.split()[at] == "1"]
+    return borders
+
+
+signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # Clears the folder away.
+(point_count,) = read("Q", 1)
+positions = read("f", 3 * point_count)
+borders = {}
+if open3d:
+    borders.update(by_open3d(positions))
+if shutil.which("pcl_boundary_estimation") and shutil.which("pcl_normal_estimation"):
+    borders.update(by_pcl(positions))
+print(json.dumps(borders))
