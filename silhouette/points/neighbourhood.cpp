@@ -10,6 +10,9 @@ namespace rimline {
 
 namespace {
 
+// A triangle's size: from an angle of 166 degrees on.
+constexpr double k_longest_edges = 2.0;
+
 glm::dvec3 any_perpendicular(const glm::dvec3& n) {
     return glm::normalize(
         glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
@@ -180,12 +183,13 @@ Neighbourhood::Triangle Neighbourhood::triangle(const Fan& fan, std::size_t j) c
     const glm::dvec3 product = glm::cross(edges_[a], edges_[b]);
     const double twice_area = glm::length(product);
     const double cosine = glm::dot(edges_[a], edges_[b]);
+    const double opposite = glm::length(edges_[b] - edges_[a]);
+    const double most = k_longest_edges * std::max({lengths_[a], lengths_[b], opposite});
     if (!(twice_area > 0.0))
-        return {glm::dvec3(0.0), std::numeric_limits<double>::infinity(), 0.0, cosine, 0.0};
+        return {glm::dvec3(0.0), std::numeric_limits<double>::infinity(), most, 0.0, cosine, 0.0};
     const double factor = 1.0 / twice_area;
-    const double circumradius =
-        0.5 * factor * lengths_[a] * lengths_[b] * glm::length(edges_[b] - edges_[a]);
-    return {product * factor, circumradius, twice_area, cosine, 0.0};
+    const double circumradius = 0.5 * factor * lengths_[a] * lengths_[b] * opposite;
+    return {product * factor, circumradius, std::min(circumradius, most), twice_area, cosine, 0.0};
 }
 
 void Neighbourhood::triangles(const Fan& fan, Triangles& result) const noexcept {
@@ -210,7 +214,7 @@ double Neighbourhood::scale(const Fan& fan, const Triangles& triangles) noexcept
     std::array<double, k_most_neighbours> radii;
     std::size_t count = 0;
     for (std::size_t j = 0; j < fan.size; ++j)
-        if (!fan.is_gap(j)) radii[count++] = triangles[j].circumradius;
+        if (!fan.is_gap(j)) radii[count++] = triangles[j].size;
     if (count == 0) return 0.0;
     const std::size_t middle = (count - 1) / 2;
     std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(middle),

@@ -44,6 +44,9 @@ public:
     struct Triangle {
         glm::dvec3 normal;    ///< Of length 1, or zero where it has no area.
         double circumradius;  ///< Infinite where it has no area.
+        /// Its circumradius, but at most twice its longest edge: how far apart the surface's points lie, of
+        /// which a thin triangle between points in a row says nothing.
+        double size;
         double sine, cosine;  ///< Of its angle at the point, times the lengths of both edges.
         double angle;         ///< In radians.
 
@@ -58,7 +61,7 @@ public:
     static void set_angles(const Fan& fan, Triangles& triangles) noexcept;
     /// The mean of the triangles' normals by their angles. Of length 1, or zero.
     static glm::dvec3 normal(const Fan& fan, const Triangles& triangles) noexcept;
-    /// The median circumradius of the triangles, the lower one of two; 0 where there is none.
+    /// The median size of the triangles, the lower one of two; 0 where there is none.
     static double scale(const Fan& fan, const Triangles& triangles) noexcept;
 
     // One at a time.

@@ -130,8 +130,8 @@ public:
         const UmbrellaRange range = umbrellas_of(point);
         return range.size() == 0 ? glm::dvec3(0.0) : normals_[range.first];
     }
-    /// The median circumradius of the point's triangles, in the units of the positions; zero where it has
-    /// no umbrella.
+    /// How far apart the surface's points lie: the median circumradius of the point's triangles, of thin ones
+    /// twice the longest edge. In the units of the positions; zero where it has no umbrella.
     double scale(PointId point) const noexcept { return scales_[index(point)]; }
 
 private:

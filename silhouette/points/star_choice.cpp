@@ -117,7 +117,9 @@ private:
             total += triangles[j].angle;
         }
         if (!(total > 0.0)) return choice;
-        choice.cost = sum / total + k_gap_cost * gaps;
+        choice.cost = sum / total;
+        if (gaps > 0)
+            choice.cost += k_gap_cost * std::max<double>(gaps, 2.0 - total / std::numbers::pi);
         choice.is_clean = gaps == 0 && sum / total < k_clean_deviation;
         return choice;
     }

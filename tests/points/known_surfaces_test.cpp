@@ -87,6 +87,27 @@ std::vector<glm::dvec3> make_wedge(double angle_rad, int across, int along) {
     return points;
 }
 
+TEST_CASE("where rows end the border runs across them, however little of it one point sees") {
+    // Rows that bend along themselves, as a car's sill does: seen on edge, one of them looks flatter.
+    constexpr int k_along = 24, k_rows = 12;
+    for (const double across : {4.0, 6.0, 8.0}) {
+        CAPTURE(across);
+        std::vector<glm::dvec3> points;
+        std::vector<bool> is_border;
+        for (int row = 0; row < k_rows; ++row)
+            for (int i = 0; i < k_along; ++i) {
+                const double angle = 0.04 * i;
+                points.push_back({across * row, 25.0 * std::sin(angle), 25.0 * std::cos(angle)});
+                is_border.push_back(row == 0 || row == k_rows - 1 || i == 0 || i == k_along - 1);
+            }
+        const PointSurface surface(points);
+        for (std::uint32_t i = 0; i < surface.size(); ++i) {
+            CAPTURE(i);
+            CHECK((surface.label(PointId{i}) == PointLabel::border) == is_border[i]);
+        }
+    }
+}
+
 TEST_CASE("sharp edges are no borders and leave the normals of both sides alone") {
     for (const double degrees : {150.0, 120.0, 90.0, 60.0, 45.0}) {
         CAPTURE(degrees);
