@@ -132,6 +132,12 @@ public:
                            OpenPoint& open = open_[n];
                            if (std::popcount(open.fan.gaps) != 1) continue;
                            around.look_from(points_, open.point, neighbours_.of(open.point));
+                           if (const auto split =
+                                   split_fold(around, open.point, open.fan, stars_, gap_ratio_)) {
+                               open.fan = split->fan;
+                               open.supplement = split->supplement;
+                               continue;
+                           }
                            open.supplement =
                                find_supplement(around, open.point, open.fan, stars_, gap_ratio_);
                        }

@@ -16,10 +16,10 @@
 //               as past it (border_bend.h). An open point whose gap ends one triangle short of the point
 //               that names it gives that triangle up (the second case).
 //               Six rounds at most; each sees the state before it.
-//   creases     an open point may have a second partial umbrella between the same ends (supplement.h):
-//               there two smooth patches meet, and no surface ends. Runs of twelve such points and more are
-//               creases, but for umbrellas within 45 degrees of folding back: there another sheet may lie
-//               behind a border. So are 35% of a chain, 70% where it closes.
+//   creases     an open point may have a second partial umbrella between the same ends, or its own may part
+//               into two (supplement.h): there two smooth patches meet, and no surface ends. Runs of twelve
+//               such points and more are creases, but for umbrellas within 45 degrees of folding back: there
+//               another sheet may lie behind a border. So are 35% of a chain, 70% where it closes.
 //   verdict     points that name each other are one chain. A chain is a border where fewer than 12% of its
 //               points are loose, linked to fewer than two others; from 5 points on. Points that stand
 //               back from their border are taken off it last.

@@ -17,6 +17,7 @@ constexpr double k_explained = 0.2588;       // The sine of 15 degrees.
 constexpr double k_cosine_of_flat = 0.9397;  // 20 degrees.
 constexpr double k_cosine_of_tried = 0.985;  // 10 degrees: too near to a plane that was tried.
 constexpr std::size_t k_most_tried = 16;
+constexpr double k_steep = std::numbers::pi / 4.0;
 // Of candidates with the plane: 50 degrees, and 25 for edges so sharp that the first side is nearer.
 constexpr double k_sines[] = {0.766, 0.4226};
 
@@ -50,6 +51,34 @@ std::uint64_t unexplained(const Neighbourhood& around, const Fan& fan, const glm
     return places;
 }
 
+// Of the places, the fan about the plane whose one gap runs from `first` to `last`, in this sense or, turned
+// round, in the other; of no umbrella where there is none.
+Fan partial_between(const Neighbourhood& around, std::uint32_t point, std::uint8_t first,
+                    std::uint8_t last, const glm::dvec3& plane, double sine, std::uint64_t places,
+                    const Stars& stars, double gap_ratio) {
+    Fan fan = around.star(plane, sine, places);
+    for (std::size_t j = 0; j < fan.size; ++j) {
+        if (fan.is_gap(j)) continue;
+        const double scale =
+            std::max({stars.scales[point], stars.scales[around.number(fan.ring[j])],
+                      stars.scales[around.number(fan.ring[fan.next(j)])]});
+        if (around.circumradius(fan, j) > gap_ratio * scale ||
+            around.deviation(fan, j, plane) > k_greatest_turn)
+            fan.open(j);
+    }
+    merge_gaps(fan);
+    if (!fan.is_umbrella() || std::popcount(fan.gaps) != 1) return {};
+    const std::size_t gap = only_gap(fan);
+    const std::uint8_t a = fan.ring[gap], b = fan.ring[fan.next(gap)];
+    if (a == last && b == first) reverse(fan);
+    return (a == first && b == last) || (a == last && b == first) ? fan : Fan{};
+}
+
+// Within 20 degrees of one lying on the other; neither is zero.
+bool folds_back(const glm::dvec3& normal, const glm::dvec3& of_what_runs_on) {
+    return glm::dot(normal, of_what_runs_on) <= -k_cosine_of_flat;
+}
+
 }  // namespace
 
 Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
@@ -71,30 +100,51 @@ Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan&
             continue;
         tried[count++] = plane;
         for (const double sine : k_sines) {
-            Fan other = around.star(plane, sine, places);
-            for (std::size_t j = 0; j < other.size; ++j) {
-                if (other.is_gap(j)) continue;
-                const double scale =
-                    std::max({stars.scales[point], stars.scales[around.number(other.ring[j])],
-                              stars.scales[around.number(other.ring[other.next(j)])]});
-                if (around.circumradius(other, j) > gap_ratio * scale ||
-                    around.deviation(other, j, plane) > k_greatest_turn)
-                    other.open(j);
-            }
-            merge_gaps(other);
-            if (!other.is_umbrella() || std::popcount(other.gaps) != 1) continue;
-            const std::size_t other_gap = only_gap(other);
-            const std::uint8_t a = other.ring[other_gap], b = other.ring[other.next(other_gap)];
-            const bool runs_on = a == last && b == first;
-            if (!runs_on && !(a == first && b == last)) continue;
-            const glm::dvec3 other_normal = around.normal(other);
-            if (glm::dot(runs_on ? other_normal : -other_normal, normal) <= -k_cosine_of_flat)
-                continue;
-            if (!runs_on) reverse(other);
+            Fan other =
+                partial_between(around, point, last, first, plane, sine, places, stars, gap_ratio);
+            if (!other.is_umbrella() || folds_back(normal, around.normal(other))) continue;
             return other;
         }
     }
     return {};
+}
+
+std::optional<SplitFan> split_fold(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
+                                   const Stars& stars, double gap_ratio) {
+    const glm::dvec3 normal = around.normal(fan);
+    bool is_fold = false;
+    for (std::size_t j = 0; j < fan.size; ++j)
+        is_fold |= !fan.is_gap(j) && around.deviation(fan, j, normal) > k_steep;
+    if (!is_fold) return std::nullopt;
+
+    // The crease runs from end to end of the gap; its sides part where the surface does, in the middle.
+    const std::size_t gap = only_gap(fan);
+    const std::uint8_t first = fan.ring[gap], last = fan.ring[fan.next(gap)];
+    const glm::dvec3 along = around.edge(last) - around.edge(first);
+    glm::dvec3 inwards(0.0);
+    for (std::size_t j = 0; j < fan.size; ++j)
+        if (fan.ring[j] != first && fan.ring[j] != last)
+            inwards += around.edge(fan.ring[j]) / around.length(fan.ring[j]);
+    const glm::dvec3 up = glm::cross(along, inwards);
+    const auto side = [&](bool is_above) -> Fan {
+        std::uint64_t places = std::uint64_t{1} << first | std::uint64_t{1} << last;
+        glm::dvec3 plane(0.0);  // Through the nearest.
+        for (std::uint32_t place = 0; place < around.size(); ++place) {
+            const glm::dvec3& d = around.edge(place);
+            if (place == first || place == last || (glm::dot(d, up) > 0.0) != is_above) continue;
+            places |= std::uint64_t{1} << place;
+            if (plane == glm::dvec3(0.0)) plane = glm::cross(along, d);
+        }
+        const double length = glm::length(plane);
+        if (!(length > 0.0)) return {};
+        return partial_between(around, point, first, last, plane / length, k_sines[0], places,
+                               stars, gap_ratio);
+    };
+    SplitFan split{side(true), side(false)};
+    if (!split.fan.is_umbrella() || !split.supplement.is_umbrella()) return std::nullopt;
+    reverse(split.supplement);
+    if (folds_back(around.normal(split.fan), around.normal(split.supplement))) return std::nullopt;
+    return split;
 }
 
 }  // namespace rimline

@@ -109,7 +109,7 @@ TEST_CASE("where rows end the border runs across them, however little of it one 
 }
 
 TEST_CASE("sharp edges are no borders and leave the normals of both sides alone") {
-    for (const double degrees : {150.0, 120.0, 90.0, 60.0, 45.0}) {
+    for (const double degrees : {150.0, 120.0, 90.0, 60.0, 45.0, 30.0, 22.0}) {
         CAPTURE(degrees);
         constexpr int k_along = 30;
         const auto points = make_wedge(degrees * k_degree, 12, k_along);
@@ -133,6 +133,16 @@ TEST_CASE("sharp edges are no borders and leave the normals of both sides alone"
         CHECK(inside == 0);
         CHECK(on_crease == 0);
         CHECK(worst < 1.0 * k_degree);
+        // So sharp that no star goes around, a point of the crease has one umbrella on each side.
+        for (std::uint32_t y = 4; degrees <= 60.0 && y <= k_along - 4; ++y) {
+            CAPTURE(y);
+            const PointSurface::UmbrellaRange range = surface.umbrellas_of(PointId{y});
+            REQUIRE(range.size() == 2);
+            const double between =
+                angle_of_lines(surface.umbrella(UmbrellaId{range.first}).normal,
+                               surface.umbrella(UmbrellaId{range.first + 1}).normal);
+            CHECK(std::abs(between - degrees * k_degree) < 1.0 * k_degree);
+        }
     }
 }
 
