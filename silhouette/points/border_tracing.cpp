@@ -25,7 +25,7 @@ constexpr double k_ear = glm::radians(130.0);
 constexpr double k_most_bend = 5.5;
 constexpr int k_most_rounds = 6;
 constexpr std::size_t k_least_points = 5;
-constexpr double k_loose_share = 0.12;
+constexpr double k_loose_share = 0.1;
 // Of a chain's points with a supplement: a crease above. A closed chain is more likely a border.
 constexpr double k_crease_share = 0.35;
 constexpr double k_closed_crease_share = 0.7;

@@ -20,8 +20,8 @@
 //               into two (supplement.h): there two smooth patches meet, and no surface ends. Runs of twelve
 //               such points and more are creases, but for umbrellas within 45 degrees of folding back: there
 //               another sheet may lie behind a border. So are 35% of a chain, 70% where it closes.
-//   verdict     points that name each other are one chain. A chain is a border where fewer than 12% of its
-//               points are loose, linked to fewer than two others; from 5 points on. Points that stand
+//   verdict     points that name each other are one chain. A chain is a border where at most a tenth of
+//               its points are loose, linked to fewer than two others; from 5 points on. Points that stand
 //               back from their border are taken off it last.
 //
 // Sampled surfaces without borders have hundreds of gaps, in chains of a few points with two loose ends;

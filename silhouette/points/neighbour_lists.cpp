@@ -15,8 +15,8 @@ namespace rimline {
 
 namespace {
 
-// Spread 2.8 times as far along a line as across it.
-constexpr double k_row = 0.1;
+// Directions spread 1.8 times as far along a line as across it.
+constexpr double k_row = 0.18;
 
 // As nanoflann reads points.
 struct TreePoints {
@@ -76,13 +76,14 @@ private:
     std::array<Near, k_most_neighbours> near_;
 };
 
-// Whether the offsets of so many neighbours spread along one line: by the greatest two eigenvalues a, b of
-// their covariance, for ab / (a + b + c)² is their sum of principal minors over the square of the trace.
+// Whether the directions of so many neighbours spread along one line, as they do where a row bends too: by
+// the greatest two eigenvalues a, b of their covariance, for ab / (a + b + c)² is their sum of principal
+// minors over the square of the trace.
 bool is_row(std::span<const glm::dvec3> points, std::uint32_t i,
             std::span<const std::uint32_t> near) {
     glm::dmat3 sum(0.0);
     for (const std::uint32_t j : near) {
-        const glm::dvec3 d = points[j] - points[i];
+        const glm::dvec3 d = glm::normalize(points[j] - points[i]);
         sum += glm::outerProduct(d, d);
     }
     const double trace = sum[0][0] + sum[1][1] + sum[2][2];

@@ -18,10 +18,14 @@ glm::dvec3 any_perpendicular(const glm::dvec3& n) {
         glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
 }
 
-// Grows with the angle, from 0 to 4.
+// Directions nearer than that are one.
+constexpr double k_same_angle = 0x1p-30;
+
+// Grows with the angle, from 0 to 4; what is nearly 4 is nearly 0.
 double diamond_angle(double x, double y) {
     const double t = x / (std::abs(x) + std::abs(y));
-    return y >= 0.0 ? 1.0 - t : 3.0 + t;
+    const double angle = y >= 0.0 ? 1.0 - t : 3.0 + t;
+    return angle < 4.0 - 0.5 * k_same_angle ? angle : angle - 4.0;
 }
 
 // A neighbour's image under the inversion.
@@ -30,9 +34,10 @@ struct Image {
     std::uint8_t place;
 };
 
-// Sorts by angle; of equal ones the nearer comes first, for neighbours come by distance.
+// Sorts by angle; of those in one direction the nearer comes first, for neighbours come by distance.
+constexpr int k_place_bits = 6;
 std::uint64_t sort_key(double angle, std::size_t place) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(angle * 0x1p54)) << 6 | place;
+    return static_cast<std::uint64_t>(angle / k_same_angle + 0.5) << k_place_bits | place;
 }
 
 // Not a corner of the hull: a, b, c turn right, or not enough to the left.
@@ -121,11 +126,19 @@ Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle,
         for (; at > 0 && key < keys[at - 1]; --at) keys[at] = keys[at - 1];
         keys[at] = key;
     }
+    // What lies behind another is on no hull, but by rounding.
+    const std::size_t all = count;
+    count = 0;
+    for (std::size_t i = 0; i < all; ++i)
+        if (i == 0 || keys[i] >> k_place_bits != keys[count - 1] >> k_place_bits)
+            keys[count++] = keys[i];
     Fan fan;
     if (count < 2) return fan;
 
     // From where to begin: behind a sector of π or more, else at the nearest, which is on the hull.
-    const auto image = [&](std::size_t i) -> const Image& { return by_place[keys[i] & 63u]; };
+    const auto image = [&](std::size_t i) -> const Image& {
+        return by_place[keys[i] & ((1u << k_place_bits) - 1)];
+    };
     std::size_t begin = 0;
     bool is_open = false;
     for (std::size_t i = 0; i < count && !is_open; ++i) {

@@ -1,6 +1,7 @@
 #include "silhouette/points/star_choice.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -95,13 +96,15 @@ private:
         Neighbourhood::Triangles triangles;
         around.triangles(fan, triangles);
         choice.scale = Neighbourhood::scale(fan, triangles);
-        int sure_gaps = 0;
+        // What is a gap whichever way it turns has no part in the normal: a triangle along a border that bends
+        // with the surface may stand on it.
+        Fan rest = fan;
         for (std::size_t j = 0; j < fan.size; ++j)
-            sure_gaps +=
-                fan.is_gap(j) || triangles[j].circumradius > gap_ratio_ * scale(j, choice.scale);
-        if (k_gap_cost * sure_gaps >= limit) return choice;
+            if (!fan.is_gap(j) && triangles[j].circumradius > gap_ratio_ * scale(j, choice.scale))
+                rest.open(j);
+        if (k_gap_cost * std::popcount(rest.gaps) >= limit) return choice;
         Neighbourhood::set_angles(fan, triangles);
-        choice.normal = Neighbourhood::normal(fan, triangles);
+        choice.normal = Neighbourhood::normal(rest.is_umbrella() ? rest : fan, triangles);
         if (choice.normal == glm::dvec3(0.0)) return choice;
         double sum = 0.0;
         double total = 0.0;
