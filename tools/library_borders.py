@@ -7,7 +7,7 @@ Reads points from standard input, as little-endian numbers:
 
 and prints one JSON object: by library, neighbours and threshold in degrees ("Open3D 16 90"), the numbers of
 the points that it calls a border. Open3D is there where this Python imports it (Debian: python3-open3d), PCL
-where its programs are installed (pcl-tools); without either the object is empty.
+where its programs are installed (pcl-tools); what is not there or fails is left out.
 """
 
 import array
@@ -83,12 +83,27 @@ def by_pcl(positions):
     return borders
 
 
-signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # Clears the folder away.
+def stop(*_):
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # Once is enough.
+    sys.exit(1)  # Clears the folder away.
+
+
+signal.signal(signal.SIGTERM, stop)
+# What libraries themselves print is none of the answer.
+answer = os.fdopen(os.dup(1), "w")
+os.dup2(2, 1)
 (point_count,) = read("Q", 1)
 positions = read("f", 3 * point_count)
 borders = {}
 if open3d:
-    borders.update(by_open3d(positions))
+    try:
+        borders.update(by_open3d(positions))
+    except Exception as error:  # Of one library, not of the other.
+        print(f"Open3D: {error}", file=sys.stderr)
 if shutil.which("pcl_boundary_estimation") and shutil.which("pcl_normal_estimation"):
-    borders.update(by_pcl(positions))
-print(json.dumps(borders))
+    try:
+        borders.update(by_pcl(positions))
+    except Exception as error:
+        print(f"PCL: {error}", file=sys.stderr)
+json.dump(borders, answer)
+answer.close()

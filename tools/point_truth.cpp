@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
+#include <queue>
 #include <ranges>
+#include <set>
+#include <utility>
 
 #include "silhouette/mesh/angle_between.h"
 
@@ -20,7 +24,7 @@ constexpr double k_spacings = 3.0;
 constexpr double k_least_opening_rad = 100.0 * k_degree;
 constexpr double k_clear_of_faces_rad = 30.0 * k_degree;
 constexpr double k_greatest_turn_rad = 60.0 * k_degree;
-constexpr int k_own_rings = 4;
+constexpr double k_own_lengths = 2.0;
 
 glm::dvec3 direction_of(const glm::dvec3& v) {
     const double length = glm::length(v);
@@ -57,6 +61,7 @@ public:
 
     PointTruth find() {
         truth_.is_border.assign(truth_.positions.size(), 0);
+        truth_.is_wide_at = truth_.is_border;
         const Mesh::EdgeRange borders = mesh_.edges_of_class(EdgeClass::border);
         for (std::uint32_t e = borders.first; e < borders.last; ++e)
             for (const VertexId v : mesh_.edge(EdgeId{e}).vertices) truth_.is_border[index(v)] = 1;
@@ -66,7 +71,8 @@ public:
         std::uint32_t smooth = 0;
         for (std::uint32_t v = 0; v < truth_.positions.size(); ++v) {
             truth_.border_count += truth_.is_border[v];
-            if (truth_.is_border[v] && truth_.is_fit) truth_.wide_count += is_wide(v);
+            if (truth_.is_border[v] && truth_.is_fit) truth_.is_wide_at[v] = is_wide(v);
+            truth_.wide_count += truth_.is_wide_at[v];
             smooth += is_smooth(v);
         }
         truth_.smooth_share =
@@ -142,39 +148,75 @@ private:
 }  // namespace
 
 bool PointTruth::is_crowded(std::uint32_t vertex) const {
-    std::vector<std::uint32_t> own{vertex};
-    std::size_t ring_begin = 0;
-    for (int ring = 0; ring < k_own_rings; ++ring)
-        for (const std::size_t ring_end = own.size(); ring_begin < ring_end; ++ring_begin)
-            for (const std::uint32_t next : neighbours[own[ring_begin]])
-                if (std::ranges::find(own, next) == own.end()) own.push_back(next);
-    std::ranges::sort(own);
-    const auto distance = [&](std::uint32_t to) {
-        return glm::distance(positions[vertex], positions[to]);
+    const auto length = [&](std::uint32_t a, std::uint32_t b) {
+        return glm::distance(positions[a], positions[b]);
     };
     double longest = 0.0;
-    for (const std::uint32_t next : neighbours[vertex]) longest = std::max(longest, distance(next));
+    for (const std::uint32_t next : neighbours[vertex])
+        longest = std::max(longest, length(vertex, next));
+    // Its own sheet: as far as its edges lead, shortest way first (Dijkstra 1959).
+    using Reached = std::pair<double, std::uint32_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> waiting;
+    std::set<std::uint32_t> own;
+    for (waiting.push({0.0, vertex}); !waiting.empty();) {
+        const auto [far, at] = waiting.top();
+        waiting.pop();
+        if (!own.insert(at).second) continue;
+        for (const std::uint32_t next : neighbours[at])
+            if (far + length(at, next) <= k_own_lengths * longest)
+                waiting.push({far + length(at, next), next});
+    }
     for (std::uint32_t other = 0; other < positions.size(); ++other)
-        if (distance(other) < longest && !std::ranges::binary_search(own, other)) return true;
+        if (length(vertex, other) < longest && !own.contains(other)) return true;
     return false;
 }
 
 PointTruth point_truth(const Mesh& mesh) { return Truth(mesh).find(); }
 
 std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t> found) {
+    const auto corners_of = [](const Triangle& t) {
+        return std::array<std::uint32_t, 3>{index(t[0]), index(t[1]), index(t[2])};
+    };
+    const auto is_between_found = [&](const Triangle& t) {
+        return std::ranges::all_of(corners_of(t), [&](std::uint32_t v) { return found[v] != 0; });
+    };
+    // Faces between found vertices alone, in patches that share vertices: of each a vertex stands for all.
+    const std::size_t count = mesh.positions().size();
+    std::vector<std::uint32_t> up(count);
+    std::iota(up.begin(), up.end(), 0u);
+    const auto patch = [&](std::uint32_t v) {
+        while (up[v] != v) v = up[v] = up[up[v]];
+        return v;
+    };
+    std::vector<std::uint8_t> is_kept(count, 0);  // Vertices of another face.
+    for (const Triangle& t : mesh.triangles()) {
+        const auto corners = corners_of(t);
+        if (is_between_found(t))
+            up[patch(corners[0])] = up[patch(corners[1])] = patch(corners[2]);
+        else
+            for (const std::uint32_t v : corners) is_kept[v] = 1;
+    }
+    // With a vertex of no other face a patch is no hole, but sampled.
+    std::vector<std::uint8_t> is_sampled(count, 0);
+    for (std::uint32_t v = 0; v < count; ++v)
+        if (!is_kept[v]) is_sampled[patch(v)] = 1;
+
     MeshSource rest;
     rest.positions.assign(mesh.positions().begin(), mesh.positions().end());
-    std::vector<std::uint8_t> is_used(rest.positions.size(), 0);
-    for (const Triangle& t : mesh.triangles()) {
-        const std::array<std::uint32_t, 3> corners{index(t[0]), index(t[1]), index(t[2])};
-        if (std::ranges::all_of(corners, [&](std::uint32_t v) { return found[v] != 0; })) continue;
-        rest.triangles.push_back(corners);
-        for (const std::uint32_t v : corners) is_used[v] = 1;
-    }
-    const bool is_whole = rest.triangles.size() == mesh.face_count();
-    if (is_whole || std::ranges::find(is_used, 0) != is_used.end()) return 0;
+    for (const Triangle& t : mesh.triangles())
+        if (!is_between_found(t) || is_sampled[patch(index(t[0]))])
+            rest.triangles.push_back(corners_of(t));
+    if (rest.triangles.size() == mesh.face_count()) return 0;
     const PointTruth opened = point_truth(Mesh(rest, Welding::none));
-    return 2 * opened.wide_count > opened.border_count ? opened.border_count : 0;
+    std::vector<std::uint32_t> around(count, 0), wide(count, 0);  // By patch.
+    for (std::uint32_t v = 0; v < count; ++v) {
+        around[patch(v)] += opened.is_border[v];
+        wide[patch(v)] += opened.is_wide_at[v];
+    }
+    std::uint32_t total = 0;
+    for (std::uint32_t p = 0; p < count; ++p)
+        if (2 * wide[p] > around[p]) total += around[p];
+    return total;
 }
 
 }  // namespace rimline::tools

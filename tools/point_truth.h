@@ -25,8 +25,9 @@ struct PointTruth {
     std::vector<glm::dvec3> normals;
     std::vector<std::vector<std::uint32_t>> neighbours;  ///< Over edges.
     std::vector<std::uint8_t> is_border;
+    std::vector<std::uint8_t> is_wide_at;  ///< At a border vertex, that the opening is wide there.
     std::uint32_t border_count = 0;
-    std::uint32_t wide_count = 0;  ///< Border vertices where the opening is wide.
+    std::uint32_t wide_count = 0;
     double smooth_share = 0.0;     ///< Of vertices.
     bool is_fit = false;
 
@@ -34,8 +35,8 @@ struct PointTruth {
     bool is_wide() const noexcept { return is_open() && wide_count >= 0.9 * border_count; }
     bool is_smooth() const noexcept { return is_fit && border_count == 0 && smooth_share >= 0.99; }
 
-    /// Whether another sheet comes nearer to the vertex than its own longest edge: a vertex more than four
-    /// edges away. The points are too few there to tell one sheet from the other. O(vertices).
+    /// Whether another sheet comes nearer to the vertex than its own longest edge: a vertex more than twice
+    /// that far away along edges. The points are too few there to tell one sheet from the other. O(vertices).
     bool is_crowded(std::uint32_t vertex) const;
 };
 
@@ -45,9 +46,10 @@ struct PointTruth {
 PointTruth point_truth(const Mesh& mesh);
 
 /// How many of a closed mesh's vertices that were `found` to be a border, by number, surround holes in its
-/// samples: those that are a border once the faces between found vertices alone are taken away, if no vertex
-/// goes with them and the openings are wide, by the rule above, at most of these vertices. The mesh without
-/// these faces has the very same vertices, and nothing that sees vertices alone can be right of both. Else 0.
+/// samples. The faces between found vertices alone, where they hang together, are such a hole if no vertex
+/// goes with them when they are taken away and the opening is wide, by the rule above, at most of its
+/// vertices. The mesh without these faces has the very same vertices, and nothing that sees vertices alone
+/// can be right of both.
 std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t> found);
 
 }  // namespace rimline::tools

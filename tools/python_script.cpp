@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <thread>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has no header for it.
 
@@ -16,6 +18,8 @@ namespace rimline::tools {
 namespace {
 
 constexpr std::array<const char*, 2> k_pythons{"python3", "/usr/bin/python3"};
+constexpr std::chrono::seconds k_grace{2};
+constexpr std::chrono::milliseconds k_moment{5};
 
 // A program that is gone when this object is.
 class Child {
@@ -29,13 +33,16 @@ public:
         posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-        // This program's threads block the signals that are to end the other.
+        // This program's threads block the signals that are to end the other, or it may ignore them.
         posix_spawnattr_t attributes;
         posix_spawnattr_init(&attributes);
         sigset_t none;
         sigemptyset(&none);
         posix_spawnattr_setsigmask(&attributes, &none);
-        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+        sigset_t termination = none;
+        sigaddset(&termination, SIGTERM);
+        posix_spawnattr_setsigdefault(&attributes, &termination);
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
         const std::array<const char*, 4> arguments{python, "-c", script, nullptr};
         if (posix_spawnp(&id_, python, &actions, &attributes,
                          const_cast<char* const*>(arguments.data()), environ) != 0)
@@ -50,6 +57,11 @@ public:
         if (output_ >= 0) close(output_);
         if (id_ < 0) return;
         kill(id_, SIGTERM);  // What it has made, a script may want to clear away.
+        const auto deadline = std::chrono::steady_clock::now() + k_grace;
+        while (!has_ended() && std::chrono::steady_clock::now() < deadline)
+            std::this_thread::sleep_for(k_moment);
+        if (id_ < 0) return;
+        kill(id_, SIGKILL);
         waitpid(id_, nullptr, 0);
     }
 
@@ -66,15 +78,22 @@ public:
             if (size <= 0) break;
             text.append(buffer.data(), static_cast<std::size_t>(size));
         }
-        int status = 0;
-        waitpid(id_, &status, 0);
-        id_ = -1;
-        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
+        while (!has_ended()) {
+            context.checkpoint();
+            std::this_thread::sleep_for(k_moment);
+        }
+        if (!WIFEXITED(status_) || WEXITSTATUS(status_) != 0) return std::nullopt;
         return text;
     }
 
 private:
+    bool has_ended() {
+        if (id_ >= 0 && waitpid(id_, &status_, WNOHANG) == id_) id_ = -1;
+        return id_ < 0;
+    }
+
     pid_t id_ = -1;
+    int status_ = 0;
     int output_ = -1;
 };
 

@@ -30,7 +30,6 @@ constexpr double k_loose_share = 0.1;
 constexpr double k_crease_share = 0.35;
 constexpr double k_closed_crease_share = 0.7;
 constexpr std::size_t k_crease_run = 12;
-constexpr double k_cosine_of_fold = 0.7071;  // 45 degrees: no crease of a run.
 constexpr std::uint32_t k_closed = std::numeric_limits<std::uint32_t>::max();
 
 // The points where an open point's gaps end; those of its first four gaps.
@@ -125,6 +124,7 @@ public:
     }
 
     void find_supplements(const CallPart& part) {
+        sides_.resize(open_.size());
         each_point(static_cast<std::uint32_t>(open_.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
                        Neighbourhood around;
@@ -134,7 +134,7 @@ public:
                            around.look_from(points_, open.point, neighbours_.of(open.point));
                            if (const auto split =
                                    split_fold(around, open.point, open.fan, stars_, gap_ratio_)) {
-                               open.fan = split->fan;
+                               sides_[n] = split->fan;
                                open.supplement = split->supplement;
                                continue;
                            }
@@ -147,22 +147,12 @@ public:
     void judge_chains() {
         using Verdict = OpenPoint::Verdict;
         // Long runs of supplemented points are creases wherever they lie; what they part may end there.
-        // But where the second umbrella nearly folds back, it may lie on a sheet behind the border.
-        std::vector<std::uint8_t> is_crease(open_.size(), 0);
-        Neighbourhood around;
-        for (std::uint32_t n = 0; n < open_.size(); ++n) {
-            const OpenPoint& open = open_[n];
-            if (!open.supplement.is_umbrella()) continue;
-            around.look_from(points_, open.point, neighbours_.of(open.point));
-            is_crease[n] = glm::dot(around.normal(open.fan), around.normal(open.supplement)) >=
-                           -k_cosine_of_fold;
-        }
-        const std::vector<std::uint32_t> runs =
-            connected([&](std::uint32_t n) { return is_crease[n] != 0; });
+        const auto is_crease = [&](std::uint32_t n) { return open_[n].supplement.is_umbrella(); };
+        const std::vector<std::uint32_t> runs = connected(is_crease);
         std::vector<std::size_t> run_size(open_.size(), 0);
-        for (std::uint32_t n = 0; n < open_.size(); ++n) run_size[runs[n]] += is_crease[n];
+        for (std::uint32_t n = 0; n < open_.size(); ++n) run_size[runs[n]] += is_crease(n);
         const auto is_in_run = [&](std::uint32_t n) {
-            return is_crease[n] != 0 && run_size[runs[n]] >= k_crease_run;
+            return is_crease(n) && run_size[runs[n]] >= k_crease_run;
         };
 
         const std::vector<std::uint32_t> chain_of =
@@ -176,7 +166,7 @@ public:
             Chain& chain = chains[chain_of[n]];
             ++chain.size;
             chain.loose += link_count(n) < 2;
-            chain.supplemented += open_[n].supplement.is_umbrella();
+            chain.supplemented += is_crease(n);
         }
         const std::size_t least = std::min(k_least_points, points_.size());
         for (std::uint32_t n = 0; n < open_.size(); ++n) {
@@ -186,9 +176,11 @@ public:
             const bool is_border = !is_in_run(n) && chain.size >= least &&
                                    static_cast<double>(chain.loose) <= k_loose_share * size &&
                                    static_cast<double>(chain.supplemented) <= share * size;
-            open_[n].verdict = is_border                           ? Verdict::border
-                               : open_[n].supplement.is_umbrella() ? Verdict::crease
-                                                                   : Verdict::none;
+            open_[n].verdict = is_border      ? Verdict::border
+                               : is_crease(n) ? Verdict::crease
+                                              : Verdict::none;
+            if (open_[n].verdict == Verdict::crease && sides_[n].is_umbrella())
+                open_[n].fan = sides_[n];
         }
     }
 
@@ -389,6 +381,8 @@ private:
     std::vector<std::uint32_t> slot_;  // In open_, or k_closed.
     std::vector<OpenPoint> open_;
     std::vector<Ends> ends_;  // Of each.
+    std::vector<Fan>
+        sides_;  // Of each that parts into two, its first side, the second its supplement.
 };
 
 }  // namespace

@@ -18,8 +18,7 @@
 //               Six rounds at most; each sees the state before it.
 //   creases     an open point may have a second partial umbrella between the same ends, or its own may part
 //               into two (supplement.h): there two smooth patches meet, and no surface ends. Runs of twelve
-//               such points and more are creases, but for umbrellas within 45 degrees of folding back: there
-//               another sheet may lie behind a border. So are 35% of a chain, 70% where it closes.
+//               such points and more are creases, and so are 35% of a chain, 70% where it closes.
 //   verdict     points that name each other are one chain. A chain is a border where at most a tenth of
 //               its points are loose, linked to fewer than two others; from 5 points on. Points that stand
 //               back from their border are taken off it last.
@@ -39,7 +38,7 @@ namespace rimline {
 struct OpenPoint {
     enum class Verdict : std::uint8_t { border, crease, none };
     std::uint32_t point;
-    Fan fan;         ///< With its gaps.
+    Fan fan;         ///< With its gaps; of a crease, the umbrella of one side.
     Fan supplement;  ///< Of a crease, the other umbrella; else none.
     Verdict verdict = Verdict::none;
 };

@@ -6,8 +6,9 @@
 // looks open on the other. Made mutual, a fifth fewer interior points are taken for border. A point in
 // the middle of a sparse region may be counted by many; the nearest k_most_neighbours stay.
 //
-// Where points lie in rows, far denser along than across, all k lie in the same row and span no plane. There
-// a point has its nearest k_most_neighbours instead.
+// Where points lie in rows, far denser along than across, most of the k lie in the same row, and it alone
+// spans no plane or a wrong one. There, wherever directions to the k spread along a line, a point has its
+// nearest k_most_neighbours instead.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

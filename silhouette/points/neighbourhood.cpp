@@ -18,7 +18,7 @@ glm::dvec3 any_perpendicular(const glm::dvec3& n) {
         glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
 }
 
-// Directions nearer than that are one.
+// To what directions are rounded.
 constexpr double k_same_angle = 0x1p-30;
 
 // Grows with the angle, from 0 to 4; what is nearly 4 is nearly 0.

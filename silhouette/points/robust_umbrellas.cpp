@@ -26,7 +26,11 @@ FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
         // What only this point sees closes again, where its star is whole.
         const bool is_whole = open.fan.gaps == 0;
         const bool is_spurious = open.verdict == OpenPoint::Verdict::none && !is_whole;
-        if (is_spurious && found.fans[point].gaps == 0) continue;
+        if (is_spurious && found.fans[point].gaps == 0) {
+            const glm::dvec3 normal = around.normal(found.fans[point]);
+            if (normal != glm::dvec3(0.0)) found.normals[point] = normal;
+            continue;
+        }
         found.fans[point] = open.fan;
         found.normals[point] = around.normal(open.fan);
         if (found.normals[point] == glm::dvec3(0.0)) {

@@ -128,12 +128,16 @@ std::optional<SplitFan> split_fold(const Neighbourhood& around, std::uint32_t po
     const glm::dvec3 up = glm::cross(along, inwards);
     const auto side = [&](bool is_above) -> Fan {
         std::uint64_t places = std::uint64_t{1} << first | std::uint64_t{1} << last;
-        glm::dvec3 plane(0.0);  // Through the nearest.
+        glm::dvec3 plane(0.0);  // Through the nearest that lies aside.
         for (std::uint32_t place = 0; place < around.size(); ++place) {
             const glm::dvec3& d = around.edge(place);
             if (place == first || place == last || (glm::dot(d, up) > 0.0) != is_above) continue;
             places |= std::uint64_t{1} << place;
-            if (plane == glm::dvec3(0.0)) plane = glm::cross(along, d);
+            const glm::dvec3 product = glm::cross(along, d);
+            // Others of the crease itself, behind its ends, have no side.
+            const bool is_aside =
+                glm::length(product) > k_explained * glm::length(along) * around.length(place);
+            if (is_aside && plane == glm::dvec3(0.0)) plane = product;
         }
         const double length = glm::length(plane);
         if (!(length > 0.0)) return {};

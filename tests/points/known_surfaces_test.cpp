@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/mat3x3.hpp>
 #include <numbers>
 #include <vector>
 
@@ -144,6 +145,32 @@ TEST_CASE("sharp edges are no borders and leave the normals of both sides alone"
             CHECK(std::abs(between - degrees * k_degree) < 1.0 * k_degree);
         }
     }
+}
+
+TEST_CASE(
+    "a sharp edge is none whichever way it runs and however far its sides' points lie apart") {
+    const glm::dvec3 x = glm::normalize(glm::dvec3(1.0, 0.3, 0.2));
+    const glm::dvec3 y = glm::normalize(glm::cross(glm::dvec3(0.1, 0.2, 1.0), x));
+    const glm::dmat3 turn(x, y, glm::cross(x, y));
+    for (const double across : {1.0, 1.7, 2.5})
+        for (const double degrees : {45.0, 30.0, 22.0}) {
+            CAPTURE(across);
+            CAPTURE(degrees);
+            constexpr int k_along = 40;
+            std::vector<glm::dvec3> points = make_wedge(degrees * k_degree, 12, k_along);
+            for (glm::dvec3& p : points) p = turn * (p * glm::dvec3(across, 1.0, across));
+            const PointSurface surface(points);
+            for (std::uint32_t i = 5; i <= k_along - 5; ++i) {
+                CAPTURE(i);
+                CHECK(surface.label(PointId{i}) == PointLabel::feature);
+                const PointSurface::UmbrellaRange range = surface.umbrellas_of(PointId{i});
+                REQUIRE(range.size() == 2);
+                const double between =
+                    angle_of_lines(surface.umbrella(UmbrellaId{range.first}).normal,
+                                   surface.umbrella(UmbrellaId{range.first + 1}).normal);
+                CHECK(std::abs(between - degrees * k_degree) < 1.0 * k_degree);
+            }
+        }
 }
 
 TEST_CASE("a cone's tip is not a border") {

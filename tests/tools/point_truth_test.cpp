@@ -85,11 +85,11 @@ struct CutSphere {
     }
 };
 
-MeshSource lattice(std::uint32_t n, float z) {
+MeshSource lattice(std::uint32_t n, float z, float across = 1.0f) {
     MeshSource source;
     for (std::uint32_t y = 0; y < n; ++y)
         for (std::uint32_t x = 0; x < n; ++x)
-            source.positions.push_back({static_cast<float>(x), static_cast<float>(y), z});
+            source.positions.push_back({static_cast<float>(x), across * static_cast<float>(y), z});
     for (std::uint32_t y = 0; y + 1 < n; ++y)
         for (std::uint32_t x = 0; x + 1 < n; ++x) {
             const std::uint32_t a = y * n + x;
@@ -148,6 +148,18 @@ TEST_CASE("border points around a hole in the samples are told from those anywhe
         REQUIRE(others == 5);
         CHECK(count_around_holes(closed, found) == count);
     }
+    SUBCASE("faces elsewhere do not count with a hole") {
+        std::vector<std::uint8_t> found = cut.found();
+        std::uint32_t faces = 0;
+        for (std::uint32_t f = 0; f < closed.face_count() && faces < 4; f += 100) {
+            const Triangle& t = closed.triangles()[f];
+            if (closed.positions()[index(t[0])].z > 0.0f) continue;
+            ++faces;
+            for (const VertexId v : t) found[index(v)] = 1;
+        }
+        REQUIRE(faces == 4);
+        CHECK(count_around_holes(closed, found) == count);
+    }
     SUBCASE("part of an outline leaves nothing to take away") {
         std::vector<std::uint8_t> found = cut.found();
         found[cut.outline[0]] = 0;  // Where the fan's faces meet.
@@ -185,5 +197,7 @@ TEST_CASE("a vertex is crowded where another sheet is nearer than its longest ed
         // Diagonals are the longest edges.
         CHECK(truth.is_crowded(6 * 12 + 6) == (distance < std::sqrt(2.0f)));
     }
-    CHECK_FALSE(point_truth(Mesh(lattice(12, 0.0f))).is_crowded(6 * 12 + 6));
+    // One sheet alone does not crowd itself, rows or not.
+    for (const float across : {1.0f, 8.0f})
+        CHECK_FALSE(point_truth(Mesh(lattice(24, 0.0f, across))).is_crowded(12 * 24 + 12));
 }

@@ -37,8 +37,8 @@ TEST_CASE("a cancelled script is ended and clears away what it made") {
     const ScratchFolder folder;
     const std::filesystem::path made = folder / "made";
     std::stop_source stop;
-    const std::jthread canceller([&] {
-        while (!std::filesystem::exists(made)) std::this_thread::yield();
+    const std::jthread canceller([&](const std::stop_token& done) {
+        while (!std::filesystem::exists(made) && !done.stop_requested()) std::this_thread::yield();
         stop.request_stop();
     });
     ScriptInput input;
@@ -51,4 +51,22 @@ TEST_CASE("a cancelled script is ended and clears away what it made") {
     CHECK_THROWS_AS(run_python(script.c_str(), input, {.json = false, .stop = stop.get_token()}),
                     Error);
     CHECK_FALSE(std::filesystem::exists(made));
+}
+
+TEST_CASE("a script that does not heed the signal is ended all the same") {
+    const ScratchFolder folder;
+    const std::filesystem::path made = folder / "made";
+    std::stop_source stop;
+    const std::jthread canceller([&](const std::stop_token& done) {
+        while (!std::filesystem::exists(made) && !done.stop_requested()) std::this_thread::yield();
+        stop.request_stop();
+    });
+    ScriptInput input;
+    REQUIRE(input.is_complete());
+    const std::string script =
+        "import os, signal, time\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\n"
+        "open('" +
+        made.string() + "', 'w').close()\ntime.sleep(600)\n";
+    CHECK_THROWS_AS(run_python(script.c_str(), input, {.json = false, .stop = stop.get_token()}),
+                    Error);
 }
