@@ -28,7 +28,7 @@ struct PointTruth {
     std::vector<std::uint8_t> is_wide_at;  ///< At a border vertex, that the opening is wide there.
     std::uint32_t border_count = 0;
     std::uint32_t wide_count = 0;
-    double smooth_share = 0.0;     ///< Of vertices.
+    double smooth_share = 0.0;  ///< Of vertices.
     bool is_fit = false;
 
     bool is_open() const noexcept { return is_fit && border_count > 0; }

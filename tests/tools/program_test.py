@@ -676,6 +676,14 @@ def test_bench_points_measures_borders_beside_the_gap_rule():
         library, neighbours, threshold = method.split()
         if neighbours == "16":
             assert abs(missed[method] - missed[f"gap {threshold}"]) <= 1, method
+    # Without models of one's own there are built-in ones, and what checks nothing is no success.
+    result = run("bench", "points", "--check", "--json", env={**os.environ, "RIMLINE_MODELS": ""})
+    assert result.returncode == 0, result.stderr
+    shapes = json.loads(result.stdout)
+    assert [r["kind"] for r in shapes["points"]] == ["wide", "smooth", "smooth", "smooth"]
+    assert len(shapes["targets"]) == 4 and all(t["reached"] for t in shapes["targets"])
+    result = run("bench", "points", "shape:box:12", "--check")
+    assert result.returncode == 3 and "of which there is none" in result.stderr
     assert "does not belong to the suite points" in fail(2, "bench", "points", "--growth")
 
 
