@@ -247,7 +247,8 @@ ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_
         print_targets(targets);
     }
     std::string missed = first_missed(targets);
-    if (check && targets.empty()) missed = "five wide models or a smooth one, of which there is none,";
+    if (check && targets.empty())
+        missed = "five wide models or a smooth one, of which there is none";
     if (missed.empty()) return ExitStatus::success;
     std::fprintf(stderr, "rimline: error: %s: missed\n", missed.c_str());
     return ExitStatus::check_failed;
