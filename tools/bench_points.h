@@ -49,7 +49,7 @@ struct PointsBenchResult {
 PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, const Context& context);
 
 /// The whole suite, printed: of `models`, or where there are none of all in the folders of RIMLINE_MODELS
-/// that hold a mesh, or else of built-in shapes. With `check`, five have to be wide or one smooth.
+/// that hold a mesh, or else of built-in shapes. With `check`, one at least has to be wide or smooth.
 ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_t subdivide,
                             bool check, const Context& context);
 

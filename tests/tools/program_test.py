@@ -682,8 +682,7 @@ def test_bench_points_measures_borders_beside_the_gap_rule():
     shapes = json.loads(result.stdout)
     assert [r["kind"] for r in shapes["points"]] == ["wide", "smooth", "smooth", "smooth"]
     assert [r["borders"][0]["found"] for r in shapes["points"]] == [True] * 4
-    # Four fifths of one wide model are none to ask for.
-    assert len(shapes["targets"]) == 3 and all(t["reached"] for t in shapes["targets"])
+    assert len(shapes["targets"]) == 4 and all(t["reached"] for t in shapes["targets"])
     result = run("bench", "points", "shape:box:12", "--check")
     assert result.returncode == 3 and "of which there is none" in result.stderr
     assert "does not belong to the suite points" in fail(2, "bench", "points", "--growth")
