@@ -109,6 +109,15 @@ TEST_CASE("where rows end the border runs across them, however little of it one 
     }
 }
 
+// A point of a crease has one umbrella on each side.
+void check_sides(const PointSurface& surface, PointId point, double angle_rad) {
+    const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
+    REQUIRE(range.size() == 2);
+    const double between = angle_of_lines(surface.umbrella(UmbrellaId{range.first}).normal,
+                                          surface.umbrella(UmbrellaId{range.first + 1}).normal);
+    CHECK(std::abs(between - angle_rad) < 1.0 * k_degree);
+}
+
 TEST_CASE("sharp edges are no borders and leave the normals of both sides alone") {
     for (const double degrees : {150.0, 120.0, 90.0, 60.0, 45.0, 30.0, 22.0}) {
         CAPTURE(degrees);
@@ -134,15 +143,10 @@ TEST_CASE("sharp edges are no borders and leave the normals of both sides alone"
         CHECK(inside == 0);
         CHECK(on_crease == 0);
         CHECK(worst < 1.0 * k_degree);
-        // So sharp that no star goes around, a point of the crease has one umbrella on each side.
+        // So sharp that no star goes around.
         for (std::uint32_t y = 4; degrees <= 60.0 && y <= k_along - 4; ++y) {
             CAPTURE(y);
-            const PointSurface::UmbrellaRange range = surface.umbrellas_of(PointId{y});
-            REQUIRE(range.size() == 2);
-            const double between =
-                angle_of_lines(surface.umbrella(UmbrellaId{range.first}).normal,
-                               surface.umbrella(UmbrellaId{range.first + 1}).normal);
-            CHECK(std::abs(between - degrees * k_degree) < 1.0 * k_degree);
+            check_sides(surface, PointId{y}, degrees * k_degree);
         }
     }
 }
@@ -163,12 +167,7 @@ TEST_CASE(
             for (std::uint32_t i = 5; i <= k_along - 5; ++i) {
                 CAPTURE(i);
                 CHECK(surface.label(PointId{i}) == PointLabel::feature);
-                const PointSurface::UmbrellaRange range = surface.umbrellas_of(PointId{i});
-                REQUIRE(range.size() == 2);
-                const double between =
-                    angle_of_lines(surface.umbrella(UmbrellaId{range.first}).normal,
-                                   surface.umbrella(UmbrellaId{range.first + 1}).normal);
-                CHECK(std::abs(between - degrees * k_degree) < 1.0 * k_degree);
+                check_sides(surface, PointId{i}, degrees * k_degree);
             }
         }
 }

@@ -33,9 +33,8 @@ TEST_CASE("a script that fails says nothing whatever it has printed") {
     CHECK_FALSE(run_python("import sys\nprint('half')\nsys.exit(77)", input, {}));
 }
 
-TEST_CASE("a cancelled script is ended and clears away what it made") {
-    const ScratchFolder folder;
-    const std::filesystem::path made = folder / "made";
+// Runs what makes the file, and cancels it then.
+void cancel_when_made(const std::filesystem::path& made, const std::string& script) {
     std::stop_source stop;
     const std::jthread canceller([&](const std::stop_token& done) {
         while (!std::filesystem::exists(made) && !done.stop_requested()) std::this_thread::yield();
@@ -43,30 +42,25 @@ TEST_CASE("a cancelled script is ended and clears away what it made") {
     });
     ScriptInput input;
     REQUIRE(input.is_complete());
-    const std::string script = "import os, signal, sys, time\npath = '" + made.string() +
+    CHECK_THROWS_AS(run_python(script.c_str(), input, {.json = false, .stop = stop.get_token()}),
+                    Error);
+}
+
+TEST_CASE("a cancelled script is ended and clears away what it made") {
+    const ScratchFolder folder;
+    const std::filesystem::path made = folder / "made";
+    cancel_when_made(made, "import os, signal, sys, time\npath = '" + made.string() +
                                "'\n"
                                "signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))\n"
                                "try:\n    open(path, 'w').close()\n    time.sleep(600)\n"
-                               "finally:\n    os.remove(path)\n";
-    CHECK_THROWS_AS(run_python(script.c_str(), input, {.json = false, .stop = stop.get_token()}),
-                    Error);
+                               "finally:\n    os.remove(path)\n");
     CHECK_FALSE(std::filesystem::exists(made));
 }
 
 TEST_CASE("a script that does not heed the signal is ended all the same") {
     const ScratchFolder folder;
     const std::filesystem::path made = folder / "made";
-    std::stop_source stop;
-    const std::jthread canceller([&](const std::stop_token& done) {
-        while (!std::filesystem::exists(made) && !done.stop_requested()) std::this_thread::yield();
-        stop.request_stop();
-    });
-    ScriptInput input;
-    REQUIRE(input.is_complete());
-    const std::string script =
-        "import os, signal, time\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\n"
-        "open('" +
-        made.string() + "', 'w').close()\ntime.sleep(600)\n";
-    CHECK_THROWS_AS(run_python(script.c_str(), input, {.json = false, .stop = stop.get_token()}),
-                    Error);
+    cancel_when_made(made,
+                     "import signal, time\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\nopen('" +
+                         made.string() + "', 'w').close()\ntime.sleep(600)\n");
 }
