@@ -10,6 +10,8 @@
 #include <string_view>
 #include <thread>
 
+#include "tools/output_file.h"
+
 namespace rimline::tools {
 
 namespace {
@@ -54,6 +56,7 @@ std::stop_token stop_on_interrupt() {
         int second = 0;
         do second = sigtimedwait(&signals, nullptr, &grace);
         while (second < 0 && errno == EINTR);
+        remove_temporary_files();
         if (second < 0) write_line("rimline: error: cancelled\n");
         raise_unblocked(second < 0 ? received : second);
     }).detach();

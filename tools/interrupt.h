@@ -4,8 +4,8 @@
 //
 // The first SIGINT or SIGTERM asks long calls to stop, so that destructors run and temporary files go.
 // The program is ended all the same by a second one, or when it has not stopped within k_grace_seconds:
-// then it computes where nothing asks, or waits for another program. Only then a temporary file may
-// stay. A signal that was ignored when the program started, as under nohup, stays ignored.
+// then it computes where nothing asks, or waits for another program. Temporary files go here as well.
+// A signal that was ignored when the program started, as under nohup, stays ignored.
 
 #include <stop_token>
 

@@ -5,13 +5,23 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <mutex>
 #include <system_error>
+#include <utility>
 
 #include "silhouette/error.h"
 
 namespace rimline::tools {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// All that have a temporary, and that temporary's coming and going.
+std::mutex g_mutex;
+OutputFile* g_first = nullptr;
+
+}  // namespace
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
     if (path_.empty()) throw Error(ErrorCode::io, "the output file's name is empty");
@@ -36,6 +46,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
         if (descriptor_ < 0) fail("cannot write", errno);
         return;
     }
+    const std::lock_guard lock(g_mutex);
     // Not mkstemp: its files are private whatever the user's mask says.
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
         std::string name(".");
@@ -49,11 +60,18 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
         fail("cannot write", error_number);
     }
     if (exists) fchmod(descriptor_, existing.st_mode & 07777);
+    next_ = std::exchange(g_first, this);
 }
 
 OutputFile::~OutputFile() {
     close_descriptor();
+    const std::lock_guard lock(g_mutex);
     if (!temporary_.empty()) unlink(temporary_.c_str());
+    for (OutputFile** link = &g_first; *link != nullptr; link = &(*link)->next_)
+        if (*link == this) {
+            *link = next_;
+            break;
+        }
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -70,6 +88,7 @@ void OutputFile::commit() {
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (close(descriptor) != 0 && errno != EINTR) fail("cannot write", errno);
+    const std::lock_guard lock(g_mutex);
     if (temporary_.empty()) return;
     if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write", errno);
     temporary_.clear();
@@ -83,6 +102,12 @@ void OutputFile::fail(const std::string& doing, int error_number) const {
 void OutputFile::close_descriptor() noexcept {
     if (descriptor_ >= 0) close(descriptor_);
     descriptor_ = -1;
+}
+
+void remove_temporary_files() noexcept {
+    const std::lock_guard lock(g_mutex);
+    for (const OutputFile* file = g_first; file != nullptr; file = file->next_)
+        if (!file->temporary_.empty()) unlink(file->temporary_.c_str());
 }
 
 }  // namespace rimline::tools

@@ -31,6 +31,7 @@ public:
     const std::filesystem::path& path() const noexcept { return path_; }
 
 private:
+    friend void remove_temporary_files() noexcept;
     [[noreturn]] void fail(const std::string& doing, int error_number) const;
     void close_descriptor() noexcept;
 
@@ -38,6 +39,11 @@ private:
     std::filesystem::path target_;     // Links resolved.
     std::filesystem::path temporary_;  // Empty when written directly, and after commit().
     int descriptor_ = -1;
+    OutputFile* next_ = nullptr;  // In the list of those that have a temporary.
 };
+
+/// Removes the temporaries of all files not yet committed: for a thread that ends the program while
+/// others run, so that no destructor does.
+void remove_temporary_files() noexcept;
 
 }  // namespace rimline::tools

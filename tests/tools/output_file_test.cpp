@@ -16,6 +16,7 @@ using rimline::tests::read_bytes;
 using rimline::tests::ScratchFolder;
 using rimline::tests::write_bytes;
 using rimline::tools::OutputFile;
+using rimline::tools::remove_temporary_files;
 namespace fs = std::filesystem;
 
 namespace {
@@ -94,6 +95,29 @@ TEST_CASE("a link is followed, so that it stays one") {
     file.commit();
     CHECK(fs::is_symlink(folder / "link.txt"));
     CHECK(read_bytes(folder / "target.txt") == "new");
+}
+
+TEST_CASE("the temporaries of all files are removed for a program that ends at once") {
+    const ScratchFolder folder;
+    write_bytes(folder / "b.txt", "old");
+    OutputFile a(folder / "a.txt");
+    a.write("new");
+    {
+        OutputFile b(folder / "b.txt");
+        const OutputFile c(folder / "c.txt");
+        a.commit();
+        CHECK(folder.entry_count() == 4);
+        remove_temporary_files();
+        CHECK(folder.entry_count() == 2);
+        b.write("new");
+        CHECK_THROWS_AS(b.commit(), Error);
+    }
+    CHECK(read_bytes(folder / "a.txt") == "new");
+    CHECK(read_bytes(folder / "b.txt") == "old");
+    // Those that are gone are not looked at.
+    const OutputFile d(folder / "d.txt");
+    remove_temporary_files();
+    CHECK(folder.entry_count() == 2);
 }
 
 TEST_CASE("a missing folder, a folder as target and an empty name are refused by name") {
