@@ -90,7 +90,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         const MeshSource source = model_.load(context, FaceRequirement::faces_or_points);
-        const Mesh mesh = about_model(model_.model, [&] { return Mesh(source); });
+        const Mesh mesh = make_mesh(model_.model, source, context);
         const Extent extent =
             source.triangles.empty() ? extent_of(source.positions) : extent_of(mesh);
         if (!context.json) {

@@ -94,8 +94,13 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
 }
 
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context) {
-    const MeshSource source = load_model(model, subdivide, FaceRequirement::faces, context);
-    return about_model(model, [&] { return Mesh(source); });
+    return make_mesh(model, load_model(model, subdivide, FaceRequirement::faces, context), context);
+}
+
+Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context) {
+    Progress progress(context, "joining the faces of " + model);
+    return about_model(model,
+                       [&] { return Mesh(source, Welding::equal_positions, progress.call()); });
 }
 
 void throw_about_model(const std::string& model) {

@@ -21,6 +21,7 @@
 #include "tools/model_argument.h"
 #include "tools/option_types.h"
 #include "tools/output_file.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -155,11 +156,13 @@ public:
         }
 
         const Mesh mesh = model_.load_mesh(context);
-        SilhouetteMethodOptions options;
-        options.origins.assign(origins_.begin(), origins_.end());
-        options.seed = seed_;
-        Extraction found =
-            about_model(model_.model, [&] { return extract_by(*method_, mesh, point, options); });
+        Extraction found = about_model(model_.model, [&] {
+            Progress progress(context, "building the method's structure");
+            return extract_by(*method_, mesh, point,
+                              {.origins = {origins_.begin(), origins_.end()},
+                               .seed = seed_,
+                               .call = progress.call()});
+        });
         if (without_concave_) {
             if (!mesh.is_closed() || !mesh.is_oriented())
                 throw Error(ErrorCode::bad_input,

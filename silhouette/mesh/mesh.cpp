@@ -12,6 +12,7 @@ namespace rimline {
 namespace {
 
 constexpr std::size_t k_max_faces = std::size_t{1} << 30;
+constexpr std::uint32_t k_vertices_a_checkpoint = 1u << 16;
 
 // One side of one triangle.
 struct HalfEdge {
@@ -29,7 +30,8 @@ struct SortedHalfEdges {
 
 bool has_equal_corners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32_t vertex_count) {
+SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32_t vertex_count,
+                                const LongCall& call) {
     SortedHalfEdges sorted;
     sorted.begin.assign(vertex_count + 1, 0);
     const auto for_each = [&](auto&& visit) {
@@ -45,17 +47,20 @@ SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32
     std::partial_sum(sorted.begin.begin(), sorted.begin.end(), sorted.begin.begin());
     sorted.half_edges.resize(sorted.begin.back());
     std::vector<std::uint32_t> next(sorted.begin.begin(), sorted.begin.end() - 1);
+    call.checkpoint(0.3);
     for_each([&](std::uint32_t f, std::uint8_t c, std::uint32_t a, std::uint32_t b) {
         sorted.half_edges[next[std::min(a, b)]++] = {std::max(a, b), f, c, a < b};
     });
     // Faces were visited in order, so a stable order within equal far vertices is by face.
-    for (std::uint32_t v = 0; v < vertex_count; ++v)
+    for (std::uint32_t v = 0; v < vertex_count; ++v) {
+        if (v % k_vertices_a_checkpoint == 0) call.checkpoint(0.5 + 0.5 * v / vertex_count);
         std::sort(sorted.half_edges.begin() + sorted.begin[v],
                   sorted.half_edges.begin() + sorted.begin[v + 1],
                   [](const HalfEdge& a, const HalfEdge& b) {
                       return a.far_vertex != b.far_vertex ? a.far_vertex < b.far_vertex
                                                           : a.face < b.face;
                   });
+    }
     return sorted;
 }
 
@@ -67,9 +72,11 @@ EdgeClass classify(std::span<const HalfEdge> sides) {
 
 // Visits every edge as (lesser vertex, its half-edges).
 template <typename Visit>
-void for_each_edge(const SortedHalfEdges& sorted, Visit&& visit) {
+void for_each_edge(const SortedHalfEdges& sorted, const LongCall& call, Visit&& visit) {
     const std::span<const HalfEdge> all = sorted.half_edges;
     for (std::uint32_t v = 0; v + 1 < sorted.begin.size(); ++v) {
+        if (v % k_vertices_a_checkpoint == 0)
+            call.checkpoint(double(v) / static_cast<double>(sorted.begin.size()));
         for (std::size_t i = sorted.begin[v]; i < sorted.begin[v + 1];) {
             std::size_t end = i + 1;
             while (end < sorted.begin[v + 1] && all[end].far_vertex == all[i].far_vertex) ++end;
@@ -104,10 +111,12 @@ private:
 
 }  // namespace
 
-Mesh::Mesh(const MeshSource& source, Welding welding) : up_(source.up) {
+Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call) : up_(source.up) {
     if (source.triangles.size() > k_max_faces || source.positions.size() > 0xfffffff0u)
         throw Error(ErrorCode::too_large, "the mesh has more than 2^30 triangles or 2^32 vertices");
+    call.checkpoint(0.0);
     weld(source, welding);
+    call.checkpoint(0.2);
     planes_.reserve(triangles_.size());
     for (const Triangle& t : triangles_) {
         // Equal corners give a zero cross product exactly.
@@ -115,8 +124,9 @@ Mesh::Mesh(const MeshSource& source, Welding welding) : up_(source.up) {
             {positions_[index(t[0])], positions_[index(t[1])], positions_[index(t[2])]}));
         if (!planes_.back().has_normal()) ++degenerate_face_count_;
     }
-    build_edges();
+    build_edges(call.part(0.3, 1.0));
     measure();
+    call.checkpoint(1.0);
 }
 
 void Mesh::weld(const MeshSource& source, Welding welding) {
@@ -150,13 +160,13 @@ void Mesh::weld(const MeshSource& source, Welding welding) {
                               VertexId{vertex_of[first[t[2]]]}});
 }
 
-void Mesh::build_edges() {
+void Mesh::build_edges(const LongCall& call) {
     face_edges_.assign(triangles_.size(), {k_no_edge, k_no_edge, k_no_edge});
-    const SortedHalfEdges sorted = sort_half_edges(triangles_, vertex_count());
+    const SortedHalfEdges sorted = sort_half_edges(triangles_, vertex_count(), call.part(0.0, 0.6));
 
     std::array<std::uint32_t, 4> class_size{};
     std::uint32_t nonmanifold_face_count = 0;
-    for_each_edge(sorted, [&](std::uint32_t, std::span<const HalfEdge> sides) {
+    for_each_edge(sorted, call.part(0.6, 0.7), [&](std::uint32_t, std::span<const HalfEdge> sides) {
         const EdgeClass c = classify(sides);
         ++class_size[static_cast<std::size_t>(c)];
         if (c == EdgeClass::nonmanifold) nonmanifold_face_count += size32(sides.size());
@@ -175,25 +185,27 @@ void Mesh::build_edges() {
     bool all_even = true;
     std::array<std::uint32_t, 4> next{class_begin_[0], class_begin_[1], class_begin_[2],
                                       class_begin_[3]};
-    for_each_edge(sorted, [&](std::uint32_t v, std::span<const HalfEdge> sides) {
-        const EdgeClass c = classify(sides);
-        const std::uint32_t e = next[static_cast<std::size_t>(c)]++;
-        const VertexId lesser{v};
-        const VertexId greater{sides[0].far_vertex};
-        edges_[e].vertices = {sides[0].ascending ? lesser : greater,
-                              sides[0].ascending ? greater : lesser};
-        edges_[e].faces = {FaceId{sides[0].face},
-                           sides.size() == 2 ? FaceId{sides[1].face} : k_no_face};
-        for (const HalfEdge& side : sides) {
-            face_edges_[side.face][side.corner] = EdgeId{e};
-            joined_faces += sets.join(sides[0].face, side.face);
-        }
-        if (c == EdgeClass::nonmanifold) {
-            for (const HalfEdge& side : sides) nonmanifold_faces_.push_back(FaceId{side.face});
-            nonmanifold_begin_.push_back(size32(nonmanifold_faces_.size()));
-        }
-        all_even = all_even && sides.size() % 2 == 0;
-    });
+    for_each_edge(sorted, call.part(0.7, 1.0),
+                  [&](std::uint32_t v, std::span<const HalfEdge> sides) {
+                      const EdgeClass c = classify(sides);
+                      const std::uint32_t e = next[static_cast<std::size_t>(c)]++;
+                      const VertexId lesser{v};
+                      const VertexId greater{sides[0].far_vertex};
+                      edges_[e].vertices = {sides[0].ascending ? lesser : greater,
+                                            sides[0].ascending ? greater : lesser};
+                      edges_[e].faces = {FaceId{sides[0].face},
+                                         sides.size() == 2 ? FaceId{sides[1].face} : k_no_face};
+                      for (const HalfEdge& side : sides) {
+                          face_edges_[side.face][side.corner] = EdgeId{e};
+                          joined_faces += sets.join(sides[0].face, side.face);
+                      }
+                      if (c == EdgeClass::nonmanifold) {
+                          for (const HalfEdge& side : sides)
+                              nonmanifold_faces_.push_back(FaceId{side.face});
+                          nonmanifold_begin_.push_back(size32(nonmanifold_faces_.size()));
+                      }
+                      all_even = all_even && sides.size() % 2 == 0;
+                  });
     component_count_ = faces_with_edges - joined_faces;
     closed_ = all_even && faces_with_edges > 0;
 }

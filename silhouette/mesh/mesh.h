@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/error.h"
 #include "silhouette/mesh/ids.h"
 #include "silhouette/mesh/mesh_source.h"
 #include "silhouette/mesh/plane.h"
@@ -51,8 +52,9 @@ enum class Welding : std::uint8_t {
 class Mesh {
 public:
     /// Throws Error{too_large} beyond 2^30 triangles. A source without triangles gives an empty mesh.
-    /// Indices must be in range and coordinates as MeshSource says.
-    explicit Mesh(const MeshSource& source, Welding welding = Welding::equal_positions);
+    /// Indices must be in range and coordinates as MeshSource says. Throws Error{cancelled}.
+    explicit Mesh(const MeshSource& source, Welding welding = Welding::equal_positions,
+                  const LongCall& call = {});
 
     std::span<const glm::vec3> positions() const noexcept { return positions_; }
     std::span<const Triangle> triangles() const noexcept { return triangles_; }
@@ -111,7 +113,7 @@ private:
         return static_cast<std::uint32_t>(size);
     }
     void weld(const MeshSource& source, Welding welding);
-    void build_edges();
+    void build_edges(const LongCall& call);
     void measure();
 
     std::vector<glm::vec3> positions_;

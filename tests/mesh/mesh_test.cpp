@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stop_token>
 #include <tuple>
+#include <vector>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/mesh/small_meshes.h"
@@ -300,6 +302,31 @@ TEST_CASE("the up axis is the source's") {
     CHECK(Mesh(source).up() == UpAxis::y);
     source.up = UpAxis::z;
     CHECK(Mesh(source).up() == UpAxis::z);
+}
+
+TEST_CASE("a mesh being made tells how far it is, and stops at any of its checkpoints") {
+    const MeshSource source = make_built_in_shape("knot", 300'000);
+    std::vector<double> shares;
+    LongCall call;
+    call.progress = [&](double share) { shares.push_back(share); };
+    const Mesh followed(source, Welding::equal_positions, call);
+    CHECK(counts_of(followed) == counts_of(Mesh(source)));
+    // Each of three loops over the vertices has three at least: at 0, 65536 and 131072.
+    REQUIRE(shares.size() >= 9);
+    CHECK(std::ranges::is_sorted(shares));
+    CHECK(shares.front() == 0.0);
+    CHECK(shares.back() == 1.0);
+    for (std::size_t last = 1; last < shares.size(); ++last) {
+        CAPTURE(last);
+        std::stop_source stop;
+        std::size_t calls = 0;
+        call.stop = stop.get_token();
+        call.progress = [&](double) {
+            if (++calls == last) stop.request_stop();
+        };
+        CHECK_THROWS_AS(Mesh(source, Welding::equal_positions, call), Error);
+        CHECK(calls == last);
+    }
 }
 
 }  // namespace rimline

@@ -389,7 +389,7 @@ def test_an_interrupt_ends_the_program_by_its_signal_and_leaves_nothing():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "lines.svg")
         for number, arguments in ((signal.SIGINT, ["track", "shape:knot:20000", "--frames", "10000000", "--verify"]),
-                                  (signal.SIGTERM, ["silhouette", "shape:knot:2000", "--subdivide", "5",
+                                  (signal.SIGTERM, ["silhouette", "shape:knot:4000", "--subdivide", "5",
                                                     "--from", "3,2,1", "-o", path])):
             process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             time.sleep(0.5)
@@ -398,6 +398,17 @@ def test_an_interrupt_ends_the_program_by_its_signal_and_leaves_nothing():
             assert process.returncode == -number, (process.returncode, err)
             assert out == "" and err == "rimline: error: cancelled\n", (out, err)
             assert os.listdir(folder) == []
+
+        # Seconds of work where nothing asks, which a second one ends.
+        process = subprocess.Popen([PROGRAM, "silhouette", "shape:knot:4000", "--subdivide", "5", "--method",
+                                    "literal", "--from", "3,2,1", "-o", path], stdout=subprocess.DEVNULL)
+        time.sleep(2.5)
+        assert len(os.listdir(folder)) == 1
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(timeout=300) in (-signal.SIGINT, -signal.SIGTERM)
+        assert os.listdir(folder) == []
 
 
 def test_an_interrupt_ends_the_program_where_nothing_asks_for_it():

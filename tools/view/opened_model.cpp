@@ -31,7 +31,9 @@ OpenedModel::OpenedModel(std::string name, std::uint32_t subdivide, const BeginC
 
 OpenedModel::OpenedModel(std::string name, const MeshSource& source, const BeginCall& begin)
     : name_(std::move(name)),
-      mesh_(about_model(name_, [&] { return Mesh(source); })),
+      mesh_(about_model(
+          name_,
+          [&] { return Mesh(source, Welding::equal_positions, begin("joining the faces")); })),
       octree_(about_model(
           name_,
           [&] { return HoughOctree(checked(name_, mesh_), {}, begin("building the octree")); })),

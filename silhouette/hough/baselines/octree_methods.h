@@ -15,8 +15,8 @@ namespace rimline {
 
 class OctreeMethod final : public SilhouetteMethod {
 public:
-    OctreeMethod(const Mesh& mesh, const HoughOctreeOptions& options)
-        : octree_(mesh, options), scratch_(octree_.make_scratch()) {}
+    OctreeMethod(const Mesh& mesh, const HoughOctreeOptions& options, const LongCall& call)
+        : octree_(mesh, options, call), scratch_(octree_.make_scratch()) {}
 
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  TraversalCounters& counters) override;

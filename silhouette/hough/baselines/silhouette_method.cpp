@@ -25,7 +25,7 @@ std::optional<glm::dvec3> first_origin(const Options& options) {
 }
 
 Method make_octree(const Mesh& mesh, const Options& options) {
-    return std::make_unique<OctreeMethod>(mesh, HoughOctreeOptions{options.origins});
+    return std::make_unique<OctreeMethod>(mesh, HoughOctreeOptions{options.origins}, options.call);
 }
 
 Method make_literal(const Mesh& mesh, const Options& options) {

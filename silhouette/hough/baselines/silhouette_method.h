@@ -63,6 +63,7 @@ struct SilhouetteMethodOptions {
     /// that knows one origin only takes the first.
     std::vector<glm::dvec3> origins;
     std::uint64_t seed = 1;  ///< For randomised ones.
+    LongCall call;           ///< Of the octree's build; the others are not to be stopped.
 };
 
 /// All there are.

@@ -123,9 +123,9 @@ MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const L
     double done = 0.0;
     for (std::uint32_t step = 0; step < steps; ++step) {
         const double work = double(std::uint64_t{1} << 2 * step) / total;
-        call.checkpoint(done);
-        const Mesh mesh(step == 0 ? source : refined);
         constexpr double k_mesh_share = 0.7;
+        const Mesh mesh(step == 0 ? source : refined, Welding::equal_positions,
+                        call.part(done, done + work * k_mesh_share));
         refined = refine(mesh, [&](double share) {
             call.checkpoint(done + work * (k_mesh_share + (1.0 - k_mesh_share) * share));
         });
