@@ -49,7 +49,8 @@ std::string refusal(std::uint64_t number, const glm::dvec3& position, BadPoints 
 }
 
 std::uint8_t color_byte(float value) noexcept {
-    return value > 0.0f ? static_cast<std::uint8_t>(std::min(value, 255.0f) + 0.5f) : 0;
+    return value > 0.0f ? static_cast<std::uint8_t>(std::min(value, 255.0f) + 0.5f)
+                        : std::uint8_t{0};
 }
 
 std::vector<PointColor> point_colors(const std::vector<glm::vec3>& numbers) {
