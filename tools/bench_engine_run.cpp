@@ -92,8 +92,7 @@ void print_step(const EngineGrowthStep& step) {
 }
 
 ExitStatus report_difference(const std::string& model, const std::string& difference) {
-    std::fprintf(stderr, "rimline: error: %s: %s differs\n", model.c_str(), difference.c_str());
-    return ExitStatus::check_failed;
+    return report_check(difference.empty() ? "" : model + ": " + difference + " differs");
 }
 
 Json device_json(const Device& device) {
@@ -139,9 +138,7 @@ ExitStatus run_growth(const EngineBenchRequest& request, const Device& device,
     } else {
         std::printf("compute shaders are faster at %u faces still\n", steps.back().faces);
     }
-    if (!steps.back().difference.empty())
-        return report_difference("shape:knot", steps.back().difference);
-    return ExitStatus::success;
+    return report_difference("shape:knot", steps.back().difference);
 }
 
 }  // namespace
@@ -187,12 +184,7 @@ ExitStatus run_bench_engine(const EngineBenchRequest& request, const Context& co
         if (request.check) object["targets"] = std::move(targets_json);
         print_json(object);
     }
-    if (!difference.empty()) return report_difference(failed_model, difference);
-    if (!missed.empty()) {
-        std::fprintf(stderr, "rimline: error: %s: missed\n", missed.c_str());
-        return ExitStatus::check_failed;
-    }
-    return ExitStatus::success;
+    return difference.empty() ? report_missed(missed) : report_difference(failed_model, difference);
 }
 
 }  // namespace rimline::tools

@@ -245,9 +245,7 @@ ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_
     }
     std::string missed = first_missed(targets);
     if (check && targets.empty()) missed = "wide or smooth models, of which there is none";
-    if (missed.empty()) return ExitStatus::success;
-    std::fprintf(stderr, "rimline: error: %s: missed\n", missed.c_str());
-    return ExitStatus::check_failed;
+    return report_missed(missed);
 }
 
 }  // namespace rimline::tools

@@ -1,5 +1,6 @@
 #include "tools/bench_targets.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "tools/bench_hough.h"
@@ -76,12 +77,16 @@ void print_targets(std::span<const Target> targets) {
         std::printf("  %-52s %9.3g%s, %s %.3g", target.what.c_str(), target.value, unit,
                     target.less_is_better ? "at most" : "at least", target.reach);
         if (target.aim > 0.0) std::printf(" (aim %.3g)", target.aim);
-        if (target.is_reached())
-            std::printf(": reached\n");
-        else
-            std::printf(": MISSED, by a factor of %.2f%s\n", target.shortfall(),
-                        target.is_time ? "; a time, which fails nothing" : "");
+        std::printf(target.is_reached() ? ": reached" : ": MISSED");
+        if (!target.is_reached() && std::isfinite(target.shortfall()))
+            std::printf(", by a factor of %.2f", target.shortfall());
+        std::printf("%s\n",
+                    !target.is_reached() && target.is_time ? "; a time, which fails nothing" : "");
     }
+}
+
+ExitStatus report_missed(const std::string& missed) {
+    return report_check(missed.empty() ? "" : missed + ": missed");
 }
 
 std::string first_missed(std::span<const Target> targets) {

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/command.h"
+
 namespace rimline::tools {
 
 constexpr std::uint32_t k_bunny_faces = 69451;
@@ -29,7 +31,7 @@ struct Target {
     std::string unit = "x";
 
     bool is_reached() const noexcept { return less_is_better ? value <= reach : value >= reach; }
-    /// By how much it was missed, as a factor: above 1.
+    /// By how much it was missed, as a factor: above 1; infinite where nothing was reached, or none allowed.
     double shortfall() const noexcept { return less_is_better ? value / reach : reach / value; }
 };
 
@@ -38,6 +40,9 @@ std::vector<Target> targets_of(const ModelResult& result);
 
 /// Prints a line each.
 void print_targets(std::span<const Target> targets);
+
+/// The status of a --check that missed `missed`, which is printed; success where it is empty.
+ExitStatus report_missed(const std::string& missed);
 
 /// What --check fails for: the first target that is missed and no time; empty where there is none.
 std::string first_missed(std::span<const Target> targets);

@@ -111,9 +111,7 @@ ExitStatus run_bench_views(const ViewsBenchRequest& request, const Context& cont
         if (request.check) object["targets"] = std::move(targets_json);
         print_json(object);
     }
-    if (missed.empty()) return ExitStatus::success;
-    std::fprintf(stderr, "rimline: error: %s: missed\n", missed.c_str());
-    return ExitStatus::check_failed;
+    return report_missed(missed);
 }
 
 }  // namespace rimline::tools

@@ -1,9 +1,23 @@
 #include "tools/command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace rimline::tools {
+
+void print_error(std::string message) {
+    while (!message.empty() && message.back() == '\n') message.pop_back();
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::fflush(stdout);
+    std::fprintf(stderr, "rimline: error: %s\n", message.c_str());
+}
+
+ExitStatus report_check(const std::string& failure) {
+    if (failure.empty()) return ExitStatus::success;
+    print_error(failure);
+    return ExitStatus::check_failed;
+}
 
 void print_json(const nlohmann::ordered_json& object) {
     const std::string text = object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -54,6 +54,13 @@ public:
     virtual ExitStatus run(const Context& context) = 0;
 };
 
+/// Writes `message` to standard error, in one line that scripts can find, whatever it holds; behind what was
+/// written to standard output.
+void print_error(std::string message);
+/// The status of a --verify or --check that failed as `failure` says, which is printed; success where it is
+/// empty.
+ExitStatus report_check(const std::string& failure);
+
 /// Writes one JSON object to standard output. Bytes of file names that are not UTF-8 are replaced.
 void print_json(const nlohmann::ordered_json& object);
 

@@ -31,6 +31,7 @@ using rimline::ErrorCode;
 using rimline::tools::Command;
 using rimline::tools::Context;
 using rimline::tools::ExitStatus;
+using rimline::tools::print_error;
 using rimline::tools::UsageError;
 
 constexpr const char* k_version = "rimline " RIMLINE_VERSION;
@@ -64,14 +65,6 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     return commands;
 }
 
-// Whatever the message holds, it is one line that scripts can find.
-ExitStatus report(ExitStatus status, std::string message) {
-    while (!message.empty() && message.back() == '\n') message.pop_back();
-    std::replace(message.begin(), message.end(), '\n', ' ');
-    std::fprintf(stderr, "rimline: error: %s\n", message.c_str());
-    return status;
-}
-
 // CLI11's messages are NAME: WHAT. Where WHAT is not a plain sentence, ours.
 std::string plain_words(const CLI::ParseError& e) {
     const std::string message = e.what();
@@ -102,7 +95,8 @@ ExitStatus report_usage(const std::string& message, const CLI::App& app) {
     const auto parsed = app.get_subcommands();
     const std::string help =
         "rimline " + (parsed.empty() ? "" : parsed.front()->get_name() + " ") + "--help";
-    return report(ExitStatus::wrong_usage, message + " (see " + help + ")");
+    print_error(message + " (see " + help + ")");
+    return ExitStatus::wrong_usage;
 }
 
 ExitStatus run(Command& command, const Context& context) {
@@ -189,12 +183,12 @@ int main(int argc, char** argv) {
     try {
         status = parse_and_run(argc, argv, rimline::tools::stop_on_interrupt());
     } catch (const Error& e) {
-        report(status, e.what());
+        print_error(e.what());
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();
     } catch (const std::bad_alloc&) {
-        report(status, "out of memory; take a smaller model or picture");
+        print_error("out of memory; take a smaller model or picture");
     } catch (const std::exception& e) {
-        report(status, std::string("unexpected: ") + e.what());
+        print_error(std::string("unexpected: ") + e.what());
     }
     return static_cast<int>(status);
 }

@@ -132,8 +132,11 @@ public:
             print_object(report);
         else
             print_summary(report);
-        return found.turn && found.turn->differences > 0 ? ExitStatus::check_failed
-                                                         : ExitStatus::success;
+        const std::uint32_t differences = found.turn ? found.turn->differences : 0;
+        return report_check(differences == 0
+                                ? ""
+                                : cloud_.model + ": " + std::to_string(differences) +
+                                      " of its frames differ from finding them afresh");
     }
 
 private:

@@ -161,10 +161,7 @@ public:
             print_result(track);
         else
             print_summary(track);
-        if (track.difference.empty()) return ExitStatus::success;
-        std::fprintf(stderr, "rimline: error: %s: %s\n", model_.model.c_str(),
-                     track.difference.c_str());
-        return ExitStatus::check_failed;
+        return report_check(track.difference.empty() ? "" : model_.model + ": " + track.difference);
     }
 
 private:
