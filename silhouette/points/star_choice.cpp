@@ -21,9 +21,10 @@ constexpr double k_clean_deviation = 15.0 * k_degree;  // Mean, of a star that n
 constexpr double k_gap_cost = 1.0;
 constexpr double k_cost_tie = 1e-9;  // Of costs: of mirror images the first that was asked stays.
 constexpr std::uint32_t k_fits[] = {k_most_neighbours, 8, 5};  // Capped by k.
-constexpr int k_rounds = 2;
+constexpr int k_rounds = 2;                  // Of asking, then as many of mending.
 constexpr std::uint32_t k_asked = 8;         // Neighbours for their normals.
 constexpr double k_cosine_of_same = 0.9659;  // 15 degrees: too near to a normal that was tried.
+constexpr double k_cosine_of_across = 0.5;   // 60 degrees, of a star with what its ring sees.
 
 double excess_of(double circumradius, double deviation, double scale) {
     if (deviation > k_greatest_deviation) return k_infinity;
@@ -35,6 +36,7 @@ struct Choice {
     glm::dvec3 normal{0.0};
     double scale = 0.0;
     double cost = k_infinity;
+    bool is_whole = false;  // Without gaps.
     bool is_clean = false;
 };
 
@@ -59,8 +61,7 @@ public:
                    });
     }
 
-    // Every point sees the normals and scales that its neighbours had before the round. Who asked before,
-    // and nothing has changed around it since, would hear the same again.
+    // Who asked before, and nothing has changed around it since, would hear the same again.
     void ask_neighbours(const CallPart& part) {
         std::vector<std::uint32_t> asking;
         for (std::uint32_t i = 0; i < points_.size(); ++i)
@@ -69,19 +70,27 @@ public:
                      return was_changed_[q] != 0;
                  })))
                 asking.push_back(i);
-        std::vector<Choice> choices(asking.size());
-        each_point(static_cast<std::uint32_t>(asking.size()), part,
+        choose_again(asking, part, [](std::uint32_t, const Choice&) { return 0.0; });
+    }
+
+    // A star of two sheets at once may well be clean, but it stands across what its ring sees. There that
+    // angle counts as well, and whole stars alone, for borders are not to come or go by it.
+    void mend(const CallPart& part) {
+        std::vector<std::uint8_t> is_across(points_.size());
+        each_point(static_cast<std::uint32_t>(points_.size()), {part.call, part.begin, part.begin},
                    [&](std::uint32_t first, std::uint32_t last) {
-                       Neighbourhood around;
-                       for (std::uint32_t n = first; n < last; ++n)
-                           choices[n] = ask_neighbours(asking[n], around);
+                       for (std::uint32_t i = first; i < last; ++i)
+                           is_across[i] = cosine_with_ring(i, stars_.fans[i], stars_.normals[i]) <=
+                                          k_cosine_of_across;
                    });
-        was_changed_.assign(points_.size(), 0);
-        for (std::size_t n = 0; n < asking.size(); ++n) {
-            was_changed_[asking[n]] = choices[n].normal != stars_.normals[asking[n]] ||
-                                      choices[n].scale != stars_.scales[asking[n]];
-            take(asking[n], choices[n]);
-        }
+        std::vector<std::uint32_t> asking;
+        for (std::uint32_t i = 0; i < points_.size(); ++i)
+            if (is_across[i] != 0) asking.push_back(i);
+        choose_again(asking, part, [this](std::uint32_t point, const Choice& choice) {
+            return choice.is_whole ? std::acos(std::min(
+                                         cosine_with_ring(point, choice.fan, choice.normal), 1.0))
+                                   : k_infinity;
+        });
     }
 
     Stars stars() { return std::move(stars_); }
@@ -123,6 +132,7 @@ private:
         choice.cost = sum / total;
         if (gaps > 0)
             choice.cost += k_gap_cost * std::max<double>(gaps, 2.0 - total / std::numbers::pi);
+        choice.is_whole = gaps == 0;
         choice.is_clean = gaps == 0 && sum / total < k_clean_deviation;
         return choice;
     }
@@ -172,18 +182,58 @@ private:
             reason = UndecidedReason::no_normal;
     }
 
-    Choice ask_neighbours(std::uint32_t point, Neighbourhood& around) const {
+    // Of the angles, unoriented, of a star's normal with those that its ring's points have, the cosine of the
+    // second least; of three or fewer the least, 1 where none has a normal.
+    double cosine_with_ring(std::uint32_t point, const Fan& fan, const glm::dvec3& normal) const {
+        const std::span<const std::uint32_t> list = neighbours_.of(point);
+        std::array<double, k_most_neighbours> cosines;
+        std::size_t count = 0;
+        for (std::size_t j = 0; j < fan.size; ++j)
+            if (const glm::dvec3& other = stars_.normals[list[fan.ring[j]]];
+                other != glm::dvec3(0.0))
+                cosines[count++] = std::abs(glm::dot(other, normal));
+        if (count == 0) return 1.0;
+        const auto found =
+            cosines.begin() + static_cast<std::ptrdiff_t>(count - (count > 3 ? 2 : 1));
+        std::nth_element(cosines.begin(), found,
+                         cosines.begin() + static_cast<std::ptrdiff_t>(count));
+        return *found;
+    }
+
+    // Every point sees the normals and scales that its neighbours had before. extra(point, choice): what is
+    // added to the choice's cost.
+    template <typename Extra>
+    void choose_again(std::span<const std::uint32_t> asking, const CallPart& part, Extra&& extra) {
+        std::vector<Choice> choices(asking.size());
+        each_point(static_cast<std::uint32_t>(asking.size()), part,
+                   [&](std::uint32_t first, std::uint32_t last) {
+                       Neighbourhood around;
+                       for (std::uint32_t n = first; n < last; ++n)
+                           choices[n] = ask_neighbours(asking[n], around, extra);
+                   });
+        was_changed_.assign(points_.size(), 0);
+        for (std::size_t n = 0; n < asking.size(); ++n) {
+            was_changed_[asking[n]] = choices[n].normal != stars_.normals[asking[n]] ||
+                                      choices[n].scale != stars_.scales[asking[n]];
+            take(asking[n], choices[n]);
+        }
+    }
+
+    template <typename Extra>
+    Choice ask_neighbours(std::uint32_t point, Neighbourhood& around, Extra&& extra) const {
         around.look_from(points_, point, neighbours_.of(point));
         std::array<glm::dvec3, k_asked + 1> tried;
         std::size_t count = 0;
         Choice best = judge_among(point, around, stars_.fans[point], k_infinity);
+        best.cost += extra(point, best);
         const auto ask = [&](const glm::dvec3& plane) {
             if (plane == glm::dvec3(0.0)) return;
             for (std::size_t t = 0; t < count; ++t)
                 if (std::abs(glm::dot(tried[t], plane)) > k_cosine_of_same) return;
             tried[count++] = plane;
-            const Choice choice =
+            Choice choice =
                 judge_among(point, around, around.star(plane, k_sine_of_candidates), best.cost);
+            if (choice.cost < best.cost) choice.cost += extra(point, choice);
             if (choice.cost < best.cost - k_cost_tie) best = choice;
         };
         ask(stars_.normals[point]);
@@ -216,7 +266,9 @@ Stars choose_stars(std::span<const glm::dvec3> points, const NeighbourLists& nei
     chooser.fit({call, 0.0, 0.6});
     for (int round = 0; round < k_rounds; ++round)
         chooser.ask_neighbours(
-            {call, 0.6 + 0.4 * round / k_rounds, 0.6 + 0.4 * (round + 1) / k_rounds});
+            {call, 0.6 + 0.35 * round / k_rounds, 0.6 + 0.35 * (round + 1) / k_rounds});
+    for (int round = 0; round < k_rounds; ++round)
+        chooser.mend({call, 0.95 + 0.05 * round / k_rounds, 0.95 + 0.05 * (round + 1) / k_rounds});
     return chooser.stars();
 }
 

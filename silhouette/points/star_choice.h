@@ -7,7 +7,9 @@
 // creases and where another sheet is near; and with a wrong normal everything after it is lost. So stars
 // are made about several planes, fitted to all of the k nearest, to 8 and to 5, and the one that costs
 // least is kept; then, where it is not clean, about the normals of its nearest neighbours' stars too, in
-// two rounds. Nine points of ten are clean at once.
+// two rounds. Nine points of ten are clean at once. Last, again in two rounds, stars whose normal lies more
+// than 60 degrees from those of all but one of their ring's points, which take two sheets for one, give way
+// to whole ones that do not.
 //
 // Cost: the mean deviation of its triangles from its normal, in radians, and 1 for each gap, or for each π
 // that is open where that is more: one thin triangle, all else open, would be perfect otherwise.
