@@ -215,6 +215,7 @@ private:
         for (std::size_t n = 0; n < asking.size(); ++n) {
             was_changed_[asking[n]] = choices[n].normal != stars_.normals[asking[n]] ||
                                       choices[n].scale != stars_.scales[asking[n]];
+            if (was_changed_[asking[n]] != 0) stars_.is_clean[asking[n]] = 0;
             take(asking[n], choices[n]);
         }
     }
