@@ -156,7 +156,8 @@ public:
         if (suite_ == "engine") return run_bench_engine(engine_request(), context);
         if (suite_ == "views") return run_bench_views(views_request(), context);
         if (suite_ == "fields") return run_fields(context);
-        if (suite_ == "points") return run_bench_points(models_, subdivide_, check_, context);
+        if (suite_ == "points")
+            return run_bench_points(models_, subdivide_, noise_, check_, context);
         if (growth_) return run_growth(context);
         if (figures_) return run_figures(context);
         if (methods_) return run_methods(context);
@@ -207,6 +208,9 @@ private:
                                  "Of the service: frames a second");
         workers_option_ = add_count(app, "--workers", service_.workers, 0, 1024,
                                     "Of the service: threads; 0 leaves it to the machine");
+        noise_option_ = add_number(app, "--noise", noise_, 0.0, 1.0,
+                                   "Of points: the standard deviation by which every coordinate is "
+                                   "moved, in mean lengths of the vertex's edges");
         device_option_ = app.add_option("--device", device_,
                                         "Of the engine: gpu, cpu, an index, or a part of a name");
         pictures_option_ =
@@ -218,7 +222,7 @@ private:
         for (CLI::Option* option :
              {pictures_option_, up_option_, device_option_, viewpoints_option_, frames_option_,
               worst_frames_option_, rounds_option_, builds_option_, least_option_, most_option_,
-              trackers_option_, fps_option_, workers_option_})
+              trackers_option_, fps_option_, workers_option_, noise_option_})
             option->group(k_group);
     }
 
@@ -252,6 +256,7 @@ private:
              {methods_option_, growth_option_, figures_option_, no_vtk_option_, viewpoints_option_,
               frames_option_, worst_frames_option_, rounds_option_, builds_option_})
             refuse(is_points, option, "does not belong to the suite points");
+        refuse(!is_points, noise_option_, "belongs to the suite points");
         if (is_engine && growth_ && !models_.empty())
             throw UsageError("--growth: of the engine it measures shape:knot");
         for (const CLI::Option* option :
@@ -485,6 +490,7 @@ private:
     HoughBenchOptions hough_;
     GrowthOptions growth_options_;
     ServiceBenchOptions service_;
+    double noise_ = 0.0;
     BenchMachine machine_;
     bool said_machine_ = false;
     std::string device_, pictures_;
@@ -495,7 +501,8 @@ private:
                 *viewpoints_option_ = nullptr, *frames_option_ = nullptr,
                 *worst_frames_option_ = nullptr, *rounds_option_ = nullptr,
                 *builds_option_ = nullptr, *least_option_ = nullptr, *most_option_ = nullptr,
-                *trackers_option_ = nullptr, *fps_option_ = nullptr, *workers_option_ = nullptr;
+                *trackers_option_ = nullptr, *fps_option_ = nullptr, *workers_option_ = nullptr,
+                *noise_option_ = nullptr;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <random>
 
 #include "silhouette/mesh/angle_between.h"
 #include "silhouette/points/point_surface.h"
@@ -30,6 +31,21 @@ PointsBenchResult::Kind kind_of(const PointTruth& truth) {
     if (!truth.is_fit) return Kind::unfit;
     if (truth.is_open()) return truth.is_wide() ? Kind::wide : Kind::open;
     return truth.is_smooth() ? Kind::smooth : Kind::closed;
+}
+
+void add_noise(PointTruth& truth, double noise) {
+    const std::vector<glm::dvec3> exact = truth.positions;
+    std::mt19937 random(1);
+    std::normal_distribution<double> gauss;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (truth.neighbours[i].empty()) continue;
+        double lengths = 0.0;
+        for (const std::uint32_t n : truth.neighbours[i])
+            lengths += glm::distance(exact[i], exact[n]);
+        const double spacing = lengths / static_cast<double>(truth.neighbours[i].size());
+        for (int axis = 0; axis < 3; ++axis)
+            truth.positions[i][axis] += noise * spacing * gauss(random);
+    }
 }
 
 glm::dvec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz}; }
@@ -77,14 +93,16 @@ bool PointsBenchResult::is_found(const BorderCount& count) const {
     return count.missed <= 0.04 * border && count.extra <= 0.07 * border;
 }
 
-PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, const Context& context) {
+PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, double noise,
+                               const Context& context) {
     PointsBenchResult result;
     result.model = model;
-    const PointTruth truth = point_truth(mesh);
+    PointTruth truth = point_truth(mesh);
     result.kind = kind_of(truth);
     result.points = static_cast<std::uint32_t>(truth.positions.size());
     result.border = truth.border_count;
     if (result.kind == PointsBenchResult::Kind::unfit) return result;
+    if (noise > 0.0) add_noise(truth, noise);
 
     Progress progress(context, "finding umbrellas of " + model);
     const LongCall call = progress.call();

@@ -46,11 +46,14 @@ struct PointsBenchResult {
     bool is_found(const BorderCount& count) const;
 };
 
-PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, const Context& context);
+/// Each coordinate of each vertex is moved by normally distributed noise first, the same for the same mesh, of
+/// standard deviation `noise` times the mean length of the vertex's edges.
+PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, double noise,
+                               const Context& context);
 
 /// The whole suite, printed: of `models`, or where there are none of all in the folders of RIMLINE_MODELS
 /// that hold a mesh, or else of built-in shapes. With `check`, one at least has to be wide or smooth.
 ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_t subdivide,
-                            bool check, const Context& context);
+                            double noise, bool check, const Context& context);
 
 }  // namespace rimline::tools

@@ -207,7 +207,7 @@ std::vector<Target> targets_of(const std::vector<PointsBenchResult>& results) {
 }  // namespace
 
 ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_t subdivide,
-                            bool check, const Context& context) {
+                            double noise, bool check, const Context& context) {
     std::vector<PointsBenchResult> results;
     for (const std::string& model : models.empty() ? all_models() : models) {
         std::optional<Mesh> mesh;
@@ -220,9 +220,11 @@ ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_
         }
         if (results.empty() && !context.json) {
             print_machine(this_machine());
+            if (noise > 0.0) std::printf("vertices moved by %g of their mean edge\n", noise);
             print_heading();
         }
-        results.push_back(about_model(model, [&] { return bench_points(model, *mesh, context); }));
+        results.push_back(
+            about_model(model, [&] { return bench_points(model, *mesh, noise, context); }));
         if (context.json) continue;
         print_result(results.back());
         std::fflush(stdout);
@@ -231,7 +233,8 @@ ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_
     if (context.json) {
         Json rows = Json::array();
         for (const PointsBenchResult& result : results) rows.push_back(to_json(result));
-        Json object{{"machine", to_json(this_machine())}, {"points", std::move(rows)}};
+        Json object{
+            {"machine", to_json(this_machine())}, {"noise", noise}, {"points", std::move(rows)}};
         if (check) {
             object["targets"] = Json::array();
             for (const Target& target : targets)
