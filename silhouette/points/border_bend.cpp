@@ -13,17 +13,11 @@ namespace rimline {
 
 namespace {
 
-// A straight border's turns are zero but for rounding.
-constexpr double k_least_bend = 1e-6;
 constexpr double k_standing_back = 10.0;
-constexpr double k_least_turn = 10.0 * std::numbers::pi / 180.0;
+// Of eight degrees: as much bends by noise.
+constexpr double k_noise_bend = 0.0195;
 // Where several in a row stand back, each waits for the one that does most.
 constexpr int k_bend_rounds = 3;
-
-double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const glm::dvec3 p = points[b] - points[a], q = points[c] - points[b];
-    return std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
-}
 
 // The gap that ends at `old_end` then ends at `new_end`, with a triangle between the two. False, and as it
 // was, where that is no neighbour or in the ring already.
@@ -100,12 +94,12 @@ private:
         if (!at_a || !at_b || !is_simple(open_[*at_a]) || !is_simple(open_[*at_b])) return 0.0;
         const Ends of_a = ends(open_[*at_a]), of_b = ends(open_[*at_b]);
         if (!of_a.has(e) || !of_b.has(e) || of_a.has(b) || of_b.has(a)) return 0.0;
-        if (turn(points_, a, e, b) < k_least_turn) return 0.0;
         // Back, not out.
         const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
         around_.look_from(points_, e, neighbours_.of(e));
         if (glm::dot(around_.cross(open.fan, gap), around_.normal(open.fan)) <= 0.0) return 0.0;
-        const double bend = bend_through(points_, of_a.other(e), a, e, b, of_b.other(e));
+        const double bend =
+            bend_through(points_, of_a.other(e), a, e, b, of_b.other(e), k_noise_bend);
         return bend > k_standing_back ? bend : 0.0;
     }
 
@@ -128,11 +122,16 @@ private:
 
 }  // namespace
 
+double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const glm::dvec3 p = points[b] - points[a], q = points[c] - points[b];
+    return std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
+}
+
 double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint32_t> c,
                     std::uint32_t a, std::uint32_t e, std::uint32_t b,
-                    std::optional<std::uint32_t> d) {
+                    std::optional<std::uint32_t> d, double least_bend) {
     const auto square = [](double angle) { return angle * angle; };
-    double through = square(turn(points, a, e, b)), past = k_least_bend;
+    double through = square(turn(points, a, e, b)), past = least_bend;
     if (c) past += square(turn(points, *c, a, b));
     if (d) past += square(turn(points, a, b, *d));
     if (c && *c != e) through += square(turn(points, *c, a, e));

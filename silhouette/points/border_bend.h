@@ -19,14 +19,18 @@ namespace rimline {
 class NeighbourLists;
 struct OpenPoint;
 
-/// The bend of c, a, e, b, d over that of c, a, b, d; c and d where they are known.
+/// The angle at b between the ways from a and to c, in radians: 0 straight on.
+double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+/// The bend of c, a, e, b, d over that of c, a, b, d, to which `least_bend` is added: a straight border's turns
+/// are zero but for rounding. c and d where they are known.
 double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint32_t> c,
                     std::uint32_t a, std::uint32_t e, std::uint32_t b,
-                    std::optional<std::uint32_t> d);
+                    std::optional<std::uint32_t> d, double least_bend = 1e-6);
 
-/// Takes points off their borders that stand back from them by ten times the bend, and by ten degrees: they
-/// have no gap then, and no verdict, and those on both sides a triangle more, where they are neighbours.
-/// `open` is sorted by point.
+/// Takes points off their borders that stand back from them by ten times the bend, to which that of a turn of
+/// eight degrees is added, for noise bends straight borders: they have no gap then, and no verdict, and those
+/// on both sides a triangle more, where they are neighbours. `open` is sorted by point.
 void straighten_borders(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
                         std::vector<OpenPoint>& open);
 

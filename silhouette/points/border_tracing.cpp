@@ -20,12 +20,18 @@ namespace rimline {
 namespace {
 
 constexpr double k_weak_excess = 2.0;
+constexpr double k_obtuse = glm::radians(150.0);
 constexpr double k_least_apart = glm::radians(70.0);
 constexpr double k_ear = glm::radians(130.0);
 constexpr double k_most_bend = 5.5;
 constexpr int k_most_rounds = 6;
 constexpr std::size_t k_least_points = 5;
 constexpr double k_loose_share = 0.1;
+// Of a chain that noise may have broken.
+constexpr std::size_t k_least_broken = 12;
+constexpr double k_straight = glm::radians(150.0);
+constexpr double k_straight_share = 0.8;
+constexpr double k_joint_turn = glm::radians(40.0);
 // Of a chain's points with a supplement: a crease above. A closed chain is more likely a border.
 constexpr double k_crease_share = 0.35;
 constexpr double k_closed_crease_share = 0.7;
@@ -44,6 +50,13 @@ struct Ends {
 struct Link {
     std::uint32_t to, from;
     auto operator<=>(const Link&) const = default;
+};
+
+// Two loose ends that may be one border.
+struct Joint {
+    double bend;             // The sum of the squares of both turns.
+    std::uint32_t from, to;  // Places in open_.
+    auto operator<=>(const Joint&) const = default;
 };
 
 // A closed point whose sector lies on a link of open ones.
@@ -123,15 +136,49 @@ public:
         return !changes.empty();
     }
 
-    void find_supplements(const CallPart& part) {
+    // Loose ends in whose stars the other is, and that run on in each other: the straightest pairs are linked.
+    void join_ends() {
+        std::vector<Joint> joints;
+        joint_.assign(open_.size(), k_closed);
+        for (std::uint32_t n = 0; n < open_.size(); ++n) {
+            const std::optional<std::uint32_t> behind = only_link(n);
+            if (!behind) continue;
+            const std::uint32_t point = open_[n].point, before = open_[*behind].point;
+            for (const std::uint32_t other : neighbours_.of(point)) {
+                if (!is_open(other) || other == before) continue;
+                const std::optional<std::uint32_t> beyond = only_link(slot_[other]);
+                if (!beyond) continue;
+                const std::uint32_t after = open_[*beyond].point;
+                if (after == point || after == before ||
+                    !(has_in_star(point, other) || has_in_star(other, point)))
+                    continue;
+                const double first = turn(points_, before, point, other);
+                const double second = turn(points_, point, other, after);
+                if (std::max(first, second) <= k_joint_turn)
+                    joints.push_back({first * first + second * second, std::min(n, slot_[other]),
+                                      std::max(n, slot_[other])});
+            }
+        }
+        std::sort(joints.begin(), joints.end());
+        for (const Joint& joint : joints)
+            if (joint_[joint.from] == k_closed && joint_[joint.to] == k_closed) {
+                joint_[joint.from] = joint.to;
+                joint_[joint.to] = joint.from;
+            }
+    }
+
+    // How wide each point opens, and what lies across its gap.
+    void look_across(const CallPart& part) {
+        openings_.resize(open_.size());
         sides_.resize(open_.size());
         each_point(static_cast<std::uint32_t>(open_.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
                        Neighbourhood around;
                        for (std::uint32_t n = first; n < last; ++n) {
                            OpenPoint& open = open_[n];
-                           if (std::popcount(open.fan.gaps) != 1) continue;
                            around.look_from(points_, open.point, neighbours_.of(open.point));
+                           openings_[n] = opening(around, open.fan);
+                           if (std::popcount(open.fan.gaps) != 1) continue;
                            if (const auto split =
                                    split_fold(around, open.point, open.fan, stars_, gap_ratio_)) {
                                sides_[n] = split->fan;
@@ -158,23 +205,30 @@ public:
         const std::vector<std::uint32_t> chain_of =
             connected([&](std::uint32_t n) { return !is_in_run(n); });
         struct Chain {
-            std::size_t size = 0, loose = 0, supplemented = 0;
+            std::size_t size = 0, loose = 0, joined = 0, supplemented = 0, straight = 0;
         };
         std::vector<Chain> chains(open_.size());
         for (std::uint32_t n = 0; n < open_.size(); ++n) {
             if (is_in_run(n)) continue;
             Chain& chain = chains[chain_of[n]];
             ++chain.size;
-            chain.loose += link_count(n) < 2;
+            chain.loose += links(n).count < 2;
+            chain.joined += joint_[n] != k_closed;
             chain.supplemented += is_crease(n);
+            chain.straight += openings_[n] > k_straight;
         }
         const std::size_t least = std::min(k_least_points, points_.size());
         for (std::uint32_t n = 0; n < open_.size(); ++n) {
             const Chain& chain = chains[chain_of[n]];
             const auto size = static_cast<double>(chain.size);
-            const double share = chain.loose == 0 ? k_closed_crease_share : k_crease_share;
+            const double share =
+                chain.loose + chain.joined == 0 ? k_closed_crease_share : k_crease_share;
+            const bool may_be_broken =
+                chain.size >= k_least_broken &&
+                static_cast<double>(chain.straight) >= k_straight_share * size;
+            const bool is_whole = static_cast<double>(chain.loose) <= k_loose_share * size;
             const bool is_border = !is_in_run(n) && chain.size >= least &&
-                                   static_cast<double>(chain.loose) <= k_loose_share * size &&
+                                   (is_whole || may_be_broken) &&
                                    static_cast<double>(chain.supplemented) <= share * size;
             open_[n].verdict = is_border      ? Verdict::border
                                : is_crease(n) ? Verdict::crease
@@ -191,6 +245,14 @@ public:
     }
 
 private:
+    // Of all its gaps together, in radians: what its triangles leave of a full turn.
+    static double opening(const Neighbourhood& around, const Fan& fan) {
+        double rest = 2.0 * std::numbers::pi;
+        for (std::size_t j = 0; j < fan.size; ++j)
+            if (!fan.is_gap(j)) rest -= around.angle(fan, j);
+        return rest;
+    }
+
     bool is_open(std::uint32_t point) const { return slot_[point] != k_closed; }
 
     void set_open(std::uint32_t point, const Fan& fan) {
@@ -210,23 +272,38 @@ private:
             }
     }
 
-    // Calls body(place in open_) for each open point that names it and that it names.
+    // Calls body(place in open_) for each open point that names it and that it names, and where it is joined.
     template <typename Body>
     void each_link(std::uint32_t n, Body&& body) const {
         for (std::uint32_t e = 0; e < ends_[n].count; ++e) {
             const std::uint32_t to = ends_[n].points[e];
             if (is_open(to) && ends_[slot_[to]].has(open_[n].point)) body(slot_[to]);
         }
+        if (joint_[n] != k_closed) body(joint_[n]);
     }
-    // How many points it is linked to, 2 for more.
-    std::uint32_t link_count(std::uint32_t n) const {
+    struct Links {
         std::uint32_t first = k_closed;
-        bool has_two = false;
+        int count = 0;  // 2 for more.
+    };
+    Links links(std::uint32_t n) const {
+        Links found;
         each_link(n, [&](std::uint32_t to) {
-            has_two |= first != k_closed && first != to;
-            first = to;
+            if (found.count == 0)
+                found = {to, 1};
+            else if (to != found.first)
+                found.count = 2;
         });
-        return first == k_closed ? 0 : has_two ? 2 : 1;
+        return found;
+    }
+    std::optional<std::uint32_t> only_link(std::uint32_t n) const {
+        const Links found = links(n);
+        return found.count == 1 ? std::optional(found.first) : std::nullopt;
+    }
+    bool has_in_star(std::uint32_t point, std::uint32_t other) const {
+        const Fan& star = stars_.fans[point];
+        const auto list = neighbours_.of(point);
+        return std::any_of(star.ring.begin(), star.ring.begin() + star.size,
+                           [&](std::uint8_t place) { return list[place] == other; });
     }
     // For each open point one that stands for all it is linked to, among those for which it is_member.
     template <typename IsMember>
@@ -327,13 +404,17 @@ private:
                     continue;
                 }
             }
-            const double excess_after =
-                fan.is_gap(after) ? 0.0 : stars_.excess(around, point, fan, after);
-            const double excess_before =
-                fan.is_gap(before) ? 0.0 : stars_.excess(around, point, fan, before);
-            if (std::max(excess_after, excess_before) <= k_weak_excess) continue;
-            fan.open(excess_after > excess_before ? after : before);
-            is_changed = true;
+            // Opens the one that has more of it, if that is more than `least`.
+            const auto open_greater = [&](double least, auto&& measure) {
+                const double of_after = fan.is_gap(after) ? 0.0 : measure(after);
+                const double of_before = fan.is_gap(before) ? 0.0 : measure(before);
+                if (std::max(of_after, of_before) <= least) return false;
+                fan.open(of_after > of_before ? after : before);
+                return true;
+            };
+            const auto excess = [&](std::size_t j) { return stars_.excess(around, point, fan, j); };
+            const auto angle = [&](std::size_t j) { return around.angle(fan, j); };
+            is_changed |= open_greater(k_weak_excess, excess) || open_greater(k_obtuse, angle);
         }
         merge_gaps(fan);
         if (!is_changed || !fan.is_umbrella()) return std::nullopt;
@@ -381,8 +462,11 @@ private:
     std::vector<std::uint32_t> slot_;  // In open_, or k_closed.
     std::vector<OpenPoint> open_;
     std::vector<Ends> ends_;  // Of each.
-    std::vector<Fan>
-        sides_;  // Of each that parts into two, its first side, the second its supplement.
+    std::vector<std::uint32_t>
+        joint_;  // Of each, the place of the loose end that it is joined with, or k_closed.
+    std::vector<double> openings_;
+    // Of each that parts into two, its first side, the second its supplement.
+    std::vector<Fan> sides_;
 };
 
 }  // namespace
@@ -394,7 +478,8 @@ std::vector<OpenPoint> trace_borders(std::span<const glm::dvec3> points,
     tracing.find_gaps({call, 0.0, 0.5});
     for (int round = 0; round < k_most_rounds && tracing.round(); ++round)
         call.checkpoint(0.5 + 0.3 * (round + 1) / k_most_rounds);
-    tracing.find_supplements({call, 0.8, 1.0});
+    tracing.join_ends();
+    tracing.look_across({call, 0.8, 1.0});
     tracing.judge_chains();
     std::vector<OpenPoint> open = tracing.take();
     straighten_borders(points, neighbours, open);

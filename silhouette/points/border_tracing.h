@@ -18,13 +18,17 @@
 //               Six rounds at most; each sees the state before it.
 //   creases     an open point may have a second partial umbrella between the same ends, or its own may part
 //               into two (supplement.h): there two smooth patches meet, and no surface ends. Runs of twelve
-//               such points and more are creases, and so are 35% of a chain, 70% where it closes.
+//               such points and more are creases, and so are 35% of a chain, 70% where it closes without
+//               joints.
+//   joints      noise breaks borders. Two ends of such chains, each in the other's star or the other in its
+//               own, are joined where they run on in each other by turns of 40 degrees at most.
 //   verdict     points that name each other are one chain. A chain is a border where at most a tenth of
-//               its points are loose, linked to fewer than two others; from 5 points on. Points that stand
-//               back from their border are taken off it last.
+//               its points are loose, linked to fewer than two others; from 5 points on. From 12 points on
+//               it is one however many are loose, where four fifths open by more than 150 degrees. Points
+//               that stand back from their border are taken off it last.
 //
-// Sampled surfaces without borders have hundreds of gaps, in chains of a few points with two loose ends;
-// real borders hardly ever have one (docs/points.md).
+// Sampled surfaces without borders have hundreds of gaps, narrow ones, in chains of a few points with two
+// loose ends; real borders have few of either (docs/points.md).
 
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -10,9 +10,6 @@ namespace rimline {
 
 namespace {
 
-// A triangle's size: from an angle of 166 degrees on.
-constexpr double k_longest_edges = 2.0;
-
 glm::dvec3 any_perpendicular(const glm::dvec3& n) {
     return glm::normalize(
         glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
@@ -197,7 +194,7 @@ Neighbourhood::Triangle Neighbourhood::triangle(const Fan& fan, std::size_t j) c
     const double twice_area = glm::length(product);
     const double cosine = glm::dot(edges_[a], edges_[b]);
     const double opposite = glm::length(edges_[b] - edges_[a]);
-    const double most = k_longest_edges * std::max({lengths_[a], lengths_[b], opposite});
+    const double most = std::max({lengths_[a], lengths_[b], opposite});
     if (!(twice_area > 0.0))
         return {glm::dvec3(0.0), std::numeric_limits<double>::infinity(), most, 0.0, cosine, 0.0};
     const double factor = 1.0 / twice_area;

@@ -44,8 +44,8 @@ public:
     struct Triangle {
         glm::dvec3 normal;    ///< Of length 1, or zero where it has no area.
         double circumradius;  ///< Infinite where it has no area.
-        /// Its circumradius, but at most twice its longest edge: how far apart the surface's points lie, of
-        /// which a thin triangle between points in a row says nothing.
+        /// Its circumradius, but at most its longest edge (so from an angle of 150 degrees on): how far apart
+        /// the surface's points lie, of which a thin triangle between points in a row says nothing.
         double size;
         double sine, cosine;  ///< Of its angle at the point, times the lengths of both edges.
         double angle;         ///< In radians.

@@ -13,9 +13,12 @@ namespace rimline {
 namespace {
 
 constexpr double k_greatest_turn = std::numbers::pi / 3.0;
-constexpr double k_explained = 0.2588;       // The sine of 15 degrees.
-constexpr double k_cosine_of_flat = 0.9397;  // 20 degrees.
-constexpr double k_cosine_of_tried = 0.985;  // 10 degrees: too near to a plane that was tried.
+constexpr double k_sine_of_explained = 0.4226;  // 25 degrees.
+constexpr double k_sine_of_aside = 0.2588;      // 15 degrees.
+constexpr double k_cosine_of_flat = 0.9397;     // 20 degrees.
+constexpr double k_cosine_of_tried = 0.985;     // 10 degrees: too near to a plane that was tried.
+constexpr double k_ear_angle = 130.0 * std::numbers::pi / 180.0;
+constexpr double k_cosine_of_side = 0.2588;  // 75 degrees.
 constexpr std::size_t k_most_tried = 16;
 constexpr double k_steep = std::numbers::pi / 4.0;
 // Of candidates with the plane: 50 degrees, and 25 for edges so sharp that the first side is nearer.
@@ -44,7 +47,7 @@ std::uint64_t unexplained(const Neighbourhood& around, const Fan& fan, const glm
                 continue;
             const glm::dvec3 product = around.cross(fan, j);
             if (std::abs(glm::dot(product, d)) <
-                k_explained * glm::length(product) * around.length(place))
+                k_sine_of_explained * glm::length(product) * around.length(place))
                 places &= ~(std::uint64_t{1} << place);
         }
     }
@@ -79,6 +82,15 @@ bool folds_back(const glm::dvec3& normal, const glm::dvec3& of_what_runs_on) {
     return glm::dot(normal, of_what_runs_on) <= -k_cosine_of_flat;
 }
 
+// What stands before a border point that noise has pushed back, and no second side: an obtuse triangle, in
+// `fan`, within 75 degrees of running on as the first side does.
+bool is_ear(const Neighbourhood& around, const Fan& fan, const glm::dvec3& normal) {
+    if (glm::dot(normal, around.normal(fan)) < k_cosine_of_side) return false;
+    for (std::size_t j = 0; j < fan.size; ++j)
+        if (!fan.is_gap(j) && around.angle(fan, j) > k_ear_angle) return true;
+    return false;
+}
+
 }  // namespace
 
 Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
@@ -102,7 +114,9 @@ Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan&
         for (const double sine : k_sines) {
             Fan other =
                 partial_between(around, point, last, first, plane, sine, places, stars, gap_ratio);
-            if (!other.is_umbrella() || folds_back(normal, around.normal(other))) continue;
+            if (!other.is_umbrella() || folds_back(normal, around.normal(other)) ||
+                is_ear(around, other, normal))
+                continue;
             return other;
         }
     }
@@ -136,7 +150,7 @@ std::optional<SplitFan> split_fold(const Neighbourhood& around, std::uint32_t po
             const glm::dvec3 product = glm::cross(along, d);
             // Others of the crease itself, behind its ends, have no side.
             const bool is_aside =
-                glm::length(product) > k_explained * glm::length(along) * around.length(place);
+                glm::length(product) > k_sine_of_aside * glm::length(along) * around.length(place);
             if (is_aside && plane == glm::dvec3(0.0)) plane = product;
         }
         const double length = glm::length(plane);

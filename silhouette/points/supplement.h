@@ -11,8 +11,9 @@ namespace rimline {
 
 /// `fan` has one gap. A fan with one gap too, whose ends are those of `fan`, running on where it ends;
 /// of no umbrella where there is none. Its plane is that of a neighbour's star, nearest first; neighbours
-/// within 15 degrees of a triangle of `fan`, seen in its plane, are left out, and so is a fan that lies
-/// within 20 degrees of folding back onto `fan`.
+/// within 25 degrees of a triangle of `fan`, seen in its plane, are left out, and so is a fan that lies
+/// within 20 degrees of folding back onto `fan`, or that has a triangle above 130 degrees and turns from
+/// `fan` by less than 75: noise leaves such triangles before a border.
 Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
                     const Stars& stars, double gap_ratio);
 

@@ -46,6 +46,55 @@ TEST_CASE("two close sheets keep apart inside and at four spacings along their b
     }
 }
 
+TEST_CASE("borders bear noise as well as measured") {
+    // Ten bowls of 20 by 20 points each, spaced wider one way than the other. Noise is in mean spacings.
+    struct Bound {
+        double noise, aspect;
+        int missed, extra, undecided;  // Of 760 border points; as measured.
+    };
+    constexpr std::uint32_t k_n = 20;
+    for (const Bound& bound : {Bound{0.05, 1.0, 8, 0, 2},
+                               {0.05, 2.0, 24, 0, 3},
+                               {0.05, 3.0, 109, 2, 9},
+                               {0.1, 1.0, 36, 0, 3},
+                               {0.1, 2.0, 133, 0, 6},
+                               {0.1, 3.0, 163, 3, 9},
+                               {0.2, 1.0, 111, 3, 4},
+                               {0.2, 3.0, 384, 49, 44}}) {
+        CAPTURE(bound.noise);
+        CAPTURE(bound.aspect);
+        int missed = 0, extra = 0, undecided = 0;
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            tests::Patch bowl = tests::make_patch(k_n, 0.1, seed);
+            for (glm::dvec3& p : bowl.points) {
+                const double x = bound.aspect * (p.x - 0.5), y = p.y - 0.5;
+                p = {x, y, (2.0 * x * x + y * y) / bound.aspect};
+            }
+            tests::add_noise(bowl.points, bound.noise * 0.5 * (1.0 + bound.aspect) / (k_n - 1),
+                             seed + 100);
+            const PointSurface surface(bowl.points);
+            for (std::uint32_t i = 0; i < surface.size(); ++i) {
+                const bool is_found = surface.label(PointId{i}) == PointLabel::border;
+                missed += bowl.is_border[i] && !is_found;
+                extra += !bowl.is_border[i] && is_found;
+                undecided += surface.label(PointId{i}) == PointLabel::undecided;
+            }
+        }
+        CHECK(missed <= bound.missed);
+        CHECK(extra <= bound.extra);
+        CHECK(undecided <= bound.undecided);
+    }
+}
+
+TEST_CASE("noise opens no sphere") {
+    for (const double noise : {0.05, 0.1, 0.2}) {
+        CAPTURE(noise);
+        std::vector<glm::dvec3> points = tests::make_sphere(2000);
+        tests::add_noise(points, noise * std::sqrt(4.0 * std::numbers::pi / 2000.0), 3);
+        CHECK(PointSurface(points).count(PointLabel::border) == 0);
+    }
+}
+
 TEST_CASE("points in rows far denser along than across have the surface's normals and borders") {
     constexpr int k_along = 160, k_rows = 20;
     tests::Random random(31);

@@ -47,4 +47,16 @@ inline std::vector<glm::dvec3> make_sphere(std::uint32_t count) {
     return points;
 }
 
+/// Every coordinate moved by nearly normally distributed noise of that standard deviation.
+inline void add_noise(std::vector<glm::dvec3>& points, double deviation, std::uint64_t seed) {
+    Random random(seed);
+    const auto normal = [&] {  // Irwin-Hall: twelve of variance 1/3.
+        double sum = 0.0;
+        for (int i = 0; i < 12; ++i) sum += jitter(random);
+        return sum / 2.0;
+    };
+    for (glm::dvec3& p : points)
+        for (int axis = 0; axis < 3; ++axis) p[axis] += deviation * normal();
+}
+
 }  // namespace rimline::tests
