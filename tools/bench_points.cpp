@@ -101,6 +101,7 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, doubl
     result.kind = kind_of(truth);
     result.points = static_cast<std::uint32_t>(truth.positions.size());
     result.border = truth.border_count;
+    result.border_wide = truth.wide_count;
     if (result.kind == PointsBenchResult::Kind::unfit) return result;
     if (noise > 0.0) add_noise(truth, noise);
 
@@ -112,6 +113,7 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, doubl
         for (std::uint32_t i = 0; i < result.points; ++i) {
             found[i] = is_border(i);
             count.missed += truth.is_border[i] && !found[i];
+            count.missed_wide += truth.is_wide_at[i] && !found[i];
             count.extra += !truth.is_border[i] && found[i];
         }
         if (result.border == 0 && count.extra > k_most_extra)

@@ -21,6 +21,7 @@ namespace rimline::tools {
 struct BorderCount {
     std::string method;
     std::uint32_t missed = 0, extra = 0;
+    std::uint32_t missed_wide = 0;  ///< Of the missed, those where the opening is wide.
     /// Of the extra ones of a closed model (count_around_holes); not counted while extra is at most 10.
     std::uint32_t around_holes = 0;
 };
@@ -30,6 +31,7 @@ struct PointsBenchResult {
     std::string model;
     Kind kind = Kind::unfit;
     std::uint32_t points = 0, border = 0;
+    std::uint32_t border_wide = 0;  ///< Of the border, where the opening is wide.
     /// robust, thesis, the gap rule by threshold, then other libraries' where they are installed.
     std::vector<BorderCount> counts;
     std::uint32_t feature = 0, undecided = 0;

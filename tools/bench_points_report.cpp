@@ -125,6 +125,14 @@ void print_summary(const std::vector<PointsBenchResult>& results) {
                 "%s: of %u extra points %u surround holes in its samples, and do not count\n",
                 std::filesystem::path(result.model).filename().c_str(), result.counts[0].extra,
                 result.counts[0].around_holes);
+    for (const PointsBenchResult& result : results)
+        if (result.kind == Kind::wide && !result.is_found(result.counts[0]))
+            std::printf(
+                "%s: %u of %u border points missed where the opening is wide, %u of %u elsewhere\n",
+                std::filesystem::path(result.model).filename().c_str(),
+                result.counts[0].missed_wide, result.border_wide,
+                result.counts[0].missed - result.counts[0].missed_wide,
+                result.border - result.border_wide);
     print_normals(results);
     std::printf("%-28s %18s %18s %18s %18s\n", "found of", "wide", "other open", "smooth",
                 "other closed");
@@ -166,6 +174,7 @@ Json to_json(const PointsBenchResult& result) {
     for (const BorderCount& count : result.counts)
         counts.push_back({{"method", count.method},
                           {"missed", count.missed},
+                          {"missed_wide", count.missed_wide},
                           {"extra", count.extra},
                           {"around_holes", count.around_holes},
                           {"found", result.is_found(count)}});
@@ -173,6 +182,7 @@ Json to_json(const PointsBenchResult& result) {
             {"kind", name_of(result.kind)},
             {"points", result.points},
             {"border", result.border},
+            {"border_wide", result.border_wide},
             {"borders", std::move(counts)},
             {"feature", result.feature},
             {"undecided", result.undecided},

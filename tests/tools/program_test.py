@@ -683,6 +683,9 @@ def test_bench_points_measures_borders_beside_the_gap_rule():
     terrain = succeed("bench", "points", "shape:terrain:4000")["points"][0]
     missed = {count["method"]: count["missed"] for count in terrain["borders"]}
     assert terrain["border"] == 180 and missed["gap 150"] > 0
+    # Nothing is near it anywhere.
+    assert terrain["border_wide"] == 180
+    assert all(count["missed_wide"] == count["missed"] for count in terrain["borders"])
     for method in methods[6:]:
         library, neighbours, threshold = method.split()
         if neighbours == "16":
