@@ -55,14 +55,16 @@ public:
                 continue;
             }
             if (taken != Taken::change) break;  // Only a snapshot leads on.
-            needs_whole_ = needs_whole_ || !consumer.apply(change_.view());
+            // First: it is taken even where the consumer throws, and would be waited for in vain.
             is_on_its_way_ = change_.posted() < posted_at_ || !(change_.view().point == posted_);
+            needs_whole_ = needs_whole_ || !consumer.apply(change_.view());
         }
         if (needs_whole_ || is_on_its_way_) {
             needs_whole_ = true;
             read_tracker(snapshot_);
+            is_on_its_way_ = false;
             consumer.resend(snapshot_);
-            needs_whole_ = is_on_its_way_ = false;
+            needs_whole_ = false;
         }
         reached_ = point;
     }

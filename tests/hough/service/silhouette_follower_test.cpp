@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <new>
 #include <random>
 
 #include "silhouette/hough/baselines/brute_force.h"
@@ -125,6 +126,51 @@ TEST_CASE("a follower told of the state it has asks for nothing") {
     SilhouetteSnapshot state;
     follower.read_state(state);
     CHECK(state.slots == consumer.slots);
+}
+
+TEST_CASE("a consumer that throws has the whole state from the next call, at the same point too") {
+    const tests::IndexedShape model("torus", 400);
+    SilhouetteService service({.workers = 1});
+    SilhouetteFollower follower(service, model.octree, HomogeneousPoint::viewpoint({3, 1, 0.5f}));
+    struct Throwing : Consumer {
+        bool in_apply = false, in_resend = false;
+        bool apply(const ChangeSet& changes) {
+            if (in_apply) throw std::bad_alloc();
+            return Consumer::apply(changes);
+        }
+        void resend(const SilhouetteSnapshot& snapshot) {
+            if (in_resend) throw std::bad_alloc();
+            Consumer::resend(snapshot);
+        }
+    } consumer;
+    follower.follow(HomogeneousPoint::viewpoint({3, 1, 0.5f}), consumer);
+
+    const HomogeneousPoint point = HomogeneousPoint::viewpoint({-2, 0.5f, 2});
+    consumer.in_apply = true;
+    CHECK_THROWS_AS(follower.follow(point, consumer), std::bad_alloc);
+    // The change set is taken, and will not come again; nor will what the snapshot stood for.
+    follower.invalidate();
+    consumer.in_resend = true;
+    CHECK_THROWS_AS(follower.follow(point, consumer), std::bad_alloc);
+    consumer.in_apply = consumer.in_resend = false;
+    follower.follow(point, consumer);
+    CHECK(is_silhouette(model.mesh, consumer, point));
+    CHECK(consumer.resent == 2);
+    CHECK(consumer.applied == 0);
+
+    // The snapshot took the place of a change set that was lost.
+    const HomogeneousPoint next = HomogeneousPoint::viewpoint({0, -3, 1});
+    {
+        const tests::AllocationFaults faults;
+        follower.announce(next);
+        service.wait_idle();
+    }
+    CHECK(service.counters().lost == 1);
+    consumer.in_resend = true;
+    CHECK_THROWS_AS(follower.follow(next, consumer), std::bad_alloc);
+    consumer.in_resend = false;
+    follower.follow(next, consumer);
+    CHECK(is_silhouette(model.mesh, consumer, next));
 }
 
 TEST_CASE("a change set lost for want of memory becomes one whole state") {
