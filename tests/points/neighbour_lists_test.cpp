@@ -102,6 +102,32 @@ TEST_CASE("a point's list is its nearest, ties by number, and whoever counts it 
     }
 }
 
+// Islands of about as many points as neighbours are asked for, on fine lattices: of many a point the nearest
+// of the point before are all there are, and the farthest of both is one.
+TEST_CASE("a nearest point is found where it is known to be just as far") {
+    constexpr std::uint32_t k = 16;
+    Random random(12);
+    for (int cloud = 0; cloud < 1000; ++cloud) {
+        CAPTURE(cloud);
+        std::vector<glm::dvec3> points;
+        const double step = 0.002 + 0.002 * std::abs(jitter(random));
+        for (int island = random.between(3, 6); island > 0; --island) {
+            const glm::dvec3 center{jitter(random), jitter(random), jitter(random)};
+            for (std::uint32_t i = 0; i <= k; ++i) {
+                const auto cell = [&] { return step * random.between(-2, 2); };
+                const glm::dvec3 p = center + glm::dvec3(cell(), cell(), cell());
+                if (std::ranges::find(points, p) == points.end()) points.push_back(p);
+            }
+        }
+        const NeighbourLists lists(points, k, {});
+        for (std::uint32_t i = 0; i < points.size(); ++i) {
+            CAPTURE(i);
+            const std::vector<std::uint32_t> others = sorted_others(points, i);
+            CHECK(std::ranges::equal(lists.of(i).first(k), std::span(others).first(k)));
+        }
+    }
+}
+
 TEST_CASE("who lies in a row, straight or bent, has more neighbours, and no other has") {
     constexpr std::uint32_t k_along = 70;
     for (const double bend : {0.0, 0.1, 0.4}) {
