@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "silhouette/mesh/any_perpendicular.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/neighbour_lists.h"
 #include "silhouette/points/neighbourhood.h"
@@ -25,8 +26,7 @@ std::vector<double> widest_sectors(std::span<const glm::dvec3> positions) {
                 around.look_from(positions, i, neighbours.of(i).first(neighbours.nearest_count()));
                 const glm::dvec3 n = around.fitted_normal(around.size());
                 if (n == glm::dvec3(0.0)) continue;
-                const glm::dvec3 u = glm::normalize(
-                    glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+                const glm::dvec3 u = any_perpendicular(n);
                 const glm::dvec3 v = glm::cross(n, u);
                 angles.clear();
                 for (std::uint32_t j = 0; j < around.size(); ++j)

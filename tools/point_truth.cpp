@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "silhouette/mesh/angle_between.h"
+#include "silhouette/mesh/any_perpendicular.h"
 
 namespace rimline::tools {
 
@@ -97,8 +98,7 @@ private:
     bool is_wide(std::uint32_t v) const {
         const glm::dvec3& n = normals_by_area_[v];
         if (n == glm::dvec3(0.0)) return false;
-        const glm::dvec3 u = glm::normalize(
-            glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+        const glm::dvec3 u = any_perpendicular(n);
         const glm::dvec3 w = glm::cross(n, u);
         const auto direction = [&](const glm::dvec3& d) {
             return std::atan2(glm::dot(d, w), glm::dot(d, u));

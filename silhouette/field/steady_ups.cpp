@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "silhouette/error.h"
+#include "silhouette/mesh/any_perpendicular.h"
 
 namespace rimline {
 
@@ -13,11 +14,6 @@ namespace {
 
 constexpr double k_least_turn = 1e-9;  // Of the line of sight, where two eyes are in one direction.
 constexpr double k_least_weight = 1e-12;  // So that leaning is decided on the axis itself.
-
-glm::dvec3 any_perpendicular(const glm::dvec3& n) {
-    return glm::normalize(
-        glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
-}
 
 // By the rotation that takes unit vector `from` to unit vector `to` the short way.
 glm::dvec3 carried(const glm::dvec3& v, const glm::dvec3& from, const glm::dvec3& to) {

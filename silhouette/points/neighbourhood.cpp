@@ -6,14 +6,12 @@
 #include <limits>
 #include <numbers>
 
+#include "silhouette/mesh/angle_between.h"
+#include "silhouette/mesh/any_perpendicular.h"
+
 namespace rimline {
 
 namespace {
-
-glm::dvec3 any_perpendicular(const glm::dvec3& n) {
-    return glm::normalize(
-        glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
-}
 
 // To what directions are rounded.
 constexpr double k_same_angle = 0x1p-30;
@@ -175,8 +173,7 @@ double Neighbourhood::circumradius(const Fan& fan, std::size_t j) const noexcept
 }
 
 double Neighbourhood::angle(const Fan& fan, std::size_t j) const noexcept {
-    return std::atan2(glm::length(cross(fan, j)),
-                      glm::dot(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]));
+    return angle_between(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]);
 }
 
 double Neighbourhood::Triangle::deviation(const glm::dvec3& from) const noexcept {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "silhouette/mesh/angle_between.h"
+#include "silhouette/mesh/any_perpendicular.h"
 
 namespace rimline {
 
@@ -21,8 +22,7 @@ public:
 
     enum class Hidden { kept, dropped };
     void order(std::span<const std::uint8_t> places, Hidden hidden) {
-        const glm::dvec3 u = glm::normalize(glm::cross(
-            normal_, std::abs(normal_.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+        const glm::dvec3 u = any_perpendicular(normal_);
         const glm::dvec3 v = glm::cross(normal_, u);
         for (const std::uint8_t place : places) {
             const glm::dvec3& d = around_.edge(place);
