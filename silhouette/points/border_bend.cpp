@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
 
+#include "silhouette/mesh/angle_between.h"
 #include "silhouette/points/border_tracing.h"
 
 namespace rimline {
@@ -49,19 +49,20 @@ public:
     bool round() {
         std::vector<double> bends(open_.size(), 0.0);
         for (std::size_t n = 0; n < open_.size(); ++n) bends[n] = bend_of(open_[n]);
-        bool is_changed = false;
+        std::vector<std::size_t> farthest;  // No two in a row.
         for (std::size_t n = 0; n < open_.size(); ++n) {
             if (bends[n] == 0.0) continue;
-            const auto [a, b] = ends(open_[n]);
-            const std::size_t before = *place_of(a), after = *place_of(b);
             const auto stands_less = [&](std::size_t other) {
                 return bends[other] < bends[n] || (bends[other] == bends[n] && other > n);
             };
-            if (!stands_less(before) || !stands_less(after)) continue;
-            take_off(open_[n], open_[before], open_[after]);
-            is_changed = true;
+            const auto [a, b] = ends(open_[n]);
+            if (stands_less(*place_of(a)) && stands_less(*place_of(b))) farthest.push_back(n);
         }
-        return is_changed;
+        for (const std::size_t n : farthest) {
+            const auto [a, b] = ends(open_[n]);
+            take_off(open_[n], open_[*place_of(a)], open_[*place_of(b)]);
+        }
+        return !farthest.empty();
     }
 
 private:
@@ -123,8 +124,7 @@ private:
 }  // namespace
 
 double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const glm::dvec3 p = points[b] - points[a], q = points[c] - points[b];
-    return std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
+    return angle_between(points[b] - points[a], points[c] - points[b]);
 }
 
 double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint32_t> c,

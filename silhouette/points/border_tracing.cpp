@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 
+#include "silhouette/mesh/angle_between.h"
 #include "silhouette/points/border_bend.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/supplement.h"
@@ -171,30 +172,28 @@ public:
     void look_across(const CallPart& part) {
         openings_.resize(open_.size());
         sides_.resize(open_.size());
-        each_point(static_cast<std::uint32_t>(open_.size()), part,
-                   [&](std::uint32_t first, std::uint32_t last) {
-                       Neighbourhood around;
-                       for (std::uint32_t n = first; n < last; ++n) {
-                           OpenPoint& open = open_[n];
-                           around.look_from(points_, open.point, neighbours_.of(open.point));
-                           openings_[n] = opening(around, open.fan);
-                           if (std::popcount(open.fan.gaps) != 1) continue;
-                           if (const auto split =
-                                   split_fold(around, open.point, open.fan, stars_, gap_ratio_)) {
-                               sides_[n] = split->fan;
-                               open.supplement = split->supplement;
-                               continue;
-                           }
-                           open.supplement =
-                               find_supplement(around, open.point, open.fan, stars_, gap_ratio_);
-                       }
-                   });
+        each_point(
+            static_cast<std::uint32_t>(open_.size()), part,
+            [&](std::uint32_t first, std::uint32_t last) {
+                Neighbourhood around;
+                for (std::uint32_t n = first; n < last; ++n) {
+                    const OpenPoint& open = open_[n];
+                    around.look_from(points_, open.point, neighbours_.of(open.point));
+                    openings_[n] = opening(around, open.fan);
+                    if (std::popcount(open.fan.gaps) != 1) continue;
+                    const auto split = split_fold(around, open.point, open.fan, stars_, gap_ratio_);
+                    sides_[n] =
+                        split ? *split
+                              : SplitFan{open.fan, find_supplement(around, open.point, open.fan,
+                                                                   stars_, gap_ratio_)};
+                }
+            });
     }
 
     void judge_chains() {
         using Verdict = OpenPoint::Verdict;
         // Long runs of supplemented points are creases wherever they lie; what they part may end there.
-        const auto is_crease = [&](std::uint32_t n) { return open_[n].supplement.is_umbrella(); };
+        const auto is_crease = [&](std::uint32_t n) { return sides_[n].supplement.is_umbrella(); };
         const std::vector<std::uint32_t> runs = connected(is_crease);
         std::vector<std::size_t> run_size(open_.size(), 0);
         for (std::uint32_t n = 0; n < open_.size(); ++n) run_size[runs[n]] += is_crease(n);
@@ -233,8 +232,10 @@ public:
             open_[n].verdict = is_border      ? Verdict::border
                                : is_crease(n) ? Verdict::crease
                                               : Verdict::none;
-            if (open_[n].verdict == Verdict::crease && sides_[n].is_umbrella())
-                open_[n].fan = sides_[n];
+            if (open_[n].verdict == Verdict::crease) {
+                open_[n].fan = sides_[n].fan;
+                open_[n].supplement = sides_[n].supplement;
+            }
         }
     }
 
@@ -391,14 +392,13 @@ private:
             if (is_open(point) && !fan.is_gap(after) && !fan.is_gap(before)) {
                 // One triangle short, and the end that it loses is next to the one who names it.
                 const Ends& ends = ends_[slot_[link.from]];
-                const std::size_t next = fan.next(after), previous = before;
+                const std::size_t next = fan.next(after);
                 if (fan.is_gap(next) && ends.has(around.number(fan.ring[next]))) {
                     fan.open(after);
                     is_changed = true;
                     continue;
                 }
-                if (fan.is_gap(fan.previous(previous)) &&
-                    ends.has(around.number(fan.ring[previous]))) {
+                if (fan.is_gap(fan.previous(before)) && ends.has(around.number(fan.ring[before]))) {
                     fan.open(before);
                     is_changed = true;
                     continue;
@@ -432,9 +432,8 @@ private:
                 const auto a = place_in(star, around, named[x].from);
                 const auto b = place_in(star, around, named[y].from);
                 if (!a || !b) continue;
-                const glm::dvec3& p = around.edge(star.ring[*a]);
-                const glm::dvec3& q = around.edge(star.ring[*b]);
-                const double apart = std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q));
+                const double apart =
+                    angle_between(around.edge(star.ring[*a]), around.edge(star.ring[*b]));
                 if (apart > farthest) {
                     farthest = apart;
                     first = *a;
@@ -462,11 +461,10 @@ private:
     std::vector<std::uint32_t> slot_;  // In open_, or k_closed.
     std::vector<OpenPoint> open_;
     std::vector<Ends> ends_;  // Of each.
-    std::vector<std::uint32_t>
-        joint_;  // Of each, the place of the loose end that it is joined with, or k_closed.
+    // Of each, the place of the loose end that it is joined with, or k_closed.
+    std::vector<std::uint32_t> joint_;
     std::vector<double> openings_;
-    // Of each that parts into two, its first side, the second its supplement.
-    std::vector<Fan> sides_;
+    std::vector<SplitFan> sides_;  // Of each with one gap: what it would be as a crease.
 };
 
 }  // namespace

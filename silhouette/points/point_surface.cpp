@@ -1,6 +1,7 @@
 #include "silhouette/points/point_surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -14,8 +15,11 @@ namespace rimline {
 
 namespace {
 
-// A ring is empty in `begin` of points without umbrella and of those that are not in the order.
+// The place of a point that coincides with another.
 constexpr std::uint32_t k_not_ordered = std::numeric_limits<std::uint32_t>::max();
+
+constexpr std::uint32_t k_batch = 1u << 16;  // Between two looks at whether to stop.
+constexpr std::size_t k_most_ring_points = std::numeric_limits<std::uint32_t>::max();
 
 void check(const PointSurfaceOptions& options) {
     RIMLINE_CHECK(options.k >= 4 && options.k <= 32);
@@ -37,7 +41,7 @@ const char* describe(UndecidedReason reason) noexcept {
         case UndecidedReason::collinear: return "all its neighbours lie on one line with it";
         case UndecidedReason::no_normal: return "no plane through it has neighbours around it";
         case UndecidedReason::unconfirmed_border:
-            return "it sees a border that its neighbours do not see";
+            return "it sees a border that does not go on through its neighbours";
     }
     return "";
 }
@@ -50,6 +54,7 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
         throw Error(ErrorCode::too_large, "2^31 points or more");
     call.checkpoint(0.0);
     const OrderedPoints ordered = order_points(positions);
+    call.checkpoint(0.05);
     const NeighbourLists neighbours(ordered.positions, options.k, call.part(0.1, 0.5));
     const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas
                                                                             : find_robust_umbrellas;
@@ -63,6 +68,8 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     ring_begin_.push_back(0);
     const auto add = [&](std::uint32_t i, const Fan& fan, const glm::dvec3& normal) {
         const auto list = neighbours.of(i);
+        if (rings_.size() > k_most_ring_points - fan.size)
+            throw Error(ErrorCode::too_large, "2^32 points of rings or more");
         for (std::size_t j = 0; j < fan.size; ++j)
             rings_.push_back(PointId{ordered.numbers[list[fan.ring[j]]]});
         gaps_.push_back(fan.gaps);
@@ -70,6 +77,7 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
         ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
     };
     for (std::uint32_t point = 0; point < size(); ++point) {
+        if (point % k_batch == 0) call.checkpoint(0.95 + 0.03 * point / size());
         if (const std::uint32_t i = place[point]; i != k_not_ordered) {
             labels_[point] = found.labels[i];
             reasons_[point] = found.reasons[i];
@@ -84,11 +92,10 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
         ++counts_[static_cast<std::size_t>(labels_[point])];
         umbrella_begin_.push_back(static_cast<std::uint32_t>(gaps_.size()));
     }
-    count_inconsistent_edges();
-    call.checkpoint(1.0);
+    count_inconsistent_edges(call);
 }
 
-void PointSurface::count_inconsistent_edges() {
+void PointSurface::count_inconsistent_edges(const LongCall& call) {
     const auto ends_of = [&](PointId point, std::vector<PointId>& ends) {
         ends.clear();
         const UmbrellaRange range = umbrellas_of(point);
@@ -103,14 +110,18 @@ void PointSurface::count_inconsistent_edges() {
         std::sort(ends.begin(), ends.end());
         ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     };
-    std::vector<PointId> ends, back;
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        ends_of(PointId{i}, ends);
-        for (const PointId end : ends) {
-            ends_of(end, back);
-            inconsistent_edges_ += !std::binary_search(back.begin(), back.end(), PointId{i});
+    std::atomic<std::uint32_t> count = 0;
+    each_point(size(), {call, 0.98, 1.0}, [&](std::uint32_t first, std::uint32_t last) {
+        std::vector<PointId> ends, back;
+        for (std::uint32_t i = first; i < last; ++i) {
+            ends_of(PointId{i}, ends);
+            for (const PointId end : ends) {
+                ends_of(end, back);
+                if (!std::binary_search(back.begin(), back.end(), PointId{i})) ++count;
+            }
         }
-    }
+    });
+    inconsistent_edges_ = count;
 }
 
 }  // namespace rimline

@@ -39,9 +39,9 @@ enum class UndecidedReason : std::uint8_t {
     coincident,  ///< Nearer to another point than 2^-50 of the whole set's extent.
     isolated,    ///< None of its nearest neighbours counts it among their own.
     collinear,   ///< All its neighbours lie on one line with it.
-    no_normal,   ///< No plane was found about which two neighbours lie.
-    /// It has a partial umbrella whose gap continues in none of its neighbours. Only it has an umbrella, and
-    /// so a normal and a scale, among the undecided.
+    no_normal,  ///< No plane was found about which neighbours lie that have a triangle of the surface.
+    /// It has a gap whose chain, through the points that name each other, is no border: too short, or broken.
+    /// Only it has an umbrella, and so a normal and a scale, among the undecided.
     unconfirmed_border,
 };
 
@@ -87,7 +87,7 @@ struct Umbrella {
 class PointSurface {
 public:
     /// `positions` must be finite; equal ones are undecided but for one (merge them before). O(n log n),
-    /// on all threads. Throws Error{too_large} from 2^31 points, Error{cancelled}.
+    /// on all threads. Throws Error{too_large} from 2^31 points or 2^32 of all rings, Error{cancelled}.
     explicit PointSurface(std::span<const glm::dvec3> positions,
                           const PointSurfaceOptions& options = {}, const LongCall& call = {});
 
@@ -130,12 +130,12 @@ public:
         const UmbrellaRange range = umbrellas_of(point);
         return range.size() == 0 ? glm::dvec3(0.0) : normals_[range.first];
     }
-    /// How far apart the surface's points lie: the median circumradius of the point's triangles, of thin ones
-    /// twice the longest edge. In the units of the positions; zero where it has no umbrella.
+    /// How far apart the surface's points lie: the median circumradius of the triangles of the point's star,
+    /// of thin ones the longest edge. In the units of the positions; zero where it has no umbrella.
     double scale(PointId point) const noexcept { return scales_[index(point)]; }
 
 private:
-    void count_inconsistent_edges();
+    void count_inconsistent_edges(const LongCall& call);
 
     std::vector<glm::dvec3> positions_;
     std::vector<PointLabel> labels_;

@@ -23,7 +23,7 @@ FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
     for (const OpenPoint& open : open_points) {
         const std::uint32_t point = open.point;
         around.look_from(points, point, neighbours.of(point));
-        // What only this point sees closes again, where its star is whole.
+        // A gap of no border closes again, where the point's star is whole.
         const bool is_whole = open.fan.gaps == 0;
         const bool is_spurious = open.verdict == OpenPoint::Verdict::none && !is_whole;
         if (is_spurious && found.fans[point].gaps == 0) {
@@ -49,6 +49,10 @@ FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
         }
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
+        // Of a star that was judged by its neighbours before they changed all sectors may be gaps.
+        if (found.labels[i] == PointLabel::interior && found.reasons[i] == UndecidedReason::none &&
+            (found.fans[i].gaps != 0 || found.normals[i] == glm::dvec3(0.0)))
+            found.reasons[i] = UndecidedReason::no_normal;
         if (found.reasons[i] == UndecidedReason::none) continue;
         found.labels[i] = PointLabel::undecided;
         if (found.reasons[i] != UndecidedReason::unconfirmed_border) found.fans[i].size = 0;

@@ -20,7 +20,7 @@ constexpr double k_sine_of_candidates = 0.766;         // 50 degrees.
 constexpr double k_clean_deviation = 15.0 * k_degree;  // Mean, of a star that needs no other.
 constexpr double k_gap_cost = 1.0;
 constexpr double k_cost_tie = 1e-9;  // Of costs: of mirror images the first that was asked stays.
-constexpr std::uint32_t k_fits[] = {k_most_neighbours, 8, 5};  // Capped by k.
+constexpr std::uint32_t k_fits[] = {k_most_neighbours, 8, 5};  // Of those that span its surface.
 constexpr int k_rounds = 2;                  // Of asking, then as many of mending.
 constexpr std::uint32_t k_asked = 8;         // Neighbours for their normals.
 constexpr double k_cosine_of_same = 0.9659;  // 15 degrees: too near to a normal that was tried.
@@ -70,11 +70,11 @@ public:
                      return was_changed_[q] != 0;
                  })))
                 asking.push_back(i);
-        choose_again(asking, part, [](std::uint32_t, const Choice&) { return 0.0; });
+        choose_again(asking, Asking::for_less_cost, part);
     }
 
     // A star of two sheets at once may well be clean, but it stands across what its ring sees. There that
-    // angle counts as well, and whole stars alone, for borders are not to come or go by it.
+    // angle counts as well, and only whole stars may take its place, for no borders are to come by it.
     void mend(const CallPart& part) {
         std::vector<std::uint8_t> is_across(points_.size());
         each_point(static_cast<std::uint32_t>(points_.size()), {part.call, part.begin, part.begin},
@@ -86,11 +86,7 @@ public:
         std::vector<std::uint32_t> asking;
         for (std::uint32_t i = 0; i < points_.size(); ++i)
             if (is_across[i] != 0) asking.push_back(i);
-        choose_again(asking, part, [this](std::uint32_t point, const Choice& choice) {
-            return choice.is_whole ? std::acos(std::min(
-                                         cosine_with_ring(point, choice.fan, choice.normal), 1.0))
-                                   : k_infinity;
-        });
+        choose_again(asking, Asking::for_less_angle, part);
     }
 
     Stars stars() { return std::move(stars_); }
@@ -143,10 +139,8 @@ private:
     }
     Choice judge_among(std::uint32_t point, const Neighbourhood& around, const Fan& fan,
                        double limit) const {
-        return judge(around, fan, limit, [&](std::size_t j, double) {
-            return std::max({stars_.scales[point], stars_.scales[around.number(fan.ring[j])],
-                             stars_.scales[around.number(fan.ring[fan.next(j)])]});
-        });
+        return judge(around, fan, limit,
+                     [&](std::size_t j, double) { return stars_.scale_of(around, point, fan, j); });
     }
 
     void take(std::uint32_t point, const Choice& choice) {
@@ -200,33 +194,38 @@ private:
         return *found;
     }
 
-    // Every point sees the normals and scales that its neighbours had before. extra(point, choice): what is
-    // added to the choice's cost.
-    template <typename Extra>
-    void choose_again(std::span<const std::uint32_t> asking, const CallPart& part, Extra&& extra) {
-        std::vector<Choice> choices(asking.size());
-        each_point(static_cast<std::uint32_t>(asking.size()), part,
+    // for_less_angle: that with its ring is added to a star's cost, and those with gaps are none to take.
+    enum class Asking : std::uint8_t { for_less_cost, for_less_angle };
+
+    // Every point sees the normals and scales that its neighbours had before.
+    void choose_again(std::span<const std::uint32_t> points, Asking asking, const CallPart& part) {
+        std::vector<Choice> choices(points.size());
+        each_point(static_cast<std::uint32_t>(points.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
                        Neighbourhood around;
                        for (std::uint32_t n = first; n < last; ++n)
-                           choices[n] = ask_neighbours(asking[n], around, extra);
+                           choices[n] = ask_neighbours(points[n], asking, around);
                    });
         was_changed_.assign(points_.size(), 0);
-        for (std::size_t n = 0; n < asking.size(); ++n) {
-            was_changed_[asking[n]] = choices[n].normal != stars_.normals[asking[n]] ||
-                                      choices[n].scale != stars_.scales[asking[n]];
-            if (was_changed_[asking[n]] != 0) stars_.is_clean[asking[n]] = 0;
-            take(asking[n], choices[n]);
+        for (std::size_t n = 0; n < points.size(); ++n) {
+            const std::uint32_t point = points[n];
+            was_changed_[point] = choices[n].normal != stars_.normals[point] ||
+                                  choices[n].scale != stars_.scales[point];
+            if (was_changed_[point] != 0) stars_.is_clean[point] = 0;
+            take(point, choices[n]);
         }
     }
 
-    template <typename Extra>
-    Choice ask_neighbours(std::uint32_t point, Neighbourhood& around, Extra&& extra) const {
+    Choice ask_neighbours(std::uint32_t point, Asking asking, Neighbourhood& around) const {
         around.look_from(points_, point, neighbours_.of(point));
         std::array<glm::dvec3, k_asked + 1> tried;
         std::size_t count = 0;
         Choice best = judge_among(point, around, stars_.fans[point], k_infinity);
-        best.cost += extra(point, best);
+        const bool counts_angle = asking == Asking::for_less_angle;
+        const auto angle_with_ring = [&](const Choice& choice) {
+            return std::acos(std::min(cosine_with_ring(point, choice.fan, choice.normal), 1.0));
+        };
+        if (counts_angle) best.cost += angle_with_ring(best);
         const auto ask = [&](const glm::dvec3& plane) {
             if (plane == glm::dvec3(0.0)) return;
             for (std::size_t t = 0; t < count; ++t)
@@ -234,7 +233,8 @@ private:
             tried[count++] = plane;
             Choice choice =
                 judge_among(point, around, around.star(plane, k_sine_of_candidates), best.cost);
-            if (choice.cost < best.cost) choice.cost += extra(point, choice);
+            if (counts_angle && !choice.is_whole) return;
+            if (counts_angle && choice.cost < best.cost) choice.cost += angle_with_ring(choice);
             if (choice.cost < best.cost - k_cost_tie) best = choice;
         };
         ask(stars_.normals[point]);
@@ -255,10 +255,9 @@ private:
 double Stars::excess(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
                      std::size_t sector) const {
     if (fan.is_gap(sector)) return k_infinity;
-    const double scale = std::max({scales[point], scales[around.number(fan.ring[sector])],
-                                   scales[around.number(fan.ring[fan.next(sector)])]});
     const Neighbourhood::Triangle triangle = around.triangle(fan, sector);
-    return excess_of(triangle.circumradius, triangle.deviation(normals[point]), scale);
+    return excess_of(triangle.circumradius, triangle.deviation(normals[point]),
+                     scale_of(around, point, fan, sector));
 }
 
 Stars choose_stars(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,

@@ -31,8 +31,7 @@ std::size_t only_gap(const Fan& fan) {
 // Places that the umbrella does not explain, and its gap's ends.
 std::uint64_t unexplained(const Neighbourhood& around, const Fan& fan, const glm::dvec3& normal) {
     const std::size_t gap = only_gap(fan);
-    std::uint64_t places =
-        around.size() == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << around.size()) - 1;
+    std::uint64_t places = (std::uint64_t{1} << around.size()) - 1;
     for (std::size_t j = 0; j < fan.size; ++j)
         if (j != gap && j != fan.next(gap)) places &= ~(std::uint64_t{1} << fan.ring[j]);
     for (std::uint32_t place = 0; place < around.size(); ++place) {
@@ -62,10 +61,7 @@ Fan partial_between(const Neighbourhood& around, std::uint32_t point, std::uint8
     Fan fan = around.star(plane, sine, places);
     for (std::size_t j = 0; j < fan.size; ++j) {
         if (fan.is_gap(j)) continue;
-        const double scale =
-            std::max({stars.scales[point], stars.scales[around.number(fan.ring[j])],
-                      stars.scales[around.number(fan.ring[fan.next(j)])]});
-        if (around.circumradius(fan, j) > gap_ratio * scale ||
+        if (around.circumradius(fan, j) > gap_ratio * stars.scale_of(around, point, fan, j) ||
             around.deviation(fan, j, plane) > k_greatest_turn)
             fan.open(j);
     }

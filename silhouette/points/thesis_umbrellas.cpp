@@ -61,7 +61,8 @@ public:
           reasons_(count_, UndecidedReason::none) {}
 
     void first(const CallPart& part) {
-        each(part, [&](std::uint32_t i, Neighbourhood& around) {
+        const double middle = part.begin + 0.9 * (part.end - part.begin);
+        each({part.call, part.begin, middle}, [&](std::uint32_t i, Neighbourhood& around) {
             if (!neighbours_.is_mutual(i)) {
                 reasons_[i] = k_ == 0 ? UndecidedReason::alone : UndecidedReason::isolated;
                 return;
@@ -74,7 +75,7 @@ public:
                     fans_[i].set(*fan);
         });
         normals_.assign(count_, glm::dvec3(0.0));
-        each(part, [&](std::uint32_t i, Neighbourhood& around) {
+        each({part.call, middle, part.end}, [&](std::uint32_t i, Neighbourhood& around) {
             if (fans_[i].is_whole()) normals_[i] = around.normal(fans_[i].fans[0]);
         });
     }

@@ -8,7 +8,7 @@
 //      whole umbrella, nearest first. A neighbour that an umbrella admits goes into no other, unless it
 //      lies on its boundary; one on two boundaries goes into no third. An umbrella without a boundary
 //      that has the fewest points is dropped, and else takes the place of all others. It ends when every
-//      boundary point lies on two boundaries, or no such neighbour remains.
+//      boundary point lies on two boundaries, no such neighbour remains, or there are four umbrellas.
 //   3  Boundaries against those of neighbours (5.2.5). A point whose umbrellas share all their boundary
 //      edges is left alone: smooth patches meet there, or a crease ends. One without boundary that two
 //      neighbours' boundaries lead to opens between them, on the side with fewer neighbours that have it

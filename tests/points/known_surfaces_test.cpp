@@ -12,6 +12,7 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/points/point_surface.h"
 #include "tests/points/sample_clouds.h"
+#include "tests/points/soundness.h"
 
 namespace rimline {
 namespace {
@@ -31,6 +32,7 @@ TEST_CASE("two close sheets keep apart inside and at four spacings along their b
         for (const glm::dvec3& p : tests::make_patch(k_n, 0.2, 6).points)
             points.push_back(p + glm::dvec3(0.0, 0.0, distance / (k_n - 1)));
         const PointSurface surface(points);
+        tests::check_sound(surface);
         for (std::uint32_t i = 0; i < surface.size(); ++i) {
             CAPTURE(i);
             const bool is_border = patch.is_border[i % (k_n * k_n)];
@@ -73,6 +75,7 @@ TEST_CASE("borders bear noise as well as measured") {
             tests::add_noise(bowl.points, bound.noise * 0.5 * (1.0 + bound.aspect) / (k_n - 1),
                              seed + 100);
             const PointSurface surface(bowl.points);
+            tests::check_sound(surface);
             for (std::uint32_t i = 0; i < surface.size(); ++i) {
                 const bool is_found = surface.label(PointId{i}) == PointLabel::border;
                 missed += bowl.is_border[i] && !is_found;
@@ -113,6 +116,7 @@ TEST_CASE("points in rows far denser along than across have the surface's normal
                 is_border.push_back(row == 0 || row == k_rows - 1 || i == 0 || i == k_along - 1);
             }
         const PointSurface surface(points);
+        tests::check_sound(surface);
         for (std::uint32_t i = 0; i < surface.size(); ++i) {
             CAPTURE(i);
             CHECK((surface.label(PointId{i}) == PointLabel::border) == is_border[i]);
@@ -153,6 +157,7 @@ TEST_CASE("where rows end the border runs across them, however little of it one 
                 is_border.push_back(row == 0 || row == k_rows - 1 || i == 0 || i == k_along - 1);
             }
         const PointSurface surface(points);
+        tests::check_sound(surface);
         for (std::uint32_t i = 0; i < surface.size(); ++i) {
             CAPTURE(i);
             CHECK((surface.label(PointId{i}) == PointLabel::border) == is_border[i]);
@@ -175,6 +180,7 @@ TEST_CASE("sharp edges are no borders and leave the normals of both sides alone"
         constexpr int k_along = 30;
         const auto points = make_wedge(degrees * k_degree, 12, k_along);
         const PointSurface surface(points);
+        tests::check_sound(surface);
         std::uint32_t on_crease = 0;
         for (int y = 2; y <= k_along - 2; ++y)
             on_crease +=
@@ -215,6 +221,7 @@ TEST_CASE(
             std::vector<glm::dvec3> points = make_wedge(degrees * k_degree, 12, k_along);
             for (glm::dvec3& p : points) p = turn * (p * glm::dvec3(across, 1.0, across));
             const PointSurface surface(points);
+            tests::check_sound(surface);
             for (std::uint32_t i = 5; i <= k_along - 5; ++i) {
                 CAPTURE(i);
                 CHECK(surface.label(PointId{i}) == PointLabel::feature);
@@ -233,6 +240,7 @@ TEST_CASE("a cone's tip is not a border") {
         }
     }
     const PointSurface surface(points);
+    tests::check_sound(surface);
     for (std::uint32_t i = 0; i < surface.size(); ++i) {
         CAPTURE(i);
         CHECK((surface.label(PointId{i}) == PointLabel::border) == (points[i].z < -9.0));
@@ -255,6 +263,7 @@ TEST_CASE("fingers that nearly touch stay fingers") {
                 points.push_back(normals.back() + glm::dvec3(center, 0.0, 0.9 * spacing * z));
             }
     const PointSurface surface(points);
+    tests::check_sound(surface);
     for (std::uint32_t i = 0; i < surface.size(); ++i) {
         CAPTURE(i);
         const int row = static_cast<int>(i) / k_around % k_along;
@@ -282,6 +291,7 @@ TEST_CASE("a thin plate's faces keep their normals and its rim is not open") {
         points.push_back({0, k_n - i, 0});
     }
     const PointSurface surface(points);
+    tests::check_sound(surface);
     CHECK(surface.count(PointLabel::border) == 0);
     for (std::uint32_t i = 0; i < rim; ++i) {
         const bool is_inner = points[i].x > 1.5 && points[i].x < k_n - 1.5 && points[i].y > 1.5 &&
@@ -308,6 +318,7 @@ TEST_CASE("a wound wire keeps its normals where three points of ten are left out
             truths.push_back(glm::normalize(normals[v]));
         }
         const PointSurface surface(points);
+        tests::check_sound(surface);
         for (std::uint32_t i = 0; i < surface.size(); ++i)
             wrong += angle_of_lines(surface.normal(PointId{i}), truths[i]) > 60.0 * k_degree;
     }
@@ -340,6 +351,7 @@ TEST_CASE("a saddle stitched of octants with overlaps has its outline for border
         }
     }
     const PointSurface surface(points);
+    tests::check_sound(surface);
     std::uint32_t border = 0, missed = 0, extra = 0;
     double worst = 0.0;
     for (std::uint32_t i = 0; i < surface.size(); ++i) {

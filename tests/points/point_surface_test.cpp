@@ -5,53 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stop_token>
 
 #include "tests/points/sample_clouds.h"
+#include "tests/points/soundness.h"
 
 namespace rimline {
 namespace {
 
+using tests::check_sound;
+using tests::jitter;
 using tests::Random;
 using Method = PointSurfaceOptions::Method;
-
-// What must hold of any surface.
-void check_sound(const PointSurface& surface) {
-    std::array<std::uint32_t, 4> counts{};
-    for (std::uint32_t i = 0; i < surface.size(); ++i) {
-        const PointId point{i};
-        const auto range = surface.umbrellas_of(point);
-        const PointLabel label = surface.label(point);
-        ++counts[static_cast<std::size_t>(label)];
-        const bool is_empty = label == PointLabel::undecided &&
-                              surface.reason(point) != UndecidedReason::unconfirmed_border;
-        REQUIRE(is_empty == (range.size() == 0));
-        REQUIRE(is_empty == (surface.normal(point) == glm::dvec3(0.0)));
-        REQUIRE((label == PointLabel::undecided) ==
-                (surface.reason(point) != UndecidedReason::none));
-        REQUIRE(is_empty == (surface.scale(point) == 0.0));
-        if (label == PointLabel::feature) REQUIRE(range.size() >= 2);
-        REQUIRE(std::isfinite(surface.scale(point)));
-        for (std::uint32_t u = range.first; u < range.last; ++u) {
-            const Umbrella umbrella = surface.umbrella(UmbrellaId{u});
-            REQUIRE(umbrella.ring.size() >= 2);
-            REQUIRE(umbrella.ring.size() <= 64);
-            REQUIRE(umbrella.triangle_count() >= 1);
-            REQUIRE(std::bit_width(umbrella.gaps) <= umbrella.ring.size());
-            REQUIRE(std::abs(glm::length(umbrella.normal) - 1.0) < 1e-9);
-            std::vector<std::uint32_t> numbers;
-            for (const PointId q : umbrella.ring) numbers.push_back(index(q));
-            std::sort(numbers.begin(), numbers.end());
-            REQUIRE(std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end());
-            REQUIRE(numbers.back() < surface.size());
-            REQUIRE(!std::binary_search(numbers.begin(), numbers.end(), i));
-            if (label == PointLabel::interior) REQUIRE((range.size() == 1 && umbrella.is_closed()));
-        }
-    }
-    for (std::size_t label = 0; label < 4; ++label)
-        REQUIRE(surface.count(static_cast<PointLabel>(label)) == counts[label]);
-}
 
 // Point i of `a` is point at[i] of `b`, and has the same umbrellas in the same order.
 void check_same(const PointSurface& a, const PointSurface& b,
@@ -180,10 +147,61 @@ TEST_CASE("a surface does not depend on the order of its points") {
 }
 
 TEST_CASE("a surface does not depend on the number of threads") {
-    const auto points = tests::make_sphere(30000);
-    const PointSurface surface(points);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    check_same(surface, PointSurface(points), identity(points.size()));
+    // Borders, lattices, rows and noise, each in more points than one thread takes at once.
+    std::vector<glm::dvec3> points = tests::make_sphere(5000);
+    for (glm::dvec3 offset{3.0, 0.0, 0.0}; offset.y < 20.0; offset.y += 2.0)
+        for (const glm::dvec3& p : mixed_points()) points.push_back(p + offset);
+    for (int row = 0; row < 12; ++row)
+        for (int i = 0; i < 300; ++i) points.push_back({-9.0 + 0.01 * i, 0.1 * row, 0.0});
+    std::vector<glm::dvec3> noisy = tests::make_patch(60, 0.2, 12).points;
+    tests::add_noise(noisy, 0.1 / 59, 13);
+    for (const glm::dvec3& p : noisy) points.push_back(p - glm::dvec3(4.0, 0.0, 0.0));
+    for (const auto method : {Method::robust, Method::thesis}) {
+        PointSurfaceOptions options;
+        options.method = method;
+        const PointSurface surface(points, options);
+        check_sound(surface);
+        CHECK(surface.count(PointLabel::border) > 1000);
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        check_same(surface, PointSurface(points, options), identity(points.size()));
+    }
+}
+
+// Few points, of each kind some that are no surface or no single one.
+std::vector<glm::dvec3> make_odd_points(Random& random) {
+    std::vector<glm::dvec3> points;
+    const int kind = random.between(0, 4), count = random.between(5, 120);
+    const int rows = random.between(1, 8);
+    const double size = 0.1 + std::abs(jitter(random)), noise = 0.3 * std::abs(jitter(random));
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 move{jitter(random), jitter(random), jitter(random)};
+        const double angle = std::numbers::pi * jitter(random), along = size * (i / rows);
+        switch (kind) {
+            case 0: points.push_back(move); break;
+            case 1: points.push_back(glm::round(2.0 * move)); break;
+            case 2:  // Bent rows.
+                points.push_back(glm::dvec3(std::sin(along), i % rows, 1.0 - std::cos(along)) +
+                                 noise * size * move);
+                break;
+            case 3:  // Circles above each other.
+                points.push_back({std::cos(angle), std::sin(angle),
+                                  size * random.between(0, 3) + 0.01 * noise * move.z});
+                break;
+            default: points.push_back({move.x, move.y, 5.0 * size * std::abs(move.x)});
+        }
+    }
+    return points;
+}
+
+TEST_CASE("of whatever points, a surface is sound") {
+    Random random(5);
+    for (int n = 0; n < 1500; ++n) {
+        CAPTURE(n);
+        PointSurfaceOptions options;
+        if (n % 4 == 0) options.method = Method::thesis;
+        if (n % 3 == 0) options.k = static_cast<std::uint32_t>(random.between(4, 32));
+        check_sound(PointSurface(make_odd_points(random), options));
+    }
 }
 
 TEST_CASE("the thesis's passes find a sphere whole and a patch's border but for a tenth") {
@@ -318,19 +336,23 @@ TEST_CASE("points far from all others are isolated and take nothing from the res
 
 TEST_CASE("a long call reports progress and stops when asked") {
     const auto points = tests::make_sphere(20000);
-    double last = 0.0;
-    std::uint32_t calls = 0;
-    const PointSurface surface(points, {}, {{}, [&](double done) {
-                                                CHECK(done >= last);
-                                                CHECK(done <= 1.0);
-                                                last = done;
-                                                ++calls;
-                                            }});
-    CHECK(last == 1.0);
-    CHECK(calls > 5);
-    std::stop_source stop;
-    stop.request_stop();
-    CHECK_THROWS_AS(PointSurface(points, {}, {stop.get_token(), {}}), Error);
+    for (const Method method : {Method::robust, Method::thesis}) {
+        PointSurfaceOptions options;
+        options.method = method;
+        double last = 0.0;
+        std::uint32_t calls = 0;
+        const PointSurface surface(points, options, {{}, [&](double done) {
+                                                         CHECK(done >= last);
+                                                         CHECK(done <= 1.0);
+                                                         last = done;
+                                                         ++calls;
+                                                     }});
+        CHECK(last == 1.0);
+        CHECK(calls > 5);
+        std::stop_source stop;
+        stop.request_stop();
+        CHECK_THROWS_AS(PointSurface(points, options, {stop.get_token(), {}}), Error);
+    }
 }
 
 }  // namespace

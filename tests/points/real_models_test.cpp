@@ -10,6 +10,7 @@
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/points/point_surface.h"
 #include "tests/models.h"
+#include "tests/points/soundness.h"
 
 namespace rimline {
 namespace {
@@ -45,12 +46,14 @@ struct Bound {
 
 void check(std::span<const Bound> bounds) {
     for (const Bound& bound : bounds) {
-        CAPTURE(bound.file);
-        const auto cloud = read_cloud(bound.file);
+        const std::string file = bound.file;
+        CAPTURE(file);
+        const auto cloud = read_cloud(file);
         if (!cloud) continue;
         PointSurfaceOptions options;
         options.method = bound.method;
         const PointSurface surface(cloud->points, options);
+        tests::check_sound(surface);
         std::uint32_t missed = 0, extra = 0;
         for (std::uint32_t i = 0; i < surface.size(); ++i) {
             const bool is_found = surface.label(PointId{i}) == PointLabel::border;
