@@ -112,13 +112,14 @@ private:
         });
     }
 
+    static constexpr HoughPoint k_origin{glm::dvec3(0.0), 0.0, 0};
     // With what has no plane, whose bit is the same from everywhere, the origin itself: no box that holds
     // it settles anything.
     void include(HoughBounds& bounds, const Plane& plane) const {
-        if (plane.has_normal()) bounds.include(hough_point(plane, index_.patch_center_));
+        bounds.include(plane.has_normal() ? hough_point(plane, index_.patch_center_) : k_origin);
     }
     static void fill_empty(HoughBounds& bounds) {
-        if (bounds.is_empty()) bounds.include(HoughPoint{glm::dvec3(0.0), 0.0, 0});
+        if (bounds.is_empty()) bounds.include(k_origin);
     }
 
     // By the middles of the patches' boxes, wide ones by themselves.

@@ -202,6 +202,34 @@ TEST_CASE("point silhouettes equal a scan far from the origin and at any scale")
     }
 }
 
+TEST_CASE("point silhouettes follow past triangles that have no plane in floats") {
+    // Two flat pieces, so small beside what lies between them that their points coincide in the index.
+    for (const double spacing : {3e-8, 2e-7}) {
+        CAPTURE(spacing);
+        Random random(5);
+        std::vector<glm::dvec3> points;
+        for (const double side : {-1.0, 1.0})
+            for (int x = 0; x < 30; ++x)
+                for (int y = 0; y < 30; ++y)
+                    points.push_back({0.7 * side + spacing * (x + 0.2 * tests::jitter(random)),
+                                      0.6 * side + spacing * (y + 0.2 * tests::jitter(random)),
+                                      0.7 * side});
+        const PointSurface surface(points);
+        const UmbrellaIndex index(surface);
+        PointSilhouette silhouette(index, index.viewpoint({0, 0, 3}));
+        for (int move = 0; move < 20; ++move) {
+            CAPTURE(move);
+            const double height = (move % 2 == 0 ? 1.0 : -1.0) * (0.9 + 0.1 * move);
+            const HomogeneousPoint to =
+                index.viewpoint({0.3 * tests::jitter(random), 0.3 * tests::jitter(random), height});
+            silhouette.move_to(to);
+            const PointSilhouette fresh(index, to);
+            CHECK(silhouette.points() == fresh.points());
+            CHECK(silhouette.consensus_edges() == fresh.consensus_edges());
+        }
+    }
+}
+
 TEST_CASE("no points and points without umbrellas have no silhouette") {
     check_against_brute_force({}, 8);
     check_against_brute_force(std::vector<glm::dvec3>{{1, 2, 3}}, 8);
