@@ -22,8 +22,8 @@ namespace rimline {
 
 /// The points' numbers in order. Coordinates must be finite, and their differences too. `sizes`, empty or
 /// one for each point, at most 255, come before position: all of the smallest size first. Points that
-/// coincide stay in the order of their numbers. O(n log n) on all threads that oneTBB gives; the same
-/// whatever their number and on every machine.
+/// coincide stay in the order of their numbers. O(n log n): codes on all threads that oneTBB gives, their
+/// sorting on one; the same whatever the number of threads and on every machine.
 std::vector<std::uint32_t> octree_order(std::span<const glm::dvec3> points,
                                         std::span<const std::uint8_t> sizes = {});
 

@@ -1,7 +1,11 @@
 #include "silhouette/hough/spread_viewpoints.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
+
+#include "silhouette/error.h"
 
 namespace rimline {
 
@@ -17,6 +21,10 @@ glm::dvec3 spread_direction(std::uint32_t i, std::uint32_t count) {
 }  // namespace
 
 std::vector<HomogeneousPoint> spread_viewpoints(const Mesh& mesh, std::uint32_t count) {
+    const glm::dvec3 c = glm::abs(mesh.center());
+    if (std::max({c.x, c.y, c.z}) + 3.0 * mesh.radius() > k_max_coordinate)
+        throw Error(ErrorCode::too_large,
+                    "coordinates are too large for viewpoints around the model: scale it down");
     std::vector<HomogeneousPoint> points;
     for (std::uint32_t i = 0; i < count; ++i)
         points.push_back(HomogeneousPoint::viewpoint(

@@ -10,7 +10,8 @@
 
 namespace rimline {
 
-/// Evenly over the sphere, by the golden angle; at one, two and three radii of the mesh in turn.
+/// Evenly over the sphere, by the golden angle; at one, two and three radii of the mesh in turn. Throws
+/// Error{too_large} where that is beyond k_max_coordinate.
 std::vector<HomogeneousPoint> spread_viewpoints(const Mesh& mesh, std::uint32_t count);
 /// The same as directions.
 std::vector<HomogeneousPoint> spread_directions(std::uint32_t count);

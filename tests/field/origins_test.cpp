@@ -13,6 +13,14 @@
 namespace rimline {
 namespace {
 
+TEST_CASE("viewpoints around a model beyond the coordinates are an error") {
+    MeshSource source = make_built_in_shape("box");
+    for (glm::vec3& p : source.positions) p *= 0x1p59f;
+    CHECK_THROWS_AS(spread_viewpoints(Mesh(source), 8), Error);
+    for (glm::vec3& p : source.positions) p *= 0.25f;
+    CHECK(spread_viewpoints(Mesh(source), 8).size() == 8);
+}
+
 TEST_CASE("origins lie within three radii and are the same for any number of threads") {
     const Mesh mesh(make_built_in_shape("knot", 4000));
     FoundOrigins alone;

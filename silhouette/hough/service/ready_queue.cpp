@@ -1,6 +1,24 @@
 #include "silhouette/hough/service/ready_queue.h"
 
+#include <cerrno>
+
+#include "silhouette/error.h"
+
 namespace rimline {
+
+CountingSemaphore::CountingSemaphore() noexcept { RIMLINE_CHECK(sem_init(&semaphore_, 0, 0) == 0); }
+
+CountingSemaphore::~CountingSemaphore() { sem_destroy(&semaphore_); }
+
+void CountingSemaphore::acquire() noexcept {
+    int result = 0;
+    do {
+        result = sem_wait(&semaphore_);
+    } while (result != 0 && errno == EINTR);  // By a signal's handler.
+    RIMLINE_CHECK(result == 0);
+}
+
+void CountingSemaphore::release() noexcept { RIMLINE_CHECK(sem_post(&semaphore_) == 0); }
 
 // Sequential consistency is needed where one thread writes a and reads b while another writes b and
 // reads a: a pusher fills incoming_ and then looks for sleepers, a worker counts itself among the
@@ -30,7 +48,7 @@ void ReadyQueue::close() noexcept {
     closed_ = true;
     // Without the throttle of wake_one(): who sleeps now is woken, who would sleep sees closed_.
     const std::uint32_t asleep = sleepers_.exchange(0) & ~k_on_its_way;
-    if (asleep > 0) calls_.release(asleep);
+    for (std::uint32_t call = 0; call < asleep; ++call) calls_.release();
 }
 
 ReadyQueue::Node* ReadyQueue::take() noexcept {

@@ -12,12 +12,29 @@
 // pushes needs one, not one each: while a worker that was called has not arrived, nobody calls another.
 // One that arrives and finds more than it takes calls the next.
 
+#include <semaphore.h>
+
 #include <atomic>
 #include <cstdint>
 #include <mutex>
-#include <semaphore>
 
 namespace rimline {
+
+/// POSIX's. libstdc++'s own loses wake-ups (its bugs 98033 and 104928): who read the count a moment ago may go
+/// to sleep on one that is above zero.
+class CountingSemaphore {
+public:
+    CountingSemaphore() noexcept;
+    ~CountingSemaphore();
+    CountingSemaphore(const CountingSemaphore&) = delete;
+    CountingSemaphore& operator=(const CountingSemaphore&) = delete;
+
+    void acquire() noexcept;
+    void release() noexcept;
+
+private:
+    sem_t semaphore_;
+};
 
 class ReadyQueue {
 public:
@@ -46,7 +63,7 @@ private:
     std::atomic<Node*> incoming_{nullptr};
     std::atomic<std::uint32_t> sleepers_{0};
     std::atomic<bool> closed_{false};
-    std::counting_semaphore<> calls_{0};
+    CountingSemaphore calls_;
     std::mutex mutex_;  // Among workers only.
     Node* first_ = nullptr;
 };

@@ -74,6 +74,9 @@ SilhouetteService::SilhouetteService(const SilhouetteServiceOptions& options)
         throw Error(ErrorCode::io, "cannot start worker thread " + std::to_string(started + 1) +
                                        " of " + std::to_string(worker_count_) + ": " +
                                        error.what());
+    } catch (...) {
+        stop();
+        throw;
     }
 }
 

@@ -9,10 +9,10 @@ namespace rimline::tests {
 /// Allocations of all threads so far.
 std::uint64_t allocation_count() noexcept;
 
-/// While one lives, every allocation on every thread throws std::bad_alloc.
+/// While one lives, every allocation on every thread throws std::bad_alloc, but for the first `spared`.
 class AllocationFaults {
 public:
-    AllocationFaults() noexcept;
+    explicit AllocationFaults(std::uint64_t spared = 0) noexcept;
     ~AllocationFaults();
     AllocationFaults(const AllocationFaults&) = delete;
     AllocationFaults& operator=(const AllocationFaults&) = delete;

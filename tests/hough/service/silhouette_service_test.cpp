@@ -206,6 +206,20 @@ TEST_CASE("memory that runs out makes a gap that is told and that a snapshot clo
     CHECK(follower.follow(change.view()) == std::nullopt);
 }
 
+TEST_CASE("a service that finds no memory for its workers ends those it has and says so") {
+    for (std::uint64_t spared = 0;; ++spared) {
+        CAPTURE(spared);
+        REQUIRE(spared < 100);
+        try {
+            const tests::AllocationFaults out_of_memory(spared);
+            const SilhouetteService service({.workers = 4});
+            break;
+        } catch (const std::bad_alloc&) {
+            // With one more perhaps.
+        }
+    }
+}
+
 TEST_CASE("what a tracker's making throws reaches who adds it, and the service goes on") {
     const tests::IndexedShape model("torus", 1000);
     SilhouetteService service({.workers = 1});
