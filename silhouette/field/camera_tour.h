@@ -32,7 +32,7 @@ struct TourNode {
 
 /// Two views or more, in the shell of best_views.h, in the mesh's coordinates; `field` is that of
 /// make_view_field. Twice as many nodes as views, views first and then every other; consecutive ones are
-/// between 1/100 and 100 degrees apart. O(views^2) climbs. Throws Error{cancelled}.
+/// between 1/100 and 103 degrees apart. O(views^2) climbs. Throws Error{cancelled}.
 std::vector<TourNode> plan_tour(const TangentialField& field, std::span<const glm::dvec3> views,
                                 const LongCall& call = {});
 

@@ -357,7 +357,7 @@ double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& funct
         }
         work.clusters += std::uint64_t{count} * k_cluster_fan;
         sum.flush();
-        count = candidates.settle(budget, sum, scratch.next.data());
+        count = candidates.settle(budget, sum, scratch.next.get());
         scratch.nodes.swap(scratch.next);
     }
 
@@ -446,8 +446,10 @@ void FieldScratch::reserve(const PlaneClusters& planes) {
     // Whole vectors are stored, also of the last.
     const std::size_t most =
         (planes.leaf_count() + k_cluster_fan) / k_cluster_fan * k_cluster_fan + k_cluster_fan;
-    for (auto* numbers : {&nodes, &next, &clusters}) numbers->resize(most);
-    for (auto* numbers : {&value, &error, &weight}) numbers->resize(most);
+    for (auto* numbers : {&nodes, &next, &clusters})
+        *numbers = std::make_unique_for_overwrite<std::uint32_t[]>(most);
+    for (auto* numbers : {&value, &error, &weight})
+        *numbers = std::make_unique_for_overwrite<float[]>(most);
 }
 
 double sum_planes(const PlaneClusters& planes, const FunctionTable& function,

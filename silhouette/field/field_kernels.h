@@ -19,6 +19,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -63,8 +64,9 @@ struct Discount {
 
 /// Room to work in, for one thread at a time.
 struct FieldScratch {
-    std::vector<std::uint32_t> nodes, next, clusters;
-    std::vector<float> value, error, weight;
+    // Not set to anything, of which a point takes little whatever the mesh is.
+    std::unique_ptr<std::uint32_t[]> nodes, next, clusters;
+    std::unique_ptr<float[]> value, error, weight;
     void reserve(const PlaneClusters& planes);
 };
 

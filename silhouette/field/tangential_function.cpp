@@ -47,6 +47,11 @@ TangentialFunction::TangentialFunction(std::vector<Knot> knots) : knots_(std::mo
     pieces_.push_back({last.distance, k_infinity, last.distance, last.value, 0.0, 0.0, 0.0});
 
     least_ = greatest_ = first.value;
+    for (const Knot& k : knots_) {
+        least_ = std::min(least_, k.value);
+        greatest_ = std::max(greatest_, k.value);
+        greatest_slope_ = std::max(greatest_slope_, std::abs(k.slope));
+    }
     const auto visit = [&](const Piece& piece, double t) {
         const double distance = piece.start + t;
         if (!(distance >= piece.from && distance <= piece.to)) return;
@@ -56,8 +61,6 @@ TangentialFunction::TangentialFunction(std::vector<Knot> knots) : knots_(std::mo
     };
     for (const Piece& piece : pieces_) {
         if (!std::isfinite(piece.from) || !std::isfinite(piece.to)) continue;
-        visit(piece, 0.0);
-        visit(piece, piece.to - piece.start);
         if (piece.c3 != 0.0) visit(piece, -piece.c2 / (3.0 * piece.c3));  // Where it is steepest.
         // Where it is flat: 3*c3*t^2 + 2*c2*t + c1 = 0.
         const double root = piece.c2 * piece.c2 - 3.0 * piece.c3 * piece.c1;

@@ -5,26 +5,22 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "silhouette/mesh/angle_between.h"
+
 namespace rimline {
 
 namespace {
 
-// Between two normals. The arc tangent is exact where the cosine's arc is not: near 0 and 180 degrees.
-double angle_between(const Plane& a, const Plane& b) {
-    const glm::dvec3 u(a.nx, a.ny, a.nz);
-    const glm::dvec3 v(b.nx, b.ny, b.nz);
-    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
-}
-
 double bend_of(const Mesh& mesh, EdgeId edge) {
     const std::span<const FaceId> faces = mesh.faces_of(edge);
     const EdgeClass edge_class = mesh.edge_class(edge);
+    const auto normal = [](const Plane& plane) { return glm::dvec3(plane.nx, plane.ny, plane.nz); };
     double bend = 0.0;
     const Plane& first = mesh.plane(faces[0]);
     for (const FaceId face : faces.subspan(1)) {
         const Plane& other = mesh.plane(face);
         if (!first.has_normal() || !other.has_normal()) continue;
-        const double angle = angle_between(first, other);
+        const double angle = angle_between(normal(first), normal(other));
         const double turned = std::numbers::pi - angle;
         bend = std::max(bend, edge_class == EdgeClass::regular        ? angle
                               : edge_class == EdgeClass::inconsistent ? turned

@@ -24,7 +24,10 @@ namespace {
 constexpr double k_rounding = 0x1p-40;
 constexpr std::uint32_t k_leaf_faces = 4;
 constexpr std::uint32_t k_faces_a_task = 4096;
-constexpr std::uint32_t k_faces_a_checkpoint = 1u << 16;
+constexpr std::uint32_t k_faces_a_checkpoint = 1u << 14;
+// Pairs of faces whose boxes meet, beyond which nobody knows: a fan's all meet at its middle.
+constexpr std::uint64_t k_pairs_a_face = 256;
+constexpr std::uint64_t k_least_pairs = 1u << 22;
 
 using Points = std::span<const glm::dvec3>;
 using Segment = std::array<glm::dvec3, 2>;
@@ -108,10 +111,11 @@ public:
         build(0, 0, mesh.face_count());
     }
 
-    // Whether the face at a place of the order meets one behind it where it should not.
-    bool meets_another(std::uint32_t place) const {
+    // Whether the face at a place of the order meets one behind it where it should not. Adds to `pairs` how
+    // many it was held against.
+    bool meets_another(std::uint32_t place, std::uint64_t& pairs) const {
         const std::uint32_t face = order_[place];
-        return meets_another(face, box_of(face), place + 1, 0, 0, mesh_.face_count());
+        return meets_another(face, box_of(face), place + 1, 0, 0, mesh_.face_count(), pairs);
     }
 
 private:
@@ -161,15 +165,18 @@ private:
     }
 
     bool meets_another(std::uint32_t face, const Box& box, std::uint32_t from, std::size_t node,
-                       std::uint32_t first, std::uint32_t last) const {
+                       std::uint32_t first, std::uint32_t last, std::uint64_t& pairs) const {
         if (last <= from || !boxes_[node].meets(box)) return false;
         if (last - first > k_leaf_faces) {
             const std::uint32_t middle = middle_of(first, last);
-            return meets_another(face, box, from, 2 * node + 1, first, middle) ||
-                   meets_another(face, box, from, 2 * node + 2, middle, last);
+            return meets_another(face, box, from, 2 * node + 1, first, middle, pairs) ||
+                   meets_another(face, box, from, 2 * node + 2, middle, last, pairs);
         }
-        for (std::uint32_t i = std::max(first, from); i < last; ++i)
-            if (box_of(order_[i]).meets(box) && meet_elsewhere(face, order_[i])) return true;
+        for (std::uint32_t i = std::max(first, from); i < last; ++i) {
+            if (!box_of(order_[i]).meets(box)) continue;
+            ++pairs;
+            if (meet_elsewhere(face, order_[i])) return true;
+        }
         return false;
     }
 
@@ -256,19 +263,24 @@ bool is_solid(const Mesh& mesh, const LongCall& call) {
         !std::ranges::all_of(mesh.planes(), &Plane::has_normal) || !shells_turn_outwards(mesh))
         return false;
     const FaceTree tree(mesh);
-    std::atomic<bool> crosses = false;
-    for (std::uint32_t first = 0; first < mesh.face_count() && !crosses;) {
+    const std::uint64_t most_pairs = std::max(k_pairs_a_face * mesh.face_count(), k_least_pairs);
+    std::atomic<std::uint64_t> all_pairs = 0;
+    std::atomic<bool> is_none = false;
+    for (std::uint32_t first = 0; first < mesh.face_count() && !is_none;) {
         call.checkpoint(double(first) / mesh.face_count());
         const std::uint32_t last =
             first + std::min(mesh.face_count() - first, k_faces_a_checkpoint);
-        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(first, last, 256),
-                          [&](const auto& run) {
-                              for (std::uint32_t i = run.begin(); i < run.end() && !crosses; ++i)
-                                  if (tree.meets_another(i)) crosses = true;
-                          });
+        tbb::parallel_for(
+            tbb::blocked_range<std::uint32_t>(first, last, 256), [&](const auto& run) {
+                for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i) {
+                    std::uint64_t pairs = 0;
+                    if (tree.meets_another(i, pairs) || (all_pairs += pairs) > most_pairs)
+                        is_none = true;
+                }
+            });
         first = last;
     }
-    return !crosses;
+    return !is_none;
 }
 
 }  // namespace rimline

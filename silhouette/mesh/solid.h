@@ -14,9 +14,11 @@ namespace rimline {
 /// no two faces meet but in the corners and edges that they share. The winding number around a point is
 /// then the number of shells around it, so a ray from outside all of them meets the front of a face first.
 ///
-/// Never true of a mesh of which that does not hold. False, too, where doubles cannot tell: faces without an area,
-/// and faces nearer to each other than some 2^-40 of their size, or a shell as flat as that. And false where a shell lines a hollow.
-/// O(n log n) where faces are not much longer than wide, about a microsecond a face, on all threads that
+/// Never true of a mesh of which that does not hold. False, too, where doubles cannot tell: faces without an
+/// area, and faces nearer to each other than some 2^-40 of their size, or a shell as flat as that. And false
+/// where a shell lines a hollow, and where it would take too long to know: where the boxes of more than 256
+/// pairs of faces a face meet, in meshes of 16,384 faces and more, as those of a fan do at its middle.
+/// O(n log n), about a microsecond a face where faces are not much longer than wide, on all threads that
 /// oneTBB gives. Throws Error{cancelled}.
 bool is_solid(const Mesh& mesh, const LongCall& call = {});
 

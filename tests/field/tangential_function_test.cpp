@@ -85,6 +85,19 @@ TEST_CASE("least, greatest and steepest are those of a fine scan") {
     }
 }
 
+TEST_CASE("least and greatest are those of the knots, wherever these lie") {
+    tests::Random random(9);
+    for (int n = 0; n < 1000; ++n) {
+        CAPTURE(n);
+        const double a = double{random.signed_unit()} - 1.5, b = double{random.signed_unit()} / 3.0;
+        const TangentialFunction rising({{a, 0.0}, {b, 1.0}});
+        CHECK(std::abs(rising.least()) < 1e-12);
+        CHECK(std::abs(rising.greatest() - 1.0) < 1e-12);
+        CHECK(std::abs(TangentialFunction({{a, 1.0}, {b, -2.0}}).least() + 2.0) < 1e-12);
+        CHECK(rising.greatest_slope() >= 1.5 / (b - a) * (1.0 - 1e-12));
+    }
+}
+
 TEST_CASE("sums, multiples and reflections are those of the values") {
     tests::Random random(14);
     for (int round = 0; round < 50; ++round) {

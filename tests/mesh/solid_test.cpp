@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <stop_token>
 #include <vector>
 
@@ -139,6 +141,24 @@ TEST_CASE("what is too flat or too small for doubles to tell is not said to be a
     for (const MeshSource& one : {a, turned(a)})
         for (const MeshSource& other : {b, turned(b)})
             CHECK_FALSE(is_solid(Mesh(both(one, other))));
+}
+
+// A cone of so many sides.
+MeshSource cone(std::uint32_t sides) {
+    MeshSource source{{{0, 0, 1}, {0, 0, 0}}, {}};
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / sides;
+        source.positions.push_back({std::cos(angle), std::sin(angle), 0.0});
+        const std::uint32_t a = 2 + i, b = 2 + (i + 1) % sides;
+        source.triangles.push_back({0, a, b});
+        source.triangles.push_back({1, b, a});
+    }
+    return source;
+}
+
+TEST_CASE("a fan of thousands is given up, as nobody waits for it, and a smaller one is a solid") {
+    CHECK(is_solid(Mesh(cone(500))));
+    CHECK_FALSE(is_solid(Mesh(cone(20000))));
 }
 
 TEST_CASE("dented balls are solids just where no edge goes through a face") {
