@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/barrier.h"
 #include "engine/face_bits_pass.h"
 #include "engine/queue_choice.h"
 
@@ -248,6 +249,10 @@ void run_commands(const DeviceContext& context,
     const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
     const VkCommandBuffer commands = begin_commands(context, pool);
     record(commands);
+    // That the queue has been waited for makes nothing visible to what is submitted next.
+    record_barrier(commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
+                   {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                    VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT});
     vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
     const VkCommandBufferSubmitInfo submitted{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                               .commandBuffer = commands};

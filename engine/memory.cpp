@@ -14,9 +14,12 @@ namespace {
 // vk_check(), and what the memory was for where there is none left.
 void check_room(VkResult result, const char* call, VkDeviceSize size, const std::string& what) {
     if (is_out_of_memory(result))
-        throw Error(ErrorCode::too_large, "the device has no memory left for " + what + " of " +
-                                              size_text(size) + ": " + call + " failed with " +
-                                              name_of(result));
+        throw Error(ErrorCode::too_large,
+                    (result == VK_ERROR_TOO_MANY_OBJECTS
+                         ? "the device allows no more allocations (maxMemoryAllocationCount), for "
+                         : "the device has no memory left for ") +
+                        what + " of " + size_text(size) + ": " + call + " failed with " +
+                        name_of(result));
     vk_check(result, call);
 }
 

@@ -182,8 +182,9 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
         drawn.data = draw_data_.put(data);
         const ShadowView view = shadow_view(scene, instance, projection);
         const CasterBox box = caster_box(instance);
-        drawn.shows_backs = !instance.is_solid || state.deforming || drawn.fades ||
-                            !is_outside(view, box.low, box.high);
+        // Of a ground, from below nothing would be seen but its back.
+        drawn.shows_backs = !drawn.fades && (!instance.is_solid || state.deforming ||
+                                             !is_outside(view, box.low, box.high));
         for (std::size_t l = 0; l < light_count; ++l) {
             const bool casts = casts_shadows(scene, instance);
             const HomogeneousPoint point = casting_point(scene, instance, scene.lights[l]);

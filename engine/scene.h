@@ -47,7 +47,7 @@ struct SceneInstance {
     /// silhouettes, which rounding gave a back. Of a mesh that deforms it says nothing.
     bool is_solid = false;
     /// Over 0: fades into the background towards this distance from fade_center (world), as a ground
-    /// without an end does.
+    /// without an end does. Backs of its faces are left out: who looks from below sees through it.
     double fade_radius = 0.0;
     glm::dvec3 fade_center{0.0};
 

@@ -74,10 +74,11 @@ void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
     // The GPU is done with the frame that had this slot before.
     Frame& frame = frames_[recorded_ % k_frames_in_flight];
     frame.replaced.reset();
-    prepare_cloud(scene.cloud, frame);
     const std::size_t bytes = scene.strokes.size() * sizeof(gpu::StrokeRecord);
     if (frame.strokes.size() < std::max<std::size_t>(bytes, 4))
         frame.strokes = Buffer(context_, bytes + bytes / 2, BufferPlace::upload, "the lines");
+    // Last of what may fail: what it replaces is still drawn by the frame before.
+    prepare_cloud(scene.cloud, frame);
     if (bytes > 0) std::memcpy(frame.strokes.mapped(), scene.strokes.data(), bytes);
     ++recorded_;
 

@@ -57,7 +57,8 @@ public:
 
     /// The next image, for the frame of ring slot `ring_slot`, whose last use must be done. Nothing
     /// where the window has no size now, or changed it this moment: draw again later. May wait for the
-    /// display. Throws Error{no_device} when the surface or the device is lost.
+    /// display. Throws Error{no_device} when the surface is lost, Error{device_lost} when the device is,
+    /// Error{too_large} where memory has run out.
     [[nodiscard]] bool acquire(std::uint32_t ring_slot, VkExtent2D window_size);
 
     /// Shows the acquired image when drawn() is signalled. Throws as acquire().

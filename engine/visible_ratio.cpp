@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "composite_vert.h"
 #include "engine/barrier.h"
 #include "engine/camera.h"
 #include "silhouette/mesh/edge_convexity.h"
+#include "silhouette/mesh/solid.h"
 #include "visible_line_vert.h"
 #include "visible_surface_vert.h"
 
@@ -33,38 +33,14 @@ constexpr std::array<std::uint32_t, 12> k_line_triangles{0, 1, 2, 1, 2, 3, 2, 3,
 constexpr std::uint32_t k_line_corners = 6;
 constexpr std::uint32_t k_lines_a_draw = 4096;
 
+// Drawing by larger indices is a device feature (fullDrawIndexUint32), and not asked for.
+constexpr std::uint32_t k_most_vertices = 1u << 24;
+
 // What the stencil of a pixel says. Hidden lines count down from nothing, visible ones replace, and once
 // visible it stays: whatever the order of lines, a pixel passes the visible ones' test once.
 constexpr std::uint8_t k_nothing = 1;
 constexpr std::uint8_t k_hidden = 0;
 constexpr std::uint8_t k_visible = 0x80;
-
-// Whether a ray from outside meets a front face first: a closed mesh, consistently oriented, every
-// component of which encloses a positive volume.
-bool is_solid(const Mesh& mesh) {
-    if (!mesh.is_closed() || !mesh.is_oriented() ||
-        mesh.edges_of_class(EdgeClass::nonmanifold).size() > 0)
-        return false;
-    std::vector<std::uint32_t> parent(mesh.face_count());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t face) {
-        while (parent[face] != face) face = parent[face] = parent[parent[face]];
-        return face;
-    };
-    for (const Edge& edge : mesh.edges())
-        parent[root(index(edge.faces[0]))] = root(index(edge.faces[1]));
-
-    std::vector<double> volumes(mesh.face_count(), 0.0);
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-        const auto corner = [&](std::size_t i) {
-            return glm::dvec3(mesh.positions()[index(mesh.triangles()[f][i])]) - mesh.center();
-        };
-        volumes[root(f)] += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
-    }
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-        if (mesh.edges_of(FaceId{f})[0] != k_no_edge && volumes[root(f)] <= 0.0) return false;
-    return true;
-}
 
 Occluders chosen(Occluders occluders, const DeviceContext& context) {
     if (occluders != Occluders::automatic) return occluders;
@@ -203,6 +179,9 @@ VisibleRatioPass::VisibleRatioPass(const DeviceContext& context, const HoughOctr
       room_(new Room{tbb::enumerable_thread_specific<ThreadRoom>([&octree] {
           return ThreadRoom{octree.make_scratch(), {}, {}, {}};
       })}) {
+    if (octree.mesh().vertex_count() > k_most_vertices)
+        throw Error(ErrorCode::too_large,
+                    "visible ratios of more than 2^24 vertices: take fewer faces");
     RIMLINE_CHECK(options.side_px > 0 && options.fov_deg > 0.0 && options.fov_deg < 180.0);
     RIMLINE_CHECK(options.method.has_separate_targets || counts_by_query());
     GraphicsPipelineDescription surface = surface_description(layout_);
@@ -229,6 +208,11 @@ VisibleRatioPass::~VisibleRatioPass() = default;
 
 bool VisibleRatioPass::counts_by_query() const noexcept {
     return options_.method.counts_by_query && context_.features.occlusion_query_precise;
+}
+
+// Copies begin at multiples of four bytes.
+VkDeviceSize VisibleRatioPass::stencil_stride() const noexcept {
+    return (VkDeviceSize{options_.side_px} * options_.side_px + 3) / 4 * 4;
 }
 
 // By the images, of 8 bytes a pixel, and half as much again for lines.
@@ -317,7 +301,7 @@ void VisibleRatioPass::prepare_targets(Batch& batch, std::size_t view_count, boo
             "the picture of a visible ratio");
     if (batch.queries.get() == VK_NULL_HANDLE && counts_by_query())
         batch.queries = make_query_pool(context_, static_cast<std::uint32_t>(2 * k_most_views));
-    const VkDeviceSize stencil_bytes = VkDeviceSize{extent.width} * extent.height * view_count;
+    const VkDeviceSize stencil_bytes = stencil_stride() * view_count;
     if (keeps_stencil && batch.stencils.size() < stencil_bytes)
         batch.stencils = Buffer(context_, stencil_bytes, BufferPlace::readback,
                                 "the stencils of visible ratios");
@@ -361,8 +345,7 @@ std::size_t VisibleRatioPass::submit(Batch& batch, std::span<const glm::dvec3> e
         work_.faces += view.copied_faces.size();
     }
 
-    batch.view_count = count;
-    record(batch, keeps_stencil);
+    record(batch, count, keeps_stencil);
     const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                              .commandBuffer = batch.commands};
     const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
@@ -376,10 +359,12 @@ std::size_t VisibleRatioPass::submit(Batch& batch, std::span<const glm::dvec3> e
                              .pSignalSemaphoreInfos = &signal};
     vk_check(vkQueueSubmit2(context_.queue, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
     batch.end = ++submitted_;
+    batch.view_count = count;
     return count;
 }
 
-void VisibleRatioPass::record(const Batch& batch, bool keeps_stencil) const {
+void VisibleRatioPass::record(const Batch& batch, std::size_t view_count,
+                              bool keeps_stencil) const {
     const VkCommandBuffer commands = batch.commands;
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                          .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
@@ -389,7 +374,7 @@ void VisibleRatioPass::record(const Batch& batch, bool keeps_stencil) const {
         vkCmdResetQueryPool(commands, batch.queries, 0,
                             static_cast<std::uint32_t>(2 * k_most_views));
     const bool is_shared = !options_.method.has_separate_targets;
-    const std::span<const Image> targets(batch.targets.data(), is_shared ? 1 : batch.view_count);
+    const std::span<const Image> targets(batch.targets.data(), is_shared ? 1 : view_count);
     if (!is_shared)
         record_target_barrier(commands, targets, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
     const float side = float(options_.side_px);
@@ -397,7 +382,7 @@ void VisibleRatioPass::record(const Batch& batch, bool keeps_stencil) const {
     const VkRect2D scissor{{0, 0}, {options_.side_px, options_.side_px}};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
-    for (std::size_t v = 0; v < batch.view_count; ++v) {
+    for (std::size_t v = 0; v < view_count; ++v) {
         if (is_shared)
             record_target_barrier(commands, targets,
                                   VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
@@ -405,10 +390,9 @@ void VisibleRatioPass::record(const Batch& batch, bool keeps_stencil) const {
     }
     if (keeps_stencil) {
         record_target_barrier(commands, targets, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-        const VkDeviceSize stencil_bytes = VkDeviceSize{options_.side_px} * options_.side_px;
-        for (std::size_t v = 0; v < batch.view_count; ++v) {
+        for (std::size_t v = 0; v < view_count; ++v) {
             const VkBufferImageCopy region{
-                .bufferOffset = v * stencil_bytes,
+                .bufferOffset = v * stencil_stride(),
                 .imageSubresource = {VK_IMAGE_ASPECT_STENCIL_BIT, 0, 0, 1},
                 .imageExtent = {options_.side_px, options_.side_px, 1}};
             vkCmdCopyImageToBuffer(commands, batch.targets[v].handle(),
@@ -506,7 +490,7 @@ void VisibleRatioPass::finish(Batch& batch, std::span<VisibleRatio> ratios) cons
                 ratio.total_pixels += value != k_nothing;
                 ratio.visible_pixels += value == k_visible;
             }
-            stencil += pixels;
+            stencil += stencil_stride();
         }
     }
     batch.view_count = 0;

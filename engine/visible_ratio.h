@@ -15,9 +15,9 @@
 //     that at least 1/√2 of it, and √(2Rt) <= 2 √(R/2t) / √2 where t <= 1/√2. Lines come nearer by a part
 //     in 100,000 of their distance, for borders of surfaces without a slope. What hides a line by less
 //     than this does not hide it.
-//   Valleys. A concave silhouette edge of a solid is always hidden, by the solid itself
-//     (silhouette/mesh/edge_convexity.h), but by little, which the bias would let through. It is drawn
-//     as hidden without a test.
+//   Valleys. A concave silhouette edge of a solid (silhouette/mesh/solid.h), seen from outside, is always
+//     hidden, by the solid itself (silhouette/mesh/edge_convexity.h), but by little, which the bias would
+//     let through. It is drawn as hidden without a test. Nor are the backs of a solid's faces drawn.
 //
 // Lines are drawn once. The stencil remembers what was hidden and what was seen, and lets every pixel be
 // seen once, which one precise occlusion query counts; another counts the pixels that hold either.
@@ -89,8 +89,9 @@ struct VisibleRatioOptions {
 /// For one mesh; one thread at a time, which also has the device's queue for itself.
 class VisibleRatioPass {
 public:
-    /// Uploads the mesh and waits. Device and octree, with its mesh, must outlive the pass.
-    /// Throws Error{too_large} where the device has no room.
+    /// Finds out whether the mesh is solid, uploads it and waits. Device and octree, with its mesh, must
+    /// outlive the pass.
+    /// Throws Error{too_large} where the device has no room, and of more than 2^24 vertices.
     VisibleRatioPass(const DeviceContext& context, const HoughOctree& octree,
                      const VisibleRatioOptions& options = {});
     ~VisibleRatioPass();
@@ -143,12 +144,13 @@ private:
     struct Room;  // One ThreadRoom a thread.
 
     bool counts_by_query() const noexcept;
+    VkDeviceSize stencil_stride() const noexcept;
     std::size_t views_a_batch() const noexcept;
     void prepare(View& view, const glm::dvec3& eye, ThreadRoom& room) const;
     void prepare_targets(Batch& batch, std::size_t view_count, bool keeps_stencil);
     // Prepares and draws some of `eyes`, from the first on: at least one. Returns how many.
     std::size_t submit(Batch& batch, std::span<const glm::dvec3> eyes, bool keeps_stencil);
-    void record(const Batch& batch, bool keeps_stencil) const;
+    void record(const Batch& batch, std::size_t view_count, bool keeps_stencil) const;
     void record_view(const Batch& batch, std::size_t view, bool keeps_stencil) const;
     void wait_for(const Batch& batch) const;
     void finish(Batch& batch, std::span<VisibleRatio> ratios) const;
@@ -158,7 +160,7 @@ private:
     VisibleRatioOptions options_;
     OccluderClusters clusters_;
     Occluders occluders_;
-    bool is_solid_;  // Closed, oriented outwards.
+    bool is_solid_;
     std::vector<std::uint32_t> concave_bits_;
     Buffer positions_;
     Buffer triangles_;

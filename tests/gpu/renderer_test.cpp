@@ -309,6 +309,32 @@ TEST_CASE("meshes without faces, lights or silhouette draw the background") {
         REQUIRE(int(picture.rgba[i]) == (i % 4 == 3 ? 255 : 243));
 }
 
+TEST_CASE("a ground that fades is seen through from below") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("knot", 4000));
+    const HoughOctree octree(mesh);
+    const Mesh ground_mesh(make_ground(mesh, {0, 1, 0}, 8.0 * mesh.radius()));
+    const HoughOctree ground(ground_mesh);
+    Renderer renderer(gpu->context());
+    for (const double height : {0.5, -0.5}) {
+        CAPTURE(height);
+        Scene scene = scene_of(mesh, octree, Style::toon);
+        scene.camera = fit_camera({}, mesh, glm::normalize(glm::dvec3(1.0, height, 1.0)), 1.0);
+        const Picture alone = renderer.render(scene, 128, 128);
+        scene.instances.push_back({.octree = &ground,
+                                   .material = scene.instances[0].material,
+                                   .has_lines = false,
+                                   .casts_shadows = false,
+                                   .fade_radius = 7.0 * mesh.radius(),
+                                   .fade_center = mesh.center()});
+        const double equal = agreement(renderer.render(scene, 128, 128), alone);
+        if (height < 0.0)
+            CHECK(equal == 1.0);
+        else
+            CHECK(equal < 0.9);
+    }
+}
+
 TEST_CASE("a light at the camera shows no shadow") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("sphere", 2000));

@@ -210,6 +210,54 @@ TEST_CASE("a mask counted on the CPU equals the queries on every model, whicheve
     });
 }
 
+TEST_CASE("pictures of any side are counted the same by query and by the CPU") {
+    RIMLINE_OPEN_GPU(gpu);
+    if (!gpu->context().features.occlusion_query_precise) return;
+    const Model model(make_built_in_shape("knot", 2000));
+    const std::vector<glm::dvec3> eyes = shell(model.mesh, 5);
+    for (const std::uint32_t side : {1u, 33u, 101u, 102u}) {
+        CAPTURE(side);
+        VisibleRatioPass by_query(gpu->context(), model.octree, {.side_px = side});
+        VisibleRatioPass by_cpu(gpu->context(), model.octree,
+                                {.side_px = side, .method = {.counts_by_query = false}});
+        CHECK(by_query.measure(eyes) == by_cpu.measure(eyes));
+    }
+}
+
+// A prism over a bow tie: closed, oriented, of positive volume, and half of it inside out.
+MeshSource bow_tie() {
+    constexpr glm::vec2 k_outline[]{{-3.0f, -3.0f}, {-0.5f, -0.5f}, {1.5f, 1.5f},
+                                    {1.5f, -1.5f},  {0.4f, -0.4f},  {-3.0f, 3.0f}};
+    MeshSource source;
+    for (const float z : {-1.5f, 1.5f})
+        for (const glm::vec2& p : k_outline) source.positions.push_back({p, z});
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        const std::uint32_t j = (i + 1) % 6;
+        source.triangles.push_back({i, j, j + 6});
+        source.triangles.push_back({i, j + 6, i + 6});
+    }
+    constexpr std::uint32_t k_cap[][3]{{0, 1, 5}, {1, 4, 5}, {1, 2, 3}, {1, 3, 4}};
+    for (const auto& [a, b, c] : k_cap) {
+        source.triangles.push_back({a + 6, b + 6, c + 6});
+        source.triangles.push_back({a, c, b});
+    }
+    return source;
+}
+
+TEST_CASE("backs hide lines where a shell that crosses itself shows them") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model model(bow_tie());
+    REQUIRE(model.mesh.is_closed());
+    REQUIRE(model.mesh.is_oriented());
+    const std::vector<glm::dvec3> eyes{{10, 1, 2}, {9, 4, 3}, {8, -3, 6}, {-10, 1, 2}};
+    const std::vector<VisibleRatio> ratios =
+        VisibleRatioPass(gpu->context(), model.octree, {.fov_deg = k_fov_deg}).measure(eyes);
+    for (std::size_t i = 0; i < eyes.size(); ++i) {
+        CAPTURE(i);
+        CHECK(std::abs(ratios[i].ratio() - ray_ratios(model, eyes[i], 256).pixels) < 0.05);
+    }
+}
+
 TEST_CASE("the ratio is the one that rays along the edges see") {
     RIMLINE_OPEN_GPU(gpu);
     double difference = 0.0;

@@ -162,6 +162,7 @@ RIMLINE_FAULT_SCENARIO("visible ratios") {
         stage.make<VisibleRatioPass>(stage.context(), std::cref(stage.models().knot.octree),
                                      VisibleRatioOptions{.side_px = 32, .budget_bytes = 1});
     const std::array<glm::dvec3, 4> eyes{{{3, 2, 1}, {-3, 1, 2}, {0, 4, 1}, {1, 1, -4}}};
+    stage.show(stage.step([&] { return pass->mask(eyes[0]); }));
     for (const VisibleRatio& ratio : stage.step([&] { return pass->measure(eyes); }))
         stage.show(std::vector{ratio.visible_pixels, ratio.total_pixels});
 }
