@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::string_view k_shape_prefix = "shape:";
 constexpr std::uint32_t k_max_shape_faces = 1u << 28;
+// Where a silhouette is seen from, less than 2^-60 counts as zero.
+constexpr double k_least_radius = 0x1p-50;
 constexpr const char* k_take_fewer = "; take fewer faces or fewer steps of --subdivide";
 
 std::string shape_names() {
@@ -99,8 +101,12 @@ Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context&
 
 Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context) {
     Progress progress(context, "joining the faces of " + model);
-    return about_model(model,
-                       [&] { return Mesh(source, Welding::equal_positions, progress.call()); });
+    return about_model(model, [&] {
+        Mesh mesh(source, Welding::equal_positions, progress.call());
+        if (mesh.radius() > 0.0 && mesh.radius() < k_least_radius)
+            throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
+        return mesh;
+    });
 }
 
 void throw_about_model(const std::string& model) {

@@ -37,7 +37,7 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
 
 /// The same, of faces, as a mesh.
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context);
-/// The mesh of what load_model() gave.
+/// The mesh of what load_model() gave. Throws Error: also where it is smaller than 2^-50.
 Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context);
 
 /// Within a catch block: throws on what was caught, an Error that does not begin with the model's name,

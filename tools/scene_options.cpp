@@ -1,11 +1,14 @@
 #include "tools/scene_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "engine/view_defaults.h"
 #include "silhouette/field/sun_choice.h"
+#include "silhouette/mesh/any_perpendicular.h"
 #include "tools/option_types.h"
 #include "tools/picture_scene.h"
 
@@ -37,7 +40,10 @@ void SceneOptions::add_to(CLI::App& app) {
         ->check(CLI::IsMember({"auto", "fail", "pass", "off"}))
         ->capture_default_str()
         ->group(k_group);
-    app.add_flag("--ground", ground, "A ground that catches the shadow")->group(k_group);
+    app.add_flag("--ground", ground,
+                 "A ground that catches the shadow; a sun of --sun auto stands at least 15 degrees "
+                 "above it")
+        ->group(k_group);
 }
 
 Style SceneOptions::style_value() const {
@@ -59,6 +65,18 @@ Material SceneOptions::material(const PictureOptions& picture) const {
     return material;
 }
 
+glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up) {
+    constexpr double k_least_height_rad = 15.0 * std::numbers::pi / 180.0;
+    const glm::dvec3 upwards = glm::normalize(up);
+    const glm::dvec3 direction = glm::normalize(sun);
+    const double height = glm::dot(direction, upwards);
+    if (height >= std::sin(k_least_height_rad)) return sun;
+    const glm::dvec3 level = direction - height * upwards;
+    const glm::dvec3 towards =
+        glm::length(level) > 1e-6 ? glm::normalize(level) : any_perpendicular(upwards);
+    return std::cos(k_least_height_rad) * towards + std::sin(k_least_height_rad) * upwards;
+}
+
 Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
                                const PictureOptions& picture) const {
     const StyleDefaults defaults = style_defaults(style_value());
@@ -78,10 +96,12 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
     for (const glm::vec3& sun : picture.suns)
         scene.lights.push_back({.vector = glm::dvec3(sun), .directional = true});
     if (picture.has_chosen_sun)
-        if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye))
+        if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye)) {
+            const glm::dvec3 up = up_of(mesh, picture);
+            const glm::dvec3 lit = ground ? above_ground(sun->direction, up) : sun->direction;
             // Rounded as --sun is read, so that what `light` prints gives the same picture.
-            scene.lights.push_back(
-                {.vector = glm::dvec3(glm::vec3(sun->direction)), .directional = true});
+            scene.lights.push_back({.vector = glm::dvec3(glm::vec3(lit)), .directional = true});
+        }
     if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));
     return scene;
 }

@@ -41,6 +41,10 @@ private:
     glm::vec3 background(const PictureOptions& picture) const;
 };
 
+/// The direction of a sun, and where that is lower than 15 degrees above a ground, or below it, the nearest
+/// that is not.
+glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up);
+
 /// A ground under a mesh, so low that it holds `drop` more below; keeps what its instance refers to.
 class Ground {
 public:
