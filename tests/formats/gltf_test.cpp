@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
+#include "silhouette/mesh/formats/gltf_buffers.h"
 #include "tests/formats/sample_files.h"
 
 using namespace rimline;
@@ -410,4 +412,83 @@ TEST_CASE("glTF: a file that needs a later version than 2.0 is refused") {
               "asset.minVersion: the file needs a reader of glTF version '2.1'"));
     CHECK(has(with(R"({"version": "2.0", "minVersion": "3.0"})"), "asset.minVersion: "));
     CHECK(has(with(R"({"version": "2.0", "minVersion": 2})"), "asset.minVersion: should be a str"));
+}
+
+TEST_CASE("glTF: however its path is spelled, a buffer's file is read once") {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder.path() / "parts");
+    folder.write("parts/a b.bin", "12345678");
+    folder.write("parts/other.bin", "12345678");
+    const SourceFile file{"a.gltf", {}, folder.path(), 0};
+    std::vector<GltfBuffer> named;
+    for (const char* uri : {"parts/a b.bin", "parts/a%20b.bin", "./parts/a b.bin",
+                            "parts/./%61 b.bin", "parts//a b.bin", "parts%2fa b.bin"})
+        named.push_back({8, uri});
+    const GltfBuffers same(file, named, {}, {});
+    CHECK(same.bytes_read() == 8);
+    for (std::size_t i = 0; i < same.size(); ++i) {
+        CHECK(same[i] == "12345678");
+        CHECK(same[i].data() == same[0].data());
+    }
+    // What is embedded is no path, though a path may look like it.
+    folder.write("data:,x", "1234");
+    const GltfBuffers others(
+        file, {{8, "parts/a b.bin"}, {8, "parts/other.bin"}, {1, "data:,x"}, {4, "data%3a,x"}}, {},
+        {});
+    CHECK(others.bytes_read() == 21);
+    CHECK(others[1].data() != others[0].data());
+    CHECK(others[2] == "x");
+    CHECK(others[3] == "1234");
+
+    std::stop_source stop;
+    stop.request_stop();
+    CHECK_THROWS_WITH_AS(GltfBuffers(file, named, {}, stop.get_token()), "cancelled", Error);
+}
+
+TEST_CASE("glTF: points and lines that share their indices do not read them again and again") {
+    constexpr std::size_t k_indices = 400000;
+    const auto points = [&](const std::string& primitives) {
+        return glb_of(
+            R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 400048}], "bufferViews": [
+{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 400000}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5121, "count": 400000, "type": "SCALAR"},
+{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"meshes": [{"primitives": [)" +
+                primitives + "]}]}",
+            square_buffer() + std::string(k_indices - 4, '\0'));
+    };
+    const std::string one = R"({"attributes": {"POSITION": 0}, "indices": 1, "mode": 0})";
+    std::string many = one;
+    for (int i = 1; i < 20000; ++i) many += "," + one;
+    const ScratchFolder folder;
+    const std::filesystem::path path = folder.write("a.glb", points(many));
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK(read_mesh_file(path, FaceRequirement::faces_or_points).positions.size() == 80000);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    MESSAGE("20,000 primitives of 400,000 indices: " << took.count() << " s");
+    CHECK(took.count() < 10.0);
+    // Each primitive has vertices of its own that they are held against.
+    CHECK(error_of("a.glb", points(one + R"(, {"attributes": {"POSITION": 2}, "indices": 1,
+"mode": 1})")) ==
+          "a.glb: meshes[0].primitives[1]: index 3 (number 3) is out of range; there are 3 "
+          "vertices");
+    CHECK(has(error_of("a.glb", points(one + R"(, {"attributes": {"POSITION": 0}, "indices": 1})")),
+              "meshes[0].primitives[1]: 400000 corners do not make triangles"));
+}
+
+TEST_CASE("glTF: no accessor replaces more elements than it has") {
+    Bytes bytes;
+    bytes.add(1.0f).add(2.0f).add(3.0f).add(4.0f).add(5.0f).add(6.0f);
+    bytes.add<std::uint8_t>(0).add<std::uint8_t>(0);
+    const auto sparse = [&](const std::string& count) {
+        return accessor_mesh(
+            R"({"buffer": 0, "byteLength": 24}, {"buffer": 0, "byteOffset": 24, "byteLength": 2})",
+            R"({"componentType": 5126, "count": 1, "type": "VEC3", "sparse": {"count": )" + count +
+                R"(, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}})",
+            bytes.str());
+    };
+    CHECK(points_of(sparse("1")) == std::vector<glm::vec3>{{1, 2, 3}});
+    CHECK(has(error(sparse("2")),
+              "accessors[0]: sparse.count: 2 elements are replaced, but there are only 1"));
 }

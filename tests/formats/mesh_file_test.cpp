@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include "silhouette/mesh/formats/readers.h"
 #include "tests/formats/sample_files.h"
 
 using namespace rimline;
@@ -119,4 +120,55 @@ TEST_CASE("Progress never falls and ends at one, and a stop request ends the cal
         cancelled = e.code() == ErrorCode::cancelled;
     }
     CHECK(cancelled);
+}
+
+TEST_CASE("A stop request reaches into a file's only polygon") {
+    constexpr int k_corners = 20000;
+    std::string points;
+    std::string obj;
+    std::string from_0;
+    std::string from_1;
+    for (int i = 0; i < k_corners; ++i) {
+        const double angle = 2.0 * M_PI * i / k_corners;
+        const double r = i % 2 == 0 ? 1.0 : 0.5;
+        const std::string point = std::to_string(r * std::cos(angle)) + " " +
+                                  std::to_string(r * std::sin(angle)) + " 0\n";
+        points.append(point);
+        obj.append("v ").append(point);
+        from_0.append(" ").append(std::to_string(i));
+        from_1.append(" ").append(std::to_string(i + 1));
+    }
+    const std::string count = std::to_string(k_corners);
+    const std::string vertices =
+        "element vertex " + count + "\nproperty float x\nproperty float y\nproperty float z\n";
+    const std::string face = "element face 1\nproperty list ushort int vertex_index\n";
+    const std::string ply = "ply\nformat ascii 1.0\n";
+    const SourceFile off{
+        "a.off", "OFF\n" + count + " 1 0\n" + points + count + from_0 + "\n", {}, 0};
+    const SourceFile faces_last{
+        "a.ply", ply + vertices + face + "end_header\n" + points + count + from_0 + "\n", {}, 0};
+    const SourceFile faces_first{
+        "b.ply", ply + face + vertices + "end_header\n" + count + from_0 + "\n" + points, {}, 0};
+    const SourceFile with_face{"a.obj", obj + "f" + from_1 + "\n", {}, 0};
+    const auto read = [](const SourceFile& file, const LongCall& call) {
+        if (file.name == "a.off") return read_off(file, BadPoints::refuse, call);
+        return file.name == "a.obj" ? read_obj(file, call) : read_ply(file, call);
+    };
+    for (const SourceFile* file : {&off, &faces_last, &faces_first, &with_face}) {
+        CAPTURE(file->name);
+        int reports = 0;
+        CHECK(read(*file, {{}, [&](double) { ++reports; }}).triangles.size() == k_corners - 2);
+        // After the last report, if there is any, only the polygon is left to ask.
+        std::stop_source stop;
+        if (reports == 0) stop.request_stop();
+        ErrorCode code{};
+        try {
+            read(*file, {stop.get_token(), [&](double) {
+                             if (--reports == 0) stop.request_stop();
+                         }});
+        } catch (const Error& e) {
+            code = e.code();
+        }
+        CHECK(code == ErrorCode::cancelled);
+    }
 }

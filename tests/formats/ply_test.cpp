@@ -1,3 +1,6 @@
+#include <chrono>
+
+#include "silhouette/mesh/formats/ply_header.h"
 #include "tests/formats/sample_files.h"
 
 using namespace rimline;
@@ -203,4 +206,34 @@ TEST_CASE("PLY: one line's end may follow binary data, and nothing else") {
         CAPTURE(end.size());
         CHECK(has(error_of("a.ply", good + end), " bytes follow the last element"));
     }
+}
+
+TEST_CASE("PLY: a name is declared once, and a header of many names takes no long time") {
+    const std::string two = "element vertex 2\n" + k_vertices;
+    const auto error = [](const std::string& bytes) { return error_of("a.ply", bytes); };
+    CHECK(error(ply(two + "property char y\n", "")) == "a.ply:7: property 'y' is declared twice");
+    CHECK(error(ply(two + "element face 0\n" + k_face + "element vertex 1\n", "")) ==
+          "a.ply:9: element 'vertex' is declared twice");
+    // Two elements may have properties of the same name.
+    CHECK(error(ply(two + "element other 0\n" + k_vertices, "1 2 3\n4 5 6\n")).empty());
+
+    std::string properties = two + "element wide 0\n";
+    std::string elements = two;
+    for (int i = 0; i < 150000; ++i) {
+        properties.append("property char p").append(std::to_string(i)).append("\n");
+        elements.append("element e").append(std::to_string(i)).append(" 0\n");
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK(error(ply(properties, "1 2 3\n4 5 6\n")).empty());
+    CHECK(error(ply(elements, "1 2 3\n4 5 6\n")).empty());
+    CHECK(error(ply(properties + "property char p7\n", "")) ==
+          "a.ply:150008: property 'p7' is declared twice");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    MESSAGE("headers of 150,000 names: " << took.count() << " s");
+    CHECK(took.count() < 10.0);
+
+    std::stop_source stop;
+    stop.request_stop();
+    const SourceFile file{"a.ply", ply(two, ""), {}, 0};
+    CHECK_THROWS_WITH_AS(read_ply_header(file, {stop.get_token(), {}}), "cancelled", Error);
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <map>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
 #include "silhouette/mesh/formats/gltf_accessor.h"
@@ -191,12 +192,22 @@ private:
         std::vector<std::uint32_t> corners;
         const auto indices = primitive.attributes.find(k_gltf_indices);
         if (indices != primitive.attributes.end()) {
+            // Triangles are counted, points and lines are not: of these each accessor is read once.
+            const bool has_triangles = primitive.mode >= TINYGLTF_MODE_TRIANGLES;
+            const auto known = least_vertices_.find(indices->second);
+            if (!has_triangles && known != least_vertices_.end() &&
+                known->second <= positions.size())
+                return;
             corners = accessors_.indices(indices->second);
-            for (std::size_t i = 0; i < corners.size(); ++i)
+            std::uint64_t least_vertices = 0;
+            for (std::size_t i = 0; i < corners.size(); ++i) {
                 if (corners[i] >= positions.size())
                     fail("index " + std::to_string(corners[i]) + " (number " + std::to_string(i) +
                          ") is out of range; there are " + std::to_string(positions.size()) +
                          " vertices");
+                least_vertices = std::max(least_vertices, std::uint64_t{corners[i]} + 1);
+            }
+            least_vertices_[indices->second] = least_vertices;
         } else {
             corners.resize(positions.size());
             for (std::size_t i = 0; i < corners.size(); ++i)
@@ -236,6 +247,7 @@ private:
     GltfAccessors accessors_;
     MeshSource source_;
     std::vector<bool> visited_;
+    std::map<int, std::uint64_t> least_vertices_;  // That an accessor of indices asks for.
     std::string place_;
 };
 
@@ -243,7 +255,7 @@ MeshSource read_document(const SourceFile& file, std::string_view json, std::siz
                          std::string_view binary_chunk, BadPoints bad, const LongCall& call) {
     const GltfScene scene = read_gltf_scene(file.name, json, first_byte);
     parse_checkpoint(call, 0.3);
-    const GltfBuffers buffers(file, scene.buffers, binary_chunk);
+    const GltfBuffers buffers(file, scene.buffers, binary_chunk, call.stop);
     const tinygltf::Model model = parse_model(file, scene);
     parse_checkpoint(call, 0.6);
     return Flattener(file, model, buffers, bad, call).run();

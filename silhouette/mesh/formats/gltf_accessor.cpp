@@ -121,6 +121,10 @@ void GltfAccessors::apply_sparse(int accessor, int width, std::vector<double>& v
     if (!index_type || !is_unsigned(*index_type))
         fail(accessor, "sparse.indices: componentType should be an unsigned integer");
     const auto count = static_cast<std::uint64_t>(a.sparse.count);
+    // Their indices increase. More of them would cost time that no count of elements shows.
+    if (count > a.count)
+        fail(accessor, "sparse.count: " + std::to_string(count) +
+                           " elements are replaced, but there are only " + std::to_string(a.count));
     const auto components = static_cast<std::size_t>(width);
     const Elements at = elements(accessor, "sparse.indices: ", a.sparse.indices.bufferView,
                                  static_cast<std::uint64_t>(a.sparse.indices.byteOffset), count,

@@ -83,7 +83,8 @@ struct BufferUri {
         return uri.substr(0, comma).ends_with(";base64") ? from_base64(bytes) : bytes;
     }
 
-    std::string beside() const {
+    /// Below the document's folder, without "..".
+    std::filesystem::path relative_path() const {
         if (uri.size() > 4096) fail("uri is longer than a path can be");
         const std::filesystem::path relative = unescaped(uri);
         const bool leaves = std::any_of(relative.begin(), relative.end(), [](const auto& part) {
@@ -91,9 +92,14 @@ struct BufferUri {
         });
         if (relative.is_absolute() || leaves || uri.find(':') != std::string_view::npos)
             fail("uri " + excerpt(uri) + " does not name a file beside this one");
+        return relative;
+    }
+
+    std::string beside(const std::filesystem::path& relative, const std::stop_token& stop) const {
         try {
-            return read_source_file(file.folder / relative, {}).bytes;
+            return read_source_file(file.folder / relative, {stop, {}}).bytes;
         } catch (const Error& e) {
+            if (e.code() == ErrorCode::cancelled) throw;
             throw Error(e.code(), file.name + ": " + place() + e.what());
         }
     }
@@ -102,7 +108,7 @@ struct BufferUri {
 }  // namespace
 
 GltfBuffers::GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& buffers,
-                         std::string_view binary_chunk) {
+                         std::string_view binary_chunk, const std::stop_token& stop) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const GltfBuffer& buffer = buffers[i];
         const BufferUri source{file, i, buffer.uri};
@@ -111,14 +117,19 @@ GltfBuffers::GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& 
         std::string name = "the binary chunk";
         if (!buffer.uri.empty()) {
             name = excerpt(buffer.uri);
-            auto found = by_uri_.find(buffer.uri);
-            if (found == by_uri_.end()) {
-                const bool embedded = buffer.uri.starts_with(k_data_scheme);
-                found = by_uri_.emplace(buffer.uri, embedded ? source.embedded() : source.beside())
-                            .first;
-                bytes_read_ += found->second.size();
+            if (buffer.uri.starts_with(k_data_scheme)) {
+                bytes = embedded_.emplace_back(source.embedded());
+                bytes_read_ += bytes.size();
+            } else {
+                const std::filesystem::path path = source.relative_path();
+                // Without "..", a path and its normal one lead to the same file.
+                const auto [found, is_new] = files_.try_emplace(path.lexically_normal());
+                if (is_new) {
+                    found->second = source.beside(path, stop);
+                    bytes_read_ += found->second.size();
+                }
+                bytes = found->second;
             }
-            bytes = found->second;
         } else if (i == 0 && binary_chunk.data() != nullptr) {
             bytes = binary_chunk;
         } else {

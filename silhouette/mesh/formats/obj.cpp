@@ -66,7 +66,7 @@ MeshSource read_obj(const SourceFile& file, const LongCall& call) {
 
     TextBuffer buffer(scan.statements);
     std::istream stream(&buffer);
-    FaceReader reader{call, buffer, source, 0, 0, 0, {}, {}};
+    FaceReader reader{call, buffer, source, 0, 0, 0, {}, Triangulator(call.stop)};
     tinyobj::callback_t callback;
     callback.vertex_cb = [](void* user, float, float, float, float) {
         ++static_cast<FaceReader*>(user)->vertex_count;

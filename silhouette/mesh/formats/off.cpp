@@ -170,7 +170,7 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
     });
     source.triangles.reserve(face_count);
     std::vector<std::uint32_t> polygon;
-    Triangulator triangulator;
+    Triangulator triangulator(call.stop);
     for (std::uint64_t i = 0; i < face_count; ++i) {
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
         reader.read_face(vertex_count, polygon);

@@ -18,7 +18,7 @@ template <typename Body>
 class PlyReader {
 public:
     PlyReader(const SourceFile& file, const PlyHeader& header, const LongCall& call)
-        : file_(file), header_(header), elements_(file, header, call) {}
+        : file_(file), header_(header), elements_(file, header, call), triangulator_(call.stop) {}
 
     MeshSource read() {
         vertex_count_ = header_.vertices(file_).count;
@@ -33,10 +33,13 @@ public:
                 elements_.skip_elements(element);
         }
         body_.expect_end();
-        for (std::size_t i = 0; i < early_polygons_.size(); i += early_polygons_[i] + 1)
+        std::uint64_t polygon = 0;
+        for (std::size_t i = 0; i < early_polygons_.size(); i += early_polygons_[i] + 1) {
+            elements_.checkpoint(polygon++);
             triangulator_.triangulate(source_.positions,
                                       std::span(early_polygons_).subspan(i + 1, early_polygons_[i]),
                                       source_.triangles);
+        }
         return std::move(source_);
     }
 
@@ -165,7 +168,7 @@ private:
 }  // namespace
 
 MeshSource read_ply(const SourceFile& file, const LongCall& call) {
-    const PlyHeader header = read_ply_header(file);
+    const PlyHeader header = read_ply_header(file, call);
     if (header.encoding == PlyEncoding::ascii)
         return PlyReader<PlyTextBody>(file, header, call).read();
     return PlyReader<PlyBinaryBody>(file, header, call).read();

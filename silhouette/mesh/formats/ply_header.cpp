@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -56,7 +57,7 @@ PlyProperty read_property(TextScanner& scanner) {
     return property;
 }
 
-PlyElement read_element(TextScanner& scanner, const std::vector<PlyElement>& before) {
+PlyElement read_element(TextScanner& scanner) {
     PlyElement element{};
     element.line = scanner.line();
     element.name = scanner.token();
@@ -64,9 +65,6 @@ PlyElement read_element(TextScanner& scanner, const std::vector<PlyElement>& bef
     if (count < 0) scanner.fail("the element's count is negative");
     element.count = static_cast<std::uint64_t>(count);
     scanner.expect_end_of_line("the element's count");
-    for (const PlyElement& other : before)
-        if (other.name == element.name)
-            scanner.fail("element " + excerpt(element.name) + " is declared twice");
     return element;
 }
 
@@ -87,6 +85,14 @@ PlyEncoding read_encoding(TextScanner& scanner) {
         scanner.fail("PLY version " + excerpt(version) + " is unknown; only 1.0 is");
     scanner.expect_end_of_line("the version");
     return encoding;
+}
+
+// The names that one kind of thing has so far. Ordered, not hashed: no choice of names makes it slow.
+using Names = std::set<std::string>;
+
+void add_name(const TextScanner& scanner, Names& names, const char* kind, const std::string& name) {
+    if (!names.insert(name).second)
+        scanner.fail(std::string(kind) + " " + excerpt(name) + " is declared twice");
 }
 
 // No element may claim more bytes than there are: what is reserved for it is then bounded by the file.
@@ -149,7 +155,7 @@ const PlyElement& PlyHeader::vertices(const SourceFile& file) const {
     return *vertices;
 }
 
-PlyHeader read_ply_header(const SourceFile& file) {
+PlyHeader read_ply_header(const SourceFile& file, const LongCall& call) {
     PlyHeader header{};
     const std::string_view bytes = file.text();
     TextScanner scanner(file.name, bytes);
@@ -162,7 +168,11 @@ PlyHeader read_ply_header(const SourceFile& file) {
                          newline + 1 < bytes.size() && bytes[newline + 1] != '\n';
 
     bool has_format = false;
-    for (;;) {
+    Names element_names;
+    Names property_names;  // Of the last element.
+    for (std::uint64_t i = 0;; ++i) {
+        // No greater share than where the body's begins.
+        if (i % k_checkpoint_interval == 0) parse_checkpoint(call, 0.0);
         scanner.expect_line("the rest of the header, up to 'end_header',");
         const std::string_view keyword = scanner.token();
         if (keyword == "comment" || keyword == "obj_info") continue;
@@ -171,14 +181,14 @@ PlyHeader read_ply_header(const SourceFile& file) {
             header.encoding = read_encoding(scanner);
             has_format = true;
         } else if (keyword == "element") {
-            header.elements.push_back(read_element(scanner, header.elements));
+            header.elements.push_back(read_element(scanner));
+            add_name(scanner, element_names, "element", header.elements.back().name);
+            property_names.clear();
         } else if (keyword == "property") {
             if (header.elements.empty()) scanner.fail("a property before any element");
             PlyElement& element = header.elements.back();
-            PlyProperty property = read_property(scanner);
-            if (element.find(property.name))
-                scanner.fail("property " + excerpt(property.name) + " is declared twice");
-            element.properties.push_back(std::move(property));
+            element.properties.push_back(read_property(scanner));
+            add_name(scanner, property_names, "property", element.properties.back().name);
         } else if (keyword == "end_header") {
             scanner.expect_end_of_line("'end_header'");
             break;

@@ -50,7 +50,8 @@ struct PlyHeader {
 };
 
 /// Throws Error{bad_input} with the line of what is wrong, including counts that the bytes after the
-/// header cannot hold.
-PlyHeader read_ply_header(const SourceFile& file);
+/// header cannot hold; Error{cancelled} where `call` is to stop. Cost: O(header), times the logarithm of
+/// how many names it holds.
+PlyHeader read_ply_header(const SourceFile& file, const LongCall& call);
 
 }  // namespace rimline

@@ -118,7 +118,7 @@ private:
 }  // namespace
 
 PointRecords read_ply_points(const SourceFile& file, BadPoints bad, const LongCall& call) {
-    const PlyHeader header = read_ply_header(file);
+    const PlyHeader header = read_ply_header(file, call);
     if (header.encoding == PlyEncoding::ascii)
         return PlyPointReader<PlyTextBody>(file, header, bad, call).read();
     return PlyPointReader<PlyBinaryBody>(file, header, bad, call).read();

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <utility>
 
 #include "silhouette/error.h"
 
@@ -15,6 +16,12 @@ namespace {
 using Corner = std::uint32_t;  // A position in the polygon, not in the mesh.
 constexpr Corner k_no_corner = 0xffffffffu;
 constexpr std::uint32_t k_no_waiting = 0xffffffffu;
+// What a polygon that crosses itself may cost. Where its corners lie scattered over the memory a test
+// takes tens of nanoseconds: the second bound is some seconds.
+constexpr std::uint64_t k_tests_a_corner = 2048;
+constexpr std::uint64_t k_most_tests = std::uint64_t{1} << 27;
+// Corners or tests between two looks at the stop token.
+constexpr std::uint32_t k_stop_interval = 1 << 13;
 
 // Twice the signed area.
 double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) noexcept {
@@ -64,6 +71,8 @@ struct Projection {
 // that is blocked waits at the reflex corner that blocks it until that one is gone.
 class Triangulator::EarClipper {
 public:
+    explicit EarClipper(std::stop_token stop) : stop_(std::move(stop)) {}
+
     void clip(std::span<const glm::vec3> positions, std::span<const std::uint32_t> polygon,
               const Projection& project, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
@@ -106,6 +115,12 @@ private:
         heap.pop_back();
         return top;
     }
+    void check_stop() const {
+        if (stop_.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
+    }
+    void count_test() {
+        if (tests_left_ > 0 && --tests_left_ % k_stop_interval == 0) check_stop();
+    }
     void build_grid();
     std::uint32_t column_of(double x) const noexcept { return cell_of(x - low_.x, columns_); }
     std::uint32_t row_of(double y) const noexcept { return cell_of(y - low_.y, rows_); }
@@ -115,6 +130,7 @@ private:
         return static_cast<std::uint32_t>(std::clamp(i, 0.0, static_cast<double>(count - 1)));
     }
 
+    std::stop_token stop_;
     std::span<const glm::vec3> positions_;
     std::span<const std::uint32_t> polygon_;
     std::vector<Node> nodes_;
@@ -187,10 +203,10 @@ Corner Triangulator::EarClipper::blocker_of(Corner corner) {
         const std::size_t first = std::size_t{row} * columns_ + first_column;
         const std::uint32_t begin = cell_begin_[first];
         const std::uint32_t end = cell_begin_[first + (last_column - first_column) + 1];
-        if (tests_left_ > 0) --tests_left_;
+        count_test();
         for (std::uint32_t i = begin; i < end; ++i) {
             // Only what is looked at: the first corner of a long row often blocks.
-            if (tests_left_ > 0) --tests_left_;
+            count_test();
             const Node& other = nodes_[cell_corners_[i]];
             if (!other.alive || !other.reflex) continue;
             const glm::dvec2 p = other.at;
@@ -272,11 +288,15 @@ void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions,
         reflex_count_ += n.reflex;
     }
     build_grid();
-    tests_left_ = std::uint64_t{2048} * count;
-    for (Corner i = 0; i < count; ++i) consider(i);
+    tests_left_ = std::min(k_tests_a_corner * count, k_most_tests);
+    for (Corner i = 0; i < count; ++i) {
+        if (i % k_stop_interval == 0) check_stop();
+        consider(i);
+    }
 
     some_corner_ = 0;
     for (Corner left = count; left > 3; --left) {
+        if (left % k_stop_interval == 0) check_stop();
         const Corner ear = next_ear();
         Node& node = nodes_[ear];
         const Corner before = node.before;
@@ -295,7 +315,8 @@ void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions,
     triangles.push_back({polygon[last.before], polygon[some_corner_], polygon[last.after]});
 }
 
-Triangulator::Triangulator() : clipper_(std::make_unique<EarClipper>()) {}
+Triangulator::Triangulator(std::stop_token stop)
+    : clipper_(std::make_unique<EarClipper>(std::move(stop))) {}
 Triangulator::~Triangulator() = default;
 Triangulator::Triangulator(Triangulator&&) noexcept = default;
 Triangulator& Triangulator::operator=(Triangulator&&) noexcept = default;
