@@ -236,6 +236,7 @@ private:
         const bool is_engine = suite_ == "engine";
         const bool is_views = suite_ == "views";
         refuse(!is_views, pictures_option_, "belongs to the suite views");
+        refuse(pictures_.empty(), pictures_option_, "expected a folder, not ''");
         refuse(!is_views || pictures_.empty(), up_option_, "belongs to --pictures");
         refuse(is_views && !pictures_.empty(), check_option_, "not together with --pictures");
         refuse(!is_engine && !is_views, device_option_, "belongs to the suites engine and views");

@@ -49,7 +49,7 @@ struct EngineResult {
     const EngineTime* find_line_path(const std::string& name) const;
 };
 
-/// Throws what devices and renderers throw.
+/// Of a mesh with an extent (check_has_extent). Throws what devices and renderers throw.
 EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Device& device,
                           const EngineBenchOptions& options, const Context& context);
 

@@ -155,6 +155,7 @@ ExitStatus run_bench_engine(const EngineBenchRequest& request, const Context& co
     std::string difference;
     for (const std::string& model : request.models) {
         const Mesh mesh = load_mesh(model, request.subdivide, context);
+        check_has_extent(model, mesh);
         // Not before the first model is there: what cannot be read leaves standard output empty.
         if (!context.json && &model == &request.models.front()) print_machine(device);
         const EngineResult result = about_model(

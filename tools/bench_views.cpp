@@ -121,9 +121,13 @@ glm::dvec3 first_direction(const Mesh& mesh, const std::vector<glm::dvec3>& eyes
     return eyes.empty() ? glm::dvec3(0.0) : glm::normalize(eyes[0] - mesh.center());
 }
 
-// By how much the first view of each way moves from one mesh to the other, in the order of the sets.
+// By how much the first view of each way moves from the mesh to the variant, in the order of the sets; none
+// where so few faces are left that it has no extent.
 std::vector<double> first_moves(const Mesh& mesh, const Choices& choices, const Mesh& variant,
-                                const Choices& changed) {
+                                const Device& device, const ViewsBenchOptions& options,
+                                const Context& context) {
+    if (variant.radius() == 0.0) return {};
+    const Choices changed = choose_all(variant, device, options, true, context);
     const auto moved = [&](const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
         return angle_deg(first_direction(mesh, from), first_direction(variant, to));
     };
@@ -217,14 +221,14 @@ ViewsResult bench_views(const std::string& model, const Mesh& mesh, const Device
     const Mesh simple(simplified(mesh, mesh.face_count() / k_simplification));
     const Mesh noisy(with_noise(mesh, k_noise, options.seed));
     const std::vector<double> simplified_moves =
-        first_moves(mesh, choices, simple, choose_all(simple, device, options, true, context));
+        first_moves(mesh, choices, simple, device, options, context);
     call.checkpoint(0.6);
     const std::vector<double> noisy_moves =
-        first_moves(mesh, choices, noisy, choose_all(noisy, device, options, true, context));
+        first_moves(mesh, choices, noisy, device, options, context);
     call.checkpoint(0.8);
     for (std::size_t i = 0; i < result.sets.size(); ++i) {
-        result.sets[i].simplified_deg = simplified_moves[i];
-        result.sets[i].noisy_deg = noisy_moves[i];
+        if (!simplified_moves.empty()) result.sets[i].simplified_deg = simplified_moves[i];
+        if (!noisy_moves.empty()) result.sets[i].noisy_deg = noisy_moves[i];
     }
     result.sets.push_back(
         {.name = "most faces not yet seen, greedy",

@@ -28,7 +28,8 @@ struct ViewSet {
     std::vector<glm::dvec3> eyes;  ///< Of random choice none: it stands for the mean of many.
     double seen = 0.0;             ///< Share of the faces.
     double least_apart_deg = 0.0, mean_apart_deg = 0.0, most_apart_deg = 0.0;
-    std::optional<double> simplified_deg, noisy_deg;  ///< By which the first view moves.
+    /// By which the first view moves; of a mesh so small that a quarter of its faces is none, only by noise.
+    std::optional<double> simplified_deg, noisy_deg;
 };
 
 /// One way of lighting the best views: means over them.
@@ -50,7 +51,7 @@ struct ViewsResult {
     double ms = 0.0;                       ///< Of ours: field and views.
 };
 
-/// Throws what devices throw.
+/// Of a mesh with an extent (check_has_extent). Throws what devices throw.
 ViewsResult bench_views(const std::string& model, const Mesh& mesh, const Device& device,
                         const ViewsBenchOptions& options, const Context& context);
 

@@ -16,6 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+void print_degrees(const std::optional<double>& degrees, int width) {
+    if (degrees)
+        std::printf(" %*.2f\u00b0", width, *degrees);
+    else
+        std::printf(" %*s", width + 1, "-");
+}
+
 void print_result(const ViewsResult& result) {
     std::printf("%s: %u faces\n", result.model.c_str(), result.faces);
     std::printf("  %-32s %8s %8s %8s %8s %11s %8s\n", "views", "seen", "least", "mean", "most",
@@ -23,8 +30,8 @@ void print_result(const ViewsResult& result) {
     for (const ViewSet& set : result.sets) {
         std::printf("  %-32s %7.1f%% %7.1f\u00b0 %7.1f\u00b0 %7.1f\u00b0", set.name.c_str(),
                     100.0 * set.seen, set.least_apart_deg, set.mean_apart_deg, set.most_apart_deg);
-        if (set.simplified_deg)
-            std::printf(" %10.2f\u00b0 %7.2f\u00b0", *set.simplified_deg, *set.noisy_deg);
+        print_degrees(set.simplified_deg, 10);
+        print_degrees(set.noisy_deg, 7);
         std::printf("\n");
     }
     std::printf("  %-32s %8s %8s %9s\n", "light", "away", "unlit", "contrast");
@@ -77,6 +84,7 @@ ExitStatus run_bench_views(const ViewsBenchRequest& request, const Context& cont
     std::string missed;
     for (const std::string& model : request.models) {
         const Mesh mesh = load_mesh(model, request.subdivide, context);
+        check_has_extent(model, mesh);
         if (!request.pictures.empty()) {
             about_model(model, [&] {
                 draw_view_experiments(model, mesh, device, request.up, request.pictures, context);

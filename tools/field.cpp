@@ -144,7 +144,7 @@ public:
                "Draw this plane, in units of the model's radius from its center")
             ->type_name("AXIS=VALUE");
         add_count(app, "--resolution", resolution_, 16, 8192, "Of the slice, pixels a side");
-        app.add_option("-o,--output", output_, "The slice's picture")->type_name("FILE.png");
+        add_output(app, "-o,--output", output_, ".png", "The slice's picture");
         app.footer(
             "The field at a point is the sum, over all planes of the model's faces, of a function\n"
             "of the point's signed distance from the plane. Distances are in units of the model's\n"
@@ -162,7 +162,7 @@ public:
         if (slice_.has_value() != !output_.empty())
             throw UsageError("field: --slice and --output go together");
         std::optional<OutputFile> file;
-        if (slice_) file.emplace(output_);
+        if (slice_) file.emplace(output_, model_.model);
 
         const Mesh mesh = model_.load_mesh(context);
         const UnitPlanes planes(mesh);
@@ -214,7 +214,7 @@ private:
         if (!slice_) return;
         const auto& slice = object["slice"];
         const auto at = slice["greatest_at"].get<std::array<double, 3>>();
-        std::printf("  %s: from %.6g to %.6g, at %.6g,%.6g,%.6g\n", output_.c_str(),
+        std::printf("  %s: from %.6g to %.6g, at %.9g,%.9g,%.9g\n", output_.c_str(),
                     slice["least"].get<double>(), slice["greatest"].get<double>(), at[0], at[1],
                     at[2]);
     }

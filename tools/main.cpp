@@ -11,10 +11,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <memory>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -99,14 +99,12 @@ ExitStatus report_usage(const std::string& message, const CLI::App& app) {
     return ExitStatus::wrong_usage;
 }
 
-ExitStatus run(Command& command, const Context& context) {
-    const ExitStatus status = command.run(context);
-    // A full disk behind standard output shows only when the buffer is emptied.
+// A full disk behind standard output shows only when the buffer is emptied.
+void flush_output() {
     errno = 0;
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
         throw Error(ErrorCode::io,
                     "standard output: cannot write: " + std::generic_category().message(errno));
-    return status;
 }
 
 ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
@@ -147,7 +145,10 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         app.parse(std::move(arguments));
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) {  // --help and --version arrive as exceptions.
-            app.exit(e, std::cout, std::cerr);
+            std::ostringstream text;
+            app.exit(e, text, text);
+            std::fputs(text.str().c_str(), stdout);
+            flush_output();
             return ExitStatus::success;
         }
         return report_usage(plain_words(e), app);
@@ -170,7 +171,9 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     std::optional<tbb::global_control> at_most;
     if (threads > 0) at_most.emplace(tbb::global_control::max_allowed_parallelism, threads);
     try {
-        return run(**command, Context{json, std::move(stop)});
+        const ExitStatus status = (*command)->run(Context{json, std::move(stop)});
+        flush_output();
+        return status;
     } catch (const UsageError& e) {
         return report_usage(e.what(), app);
     }

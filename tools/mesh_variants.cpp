@@ -9,8 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "silhouette/error.h"
-
 namespace rimline::tools {
 
 namespace {
@@ -75,7 +73,7 @@ MeshSource bent(const Mesh& mesh, const glm::dvec3& up, double degrees) {
         along = glm::normalize(e - glm::dot(e, axis) * axis);
         length = size[i];
     }
-    RIMLINE_CHECK(length > 0.0);
+    if (length == 0.0) return source;
     const glm::dvec3 across = glm::cross(axis, along);
     const double bend_radius = length / glm::radians(degrees);
     for (glm::vec3& position : source.positions) {

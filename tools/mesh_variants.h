@@ -18,7 +18,7 @@ MeshSource simplified(const Mesh& mesh, std::uint32_t faces);
 MeshSource with_noise(const Mesh& mesh, double share, std::uint32_t seed);
 
 /// Bent around an axis parallel to `up` (Barr 1984), so that the ends of the longest extent perpendicular to
-/// it point so many degrees apart: as an animal that turns.
+/// it point so many degrees apart: as an animal that turns. What has no such extent stays as it is.
 MeshSource bent(const Mesh& mesh, const glm::dvec3& up, double degrees);
 
 }  // namespace rimline::tools

@@ -109,6 +109,12 @@ Mesh make_mesh(const std::string& model, const MeshSource& source, const Context
     });
 }
 
+void check_has_extent(const std::string& model, const Mesh& mesh) {
+    if (mesh.radius() == 0.0)
+        throw Error(ErrorCode::bad_input,
+                    model + ": its radius is 0: take a model whose vertices are not all one point");
+}
+
 void throw_about_model(const std::string& model) {
     try {
         throw;

@@ -40,6 +40,9 @@ Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context&
 /// The mesh of what load_model() gave. Throws Error: also where it is smaller than 2^-50.
 Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context);
 
+/// Throws Error{bad_input} where all vertices of the mesh are one point: no camera stands around it.
+void check_has_extent(const std::string& model, const Mesh& mesh);
+
 /// Within a catch block: throws on what was caught, an Error that does not begin with the model's name,
 /// or memory that ran out, as an Error that does.
 [[noreturn]] void throw_about_model(const std::string& model);

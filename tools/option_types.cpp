@@ -1,14 +1,20 @@
 #include "tools/option_types.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
+#include <system_error>
 
 #include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline::tools {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -65,6 +71,20 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name, const std::s
         ->type_name(type)
         // Else an option would take a following MODEL for another value of its own.
         ->allow_extra_args(false);
+}
+
+// `ending` has small letters.
+bool ends_in(std::string_view text, std::string_view ending) {
+    return text.size() >= ending.size() &&
+           std::ranges::equal(text.substr(text.size() - ending.size()), ending, {},
+                              [](char c) { return std::tolower(static_cast<unsigned char>(c)); });
+}
+
+// Links in /dev too: what standard output is redirected to, the shell has named.
+bool is_device_or_pipe(const std::string& file_name) {
+    std::error_code ignored;
+    if (file_name.starts_with("/dev/") && fs::is_symlink(file_name, ignored)) return true;
+    return fs::exists(file_name, ignored) && !fs::is_regular_file(file_name, ignored);
 }
 
 struct NamedColor {
@@ -226,6 +246,18 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& va
                         value = *number;
                     })
         ->default_str(std::to_string(value));
+}
+
+CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& value,
+                        const std::string& ending, const std::string& description) {
+    const std::string type = "FILE" + ending;
+    return add_text(app, name, type, description,
+                    [=, &value](const std::string& text) {
+                        if (!ends_in(text, ending) && !is_device_or_pipe(text))
+                            reject(name.substr(0, name.find(',')), type, text);
+                        value = text;
+                    })
+        ->default_str(value);
 }
 
 CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,

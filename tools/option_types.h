@@ -51,6 +51,11 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& value,
                        std::uint32_t low, std::uint32_t high, const std::string& description);
 
+/// The name of a file to write, which ends in `ending`, as ".png", in any case; of a device, a pipe or a link
+/// in /dev, as /dev/stdout, it may be any. `value` holds the default; empty when there is none.
+CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& value,
+                        const std::string& ending, const std::string& description);
+
 /// sRGB, 8 bits a channel.
 struct Color {
     std::uint8_t red, green, blue;

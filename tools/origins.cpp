@@ -137,8 +137,7 @@ public:
                      "Count also what the thesis's octrees cost, by both of their cullings");
         app.add_flag("--time", time_, "Measure by the clock too what an extraction takes")
             ->excludes(count_option_);
-        app.add_option("-o,--output", output_, "A picture of the groups of faces")
-            ->type_name("FILE.png");
+        add_output(app, "-o,--output", output_, ".png", "A picture of the groups of faces");
         add_direction(app, "--direction", direction_,
                       "Of the picture: from the model towards the viewer");
         add_direction(app, "--up", up_, "Of the picture (default: the file format's)");
@@ -150,7 +149,7 @@ public:
             "what\n"
             "is tried, and often wins: see docs/field.md.\n\n"
             "Examples:\n"
-            "  rimline origins horse.ply -k 3 -o groups.png\n"
+            "  rimline origins horse.ply -k 3 --up 0,0,1 -o groups.png\n"
             "  rimline origins igea.ply --json");
     }
 
@@ -158,7 +157,7 @@ public:
         if (count_option_->count() > 0 && most_option_->count() > 0)
             throw UsageError("origins: --count and --most exclude each other");
         std::optional<OutputFile> file;
-        if (!output_.empty()) file.emplace(output_);
+        if (!output_.empty()) file.emplace(output_, model_.model);
         const Mesh mesh = model_.load_mesh(context);
         return about_model(model_.model, [&] { return run(mesh, file, context); });
     }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "silhouette/error.h"
+#include "tools/command.h"
 
 namespace rimline::tools {
 
@@ -23,29 +24,34 @@ OutputFile* g_first = nullptr;
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
+OutputFile::OutputFile(fs::path path, const fs::path& model)
+    : path_(std::move(path)), target_(path_) {
     if (path_.empty()) throw Error(ErrorCode::io, "the output file's name is empty");
-    std::error_code ignored;
-    if (fs::is_symlink(path_, ignored)) {
-        target_ = fs::weakly_canonical(path_, ignored);
-        if (ignored) fail("cannot follow the link", ignored.value());
-    }
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, ignored))
-        throw Error(ErrorCode::io, path_.string() + ": cannot write: there is no folder " +
-                                       folder.string() + "; create it first");
-
+    if (is_same_file(path_, model))
+        throw UsageError(path_.string() + ": this is the model itself; name another file to write");
     struct stat existing {};
-    const bool exists = stat(target_.c_str(), &existing) == 0;
+    const bool exists = stat(path_.c_str(), &existing) == 0;
+    if (!exists && errno == ELOOP) fail("cannot follow the link", ELOOP);
     if (exists && S_ISDIR(existing.st_mode))
         throw Error(ErrorCode::io,
                     path_.string() + ": cannot write: it is a folder; name a file in it");
-    if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
     if (exists && !S_ISREG(existing.st_mode)) {
-        descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+        // By its own name: what /dev/stdout links to may have none.
+        descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0) fail("cannot write", errno);
         return;
     }
+
+    std::error_code error;
+    while (fs::is_symlink(target_, error)) {
+        target_ = target_.parent_path() / fs::read_symlink(target_, error);
+        if (error) fail("cannot follow the link", error.value());
+    }
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error))
+        throw Error(ErrorCode::io, path_.string() + ": cannot write: there is no folder " +
+                                       folder.string() + "; create it first");
+    if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
     const std::lock_guard lock(g_mutex);
     // Not mkstemp: its files are private whatever the user's mask says.
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
@@ -102,6 +108,11 @@ void OutputFile::fail(const std::string& doing, int error_number) const {
 void OutputFile::close_descriptor() noexcept {
     if (descriptor_ >= 0) close(descriptor_);
     descriptor_ = -1;
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    return fs::equivalent(a, b, ignored);
 }
 
 void remove_temporary_files() noexcept {

@@ -16,9 +16,10 @@ namespace rimline::tools {
 class OutputFile {
 public:
     /// Open it before the work whose result it takes, so that a bad path is known at once. Throws
-    /// Error{io} naming `path` when its folder is missing, it is a folder or it may not be written.
-    /// A symbolic link is followed; a device or pipe is written to directly.
-    explicit OutputFile(std::filesystem::path path);
+    /// Error{io} naming `path` when its folder is missing, it is a folder or it may not be written, and
+    /// UsageError when it is the file `model`, which is to be read. A symbolic link is followed, to where
+    /// nothing is yet too; a device or pipe is written to directly.
+    explicit OutputFile(std::filesystem::path path, const std::filesystem::path& model = {});
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -41,6 +42,9 @@ private:
     int descriptor_ = -1;
     OutputFile* next_ = nullptr;  // In the list of those that have a temporary.
 };
+
+/// Whether both are names of one file, and it is there.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Removes the temporaries of all files not yet committed: for a thread that ends the program while
 /// others run, so that no destructor does.

@@ -62,8 +62,7 @@ public:
                      "Compare every frame with finding it afresh; exit 3 if one differs")
             ->group("Turn");
         surface_.add_to(app);
-        app.add_option("-o,--output", output_, "Draw the cloud, as a PNG")
-            ->type_name("FILE.png")
+        add_output(app, "-o,--output", output_, ".png", "Draw the cloud, as a PNG")
             ->group("Output");
         app.add_option_function<std::string>(
                "--mode", [this](const std::string& text) { set_mode(text); },
@@ -71,9 +70,8 @@ public:
             ->type_name("NAME")
             ->default_str("drawn")
             ->group("Output");
-        app.add_option("--export", export_,
-                       "Write the points with normals, labels, weights and colours")
-            ->type_name("FILE.ply")
+        add_output(app, "--export", export_, ".ply",
+                   "Write the points with normals, labels, weights and colours")
             ->group("Output");
         app.add_flag("--no-lists", without_lists_, "Leave lists of points out of the JSON")
             ->group("Output");
@@ -113,14 +111,12 @@ public:
         if (from_ && direction_) throw UsageError("--from and --direction: give one of them");
         const PointSurfaceOptions options = surface_.options();
         if (verify_ && turn_frames_ == 0) throw UsageError("--verify: belongs to --turn");
+        if (!export_.empty() && (export_ == output_ || is_same_file(export_, output_)))
+            throw UsageError("--export: " + export_ + " is what -o writes; name another file");
         std::optional<OutputFile> file;
-        if (!export_.empty()) {
-            if (!export_.ends_with(".ply"))
-                throw UsageError("--export: expected FILE.ply, not '" + export_ + "'");
-            file.emplace(export_);
-        }
+        if (!export_.empty()) file.emplace(export_, cloud_.model);
         std::optional<OutputFile> drawing;
-        if (!output_.empty()) drawing.emplace(output_);
+        if (!output_.empty()) drawing.emplace(output_, cloud_.model);
         const FoundPoints found = find(context, options, drawing);
         if (file) {
             file->write(

@@ -28,10 +28,7 @@ public:
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
-        app.add_option("-o,--output", output_, "The PNG to write")
-            ->type_name("FILE.png")
-            ->capture_default_str()
-            ->group("Output");
+        add_output(app, "-o,--output", output_, ".png", "The PNG to write")->group("Output");
         options_.add_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
@@ -45,12 +42,12 @@ public:
             "that fills the picture better.\n\n"
             "Examples:\n"
             "  rimline render\n"
-            "  rimline render horse.ply -o horse.png --style toon --ground --sun auto\n"
+            "  rimline render horse.ply --up 0,0,1 -o horse.png --style toon --ground --sun auto\n"
             "  rimline render shape:knot --eye 3,2,4 --light 2,5,1 --style ink -o knot.png");
     }
 
     ExitStatus run(const Context& context) override {
-        OutputFile output(output_);  // A bad path is known before the work.
+        OutputFile output(output_, model_.model);  // A bad path is known before the work.
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();

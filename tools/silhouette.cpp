@@ -121,10 +121,10 @@ public:
         seed_option_ =
             add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of a method's random numbers")
                 ->group("Method");
-        app.add_option("-o,--output", output_,
-                       "Write the lines with their faces: FILE.obj, .ply or .svg")
-            ->type_name("FILE")
-            ->group("Output");
+        output_option_ = app.add_option("-o,--output", output_,
+                                        "Write the lines with their faces: FILE.obj, .ply or .svg")
+                             ->type_name("FILE")
+                             ->group("Output");
         app.add_flag("--borders", with_borders_, "Write border edges too, marked as such")
             ->group("Output");
         app.add_flag("--no-concave", without_concave_,
@@ -150,9 +150,9 @@ public:
         check_method_options();
         std::optional<OutputFile> file;
         LineFormat format{};
-        if (!output_.empty()) {
+        if (output_option_->count() > 0) {
             format = line_format_of(output_);
-            file.emplace(output_);
+            file.emplace(output_, model_.model);
         }
 
         const Mesh mesh = model_.load_mesh(context);
@@ -282,6 +282,7 @@ private:
     std::uint32_t seed_ = 1;
     const CLI::Option* seed_option_ = nullptr;
     std::string output_;
+    const CLI::Option* output_option_ = nullptr;
     bool with_borders_ = false;
     bool without_concave_ = false;
     bool without_edges_ = false;

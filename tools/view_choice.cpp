@@ -80,7 +80,7 @@ nlohmann::ordered_json views_json(const std::string& model, const Mesh& mesh,
 
 void print_views(const ChosenViews& chosen) {
     for (const BestView& view : chosen.best.views) {
-        std::printf("  view        from %.6g,%.6g,%.6g  score %.1f", view.eye.x, view.eye.y,
+        std::printf("  view        from %.9g,%.9g,%.9g  score %.1f", view.eye.x, view.eye.y,
                     view.eye.z, view.score());
         if (chosen.is_weighted) std::printf(", %.0f%% visible", 100.0 * view.visible_ratio);
         std::printf("\n");

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/tools/scratch_folder.h"
 #include "tools/model_argument.h"
 
 using namespace rimline::tools;
@@ -61,6 +62,29 @@ TEST_CASE("a value that begins with a minus is the option's, not another option"
     REQUIRE(parses(app, {"--from=-4,5,6"}));
     CHECK(from == glm::vec3(-4, 5, 6));
     CHECK_FALSE(parses(app, {"--from", "1,2,3", "--from", "4,5,6"}));
+}
+
+TEST_CASE("an output's name has its ending, but for what is no regular file") {
+    const rimline::tests::ScratchFolder folder;
+    rimline::tests::write_bytes(folder / "old.txt", "old");
+    const auto takes = [](const std::string& text) {
+        CLI::App app;
+        std::string value = "default.png";
+        add_output(app, "-o,--output", value, ".png", "");
+        const bool is_taken = parses(app, {"-o", text});
+        CHECK(value == (is_taken ? text : "default.png"));
+        return is_taken;
+    };
+    for (const char* text : {"a.png", "A.PNG", "a.obj.png", "no/such/a.png", "/dev/null"}) {
+        CAPTURE(text);
+        CHECK(takes(text));
+    }
+    for (const char* text : {"", "a", "png", "apng", "a.obj", "a.png.obj", "a.png ", "no/such"}) {
+        CAPTURE(text);
+        CHECK_FALSE(takes(text));
+    }
+    CHECK_FALSE(takes(folder / "old.txt"));
+    CHECK(takes(folder / ""));  // Refused as a folder, when it is opened.
 }
 
 TEST_CASE("a repeatable option takes one value at a time and leaves the model alone") {

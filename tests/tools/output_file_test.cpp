@@ -2,13 +2,16 @@
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "silhouette/error.h"
 #include "tests/tools/scratch_folder.h"
+#include "tools/command.h"
 
 using rimline::Error;
 using rimline::ErrorCode;
@@ -17,6 +20,7 @@ using rimline::tests::ScratchFolder;
 using rimline::tests::write_bytes;
 using rimline::tools::OutputFile;
 using rimline::tools::remove_temporary_files;
+using rimline::tools::UsageError;
 namespace fs = std::filesystem;
 
 namespace {
@@ -95,6 +99,60 @@ TEST_CASE("a link is followed, so that it stays one") {
     file.commit();
     CHECK(fs::is_symlink(folder / "link.txt"));
     CHECK(read_bytes(folder / "target.txt") == "new");
+}
+
+TEST_CASE("links are followed to where nothing is yet, and not around in circles") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("sub/second.txt", folder / "first.txt");
+    fs::create_symlink("../target.txt", folder / "sub/second.txt");
+    OutputFile file(folder / "first.txt");
+    file.write("new");
+    file.commit();
+    CHECK(fs::is_symlink(folder / "first.txt"));
+    CHECK(fs::is_symlink(folder / "sub/second.txt"));
+    CHECK(read_bytes(folder / "target.txt") == "new");
+    fs::create_symlink("b.txt", folder / "a.txt");
+    fs::create_symlink("a.txt", folder / "b.txt");
+    CHECK(refusal(folder / "a.txt").find("cannot follow the link") != std::string::npos);
+    fs::create_symlink("no/such/c.txt", folder / "c.txt");
+    CHECK(refusal(folder / "c.txt").find("no folder") != std::string::npos);
+}
+
+TEST_CASE("a link to a pipe that has no name is written to") {
+    if (!fs::exists("/proc/self/fd")) return;
+    const ScratchFolder folder;
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    fs::create_symlink("/proc/self/fd/" + std::to_string(ends[1]), folder / "out");
+    {
+        OutputFile file(folder / "out");
+        file.write("bytes");
+        file.commit();
+    }
+    std::array<char, 16> bytes{};
+    CHECK(read(ends[0], bytes.data(), bytes.size()) == 5);
+    CHECK(std::string(bytes.data()) == "bytes");
+    close(ends[0]);
+    close(ends[1]);
+    CHECK(fs::is_symlink(folder / "out"));
+}
+
+TEST_CASE("the model that is read is not written, by whatever name") {
+    const ScratchFolder folder;
+    write_bytes(folder / "a.obj", "v 0 0 0");
+    fs::create_symlink("a.obj", folder / "link.obj");
+    fs::create_hard_link(folder / "a.obj", folder / "other.obj");
+    for (const char* name : {"a.obj", "./a.obj", "link.obj", "other.obj"}) {
+        CAPTURE(name);
+        CHECK_THROWS_AS(OutputFile(folder / name, folder / "a.obj"), UsageError);
+    }
+    CHECK_THROWS_AS(OutputFile(folder / "a.obj", folder / "link.obj"), UsageError);
+    CHECK_NOTHROW(OutputFile(folder / "b.obj", folder / "a.obj"));
+    CHECK_NOTHROW(OutputFile(folder / "a.obj", "shape:box"));
+    CHECK_NOTHROW(OutputFile(folder / "b.obj", folder / "b.obj"));  // Neither is there.
+    CHECK(read_bytes(folder / "a.obj") == "v 0 0 0");
+    CHECK(folder.entry_count() == 3);
 }
 
 TEST_CASE("the temporaries of all files are removed for a program that ends at once") {

@@ -379,10 +379,83 @@ def test_a_full_disk_behind_standard_output_is_an_error():
     if not os.path.exists("/dev/full"):
         print("SKIPPED: no /dev/full")
         sys.exit(77)
-    with open("/dev/full", "w") as full:
-        result = subprocess.run([PROGRAM, "info", "shape:box", "--json"], stdout=full,
-                                stderr=subprocess.PIPE, text=True, timeout=60)
-    assert result.returncode == 1 and result.stderr.startswith("rimline: error: standard output")
+    for arguments in (["info", "shape:box", "--json"], ["--help"], ["track", "--help"], ["--version"], ["info", "--version"]):
+        for where in (">/dev/full", ">&-"):
+            result = subprocess.run(["sh", "-c", 'exec "$0" "$@" ' + where, PROGRAM, *arguments],
+                                    stderr=subprocess.PIPE, text=True, timeout=60)
+            assert result.returncode == 1 and result.stderr.count("\n") == 1, (arguments, where, result)
+            assert result.stderr.startswith("rimline: error: standard output: cannot write: "), result.stderr
+            assert "Success" not in result.stderr, (arguments, where, result)
+
+
+def read_file(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def test_no_output_takes_the_place_of_the_model():
+    with tempfile.TemporaryDirectory() as folder:
+        obj = write_faces(os.path.join(folder, "a.obj"), TRIANGLE)
+        png = os.path.join(folder, "a.png")
+        os.symlink("a.obj", png)
+        ply = os.path.join(folder, "a.ply")
+        with open(ply, "w") as file:
+            file.write("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                       "property float z\nend_header\n0 0 0\n")
+        before = {path: read_file(path) for path in (obj, ply)}
+        for arguments in (["silhouette", obj, "--from", "3,2,1", "-o", obj], ["field", obj, "--slice", "z=0", "-o", png],
+                          ["origins", obj, "-o", png], ["points", obj, "--as-points", "-o", png],
+                          ["points", ply, "--export", ply]):
+            assert "is the model itself" in fail(2, *arguments), arguments
+        assert {path: read_file(path) for path in (obj, ply)} == before
+        assert sorted(os.listdir(folder)) == ["a.obj", "a.ply", "a.png"]
+
+
+def test_an_output_is_called_as_what_it_holds():
+    with tempfile.TemporaryDirectory() as folder:
+        obj = write_faces(os.path.join(folder, "a.obj"), TRIANGLE)
+        before = read_file(obj)
+        cloud = ["points", "shape:box", "--as-points"]
+        for name in (obj, os.path.join(folder, "z.txt"), ""):
+            for arguments in (["field", obj, "--slice", "z=0", "-o"], ["field", obj, "--at", "0,0,0", "-o"],
+                              ["origins", obj, "-o"], [*cloud, "-o"]):
+                assert f"-o: expected FILE.png, not '{name}'" in fail(2, *arguments, name), arguments
+            assert f"--export: expected FILE.ply, not '{name}'" in fail(2, *cloud, "--export", name)
+        assert "-o: expected a name that ends in .obj, .ply or .svg, not ''" in fail(
+            2, "silhouette", "shape:box", "--from", "3,2,1", "-o", "")
+        # Two outputs of one name, which only what is no regular file can have, or links.
+        os.symlink("both.dat", os.path.join(folder, "a.png"))
+        os.symlink("both.dat", os.path.join(folder, "a.ply"))
+        open(os.path.join(folder, "both.dat"), "w").close()
+        for drawn, exported in (("a.png", "a.ply"), ("/dev/null", "/dev/null"), ("b.ply", "b.ply")):
+            fail(2, *cloud, "-o", os.path.join(folder, drawn), "--export", os.path.join(folder, exported))
+        assert read_file(obj) == before and sorted(os.listdir(folder)) == ["a.obj", "a.ply", "a.png", "both.dat"]
+        drawing = ["field", "shape:box", "--slice", "z=0", "--resolution", "16", "-o", "/dev/stdout"]
+        with open(os.path.join(folder, "both.dat"), "wb") as file:
+            assert subprocess.run([PROGRAM, *drawing], stdout=file, timeout=60).returncode == 0
+        assert png_size(os.path.join(folder, "both.dat"))[1] > 16
+    # A pipe has no ending; here it has no name either.
+    result = subprocess.run(["sh", "-c", '"$0" field shape:box --slice z=0 --resolution 16 --json -o /dev/stderr 2>&1 >/dev/null | cat',
+                             PROGRAM], stdout=subprocess.PIPE, timeout=60)
+    assert result.stdout.startswith(b"\x89PNG") and result.stdout.endswith(b"IEND\xaeB`\x82"), result.stdout[:200]
+
+
+def test_pictures_are_called_as_pictures():
+    have_device()
+    commands = [["render", "shape:box", "-o"]]
+    if "not in this build" not in run("--help").stdout:
+        commands.append(["view", "shape:box", "--frames", "1", "--screenshot"])
+    with tempfile.TemporaryDirectory() as folder:
+        obj = write_faces(os.path.join(folder, "a.obj"), TRIANGLE)
+        png = os.path.join(folder, "a.png")
+        os.symlink("a.obj", png)
+        before = read_file(obj)
+        for command in commands:
+            for name in (obj, os.path.join(folder, "w.txt"), ""):
+                assert f"{command[-1]}: expected FILE.png, not '{name}'" in fail(2, *command, name)
+            assert "is the model itself" in fail(2, command[0], obj, *command[2:], png)
+        assert read_file(obj) == before and sorted(os.listdir(folder)) == ["a.obj", "a.png"]
+        assert run("render", "shape:box", "--size", "16x16", "-o", "/dev/null").returncode == 0
 
 
 def test_an_interrupt_ends_the_program_by_its_signal_and_leaves_nothing():
@@ -750,6 +823,28 @@ def test_bench_views_sets_votes_beside_other_measures():
     assert "belongs to the suite views" in fail(2, "bench", "hough", "--pictures", "a")
     assert "--up: belongs to --pictures" in fail(2, "bench", "views", "--up", "0,0,1")
     assert "belongs to other suites" in fail(2, "bench", "views", "--rounds", "3")
+    assert "--pictures: expected a folder" in fail(2, "bench", "views", "--pictures", "")
+
+
+def test_bench_takes_models_of_hardly_any_faces_and_refuses_what_is_one_point():
+    have_device()
+    few = ("--frames", "2", "--rounds", "1", "--viewpoints", "4")
+    with tempfile.TemporaryDirectory() as folder:
+        point = write_faces(os.path.join(folder, "point.obj"), ((1, 2, 3),) * 3)
+        for suite in (["views"], ["views", "--pictures", os.path.join(folder, "p")], ["engine", *few]):
+            assert point + ": its radius is 0" in fail(1, "bench", *suite, point)
+        assert os.listdir(folder) == ["point.obj"]
+        one = write_faces(os.path.join(folder, "one.obj"), TRIANGLE)
+        # Without any plane, along the axis that models are bent around.
+        line = write_faces(os.path.join(folder, "line.obj"), ((0, 0, 0), (0, 1, 0), (0, 2, 0)))
+        for path in (one, line):
+            views = succeed("bench", "views", path)["models"][0]["views"]
+            # No quarter of one face is left to be seen.
+            assert all(row["simplified_deg"] is None for row in views)
+            assert [row["noisy_deg"] is None for row in views] == 6 * [False] + 2 * [True]
+            assert run("bench", "views", path).returncode == 0
+            assert succeed("bench", "engine", path, *few)["models"][0]["verified"] is True
+        succeed("bench", "views", line, "--pictures", os.path.join(folder, "p"))
 
 
 def test_render_without_a_model_draws_the_built_in_scene():
@@ -1050,6 +1145,24 @@ def test_views_by_votes_alone_need_no_device():
     text = run("views", "shape:knot:2000", "-k", "3", "--no-ratio")
     assert text.returncode == 0 and text.stdout.count("  view ") == 3, text.stdout
     assert succeed("views", "shape:knot:2000", "-k", "3", "--no-ratio", "--threads", "1")["views"] == result["views"]
+
+
+def test_places_far_from_the_origin_are_printed_apart_from_each_other():
+    with tempfile.TemporaryDirectory() as folder:
+        far = [tuple(c + 3e6 for c in corner) for corner in TRIANGLE]
+        one = os.path.join(folder, "far.obj")
+        with open(one, "w") as file:
+            file.writelines("v %.9g %.9g %.9g\n" % corner for corner in far)
+            file.write("f 1 2 3\n")
+
+        def shown(place):
+            return ",".join("%.9g" % c for c in place)
+        arguments = ["views", one, "-k", "1", "--no-ratio"]
+        eye = succeed(*arguments)["views"][0]["eye"]
+        assert f"from {shown(eye)}  score" in run(*arguments).stdout
+        arguments = ["field", one, "--slice", "z=1", "--resolution", "16", "-o", os.path.join(folder, "a.png")]
+        greatest = succeed(*arguments)["slice"]["greatest_at"]
+        assert f", at {shown(greatest)}\n" in run(*arguments).stdout
 
 
 def test_there_are_no_more_views_than_show_something_new():

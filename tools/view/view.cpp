@@ -42,9 +42,8 @@ public:
                   "Close after so many frames (default: when you do)")
             ->default_str("")
             ->group(k_window);
-        app.add_option("--screenshot", screenshot_,
-                       "Save what the window shows in the last of --frames, as a PNG")
-            ->type_name("FILE.png")
+        add_output(app, "--screenshot", screenshot_, ".png",
+                   "Save what the window shows in the last of --frames, as a PNG")
             ->group(k_window);
         app.footer(
             "Without a model a built-in scene is shown; drop a file on the window to open it. A "
@@ -58,7 +57,7 @@ public:
             "the rest: flying, styles, the silhouette frozen to be looked at from elsewhere, Hough "
             "space.\n\n"
             "Examples:\n"
-            "  rimline view horse.ply\n"
+            "  rimline view horse.ply --up 0,0,1\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"
             "  rimline view scan.xyz\n"
             "  rimline view --frames 1 --screenshot window.png");
@@ -69,7 +68,7 @@ public:
         if (!screenshot_.empty() && frames_ == 0)
             throw UsageError("--screenshot needs --frames, to know which frame is the last");
         std::optional<OutputFile> screenshot;
-        if (!screenshot_.empty()) screenshot.emplace(screenshot_);
+        if (!screenshot_.empty()) screenshot.emplace(screenshot_, model_.model);
         if (model_.model.empty()) model_.model = k_default_model;
 
         // Before the model is loaded: a machine without a display says so at once.
