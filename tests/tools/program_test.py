@@ -252,6 +252,22 @@ def test_bad_input_exits_1_with_one_line_that_names_it():
         assert gone in fail(1, "track", "shape:box", "--path", gone)
 
 
+def test_a_model_too_small_to_be_seen_is_an_error():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "tiny.obj")
+        for size in (1e-14, 1e-18, 1e-40):
+            with open(path, "w") as file:
+                for a in (0, 1):
+                    for corner in ((a, 0, 0), (0, a, 0), (0, 0, a)):
+                        file.write("v %g %g %g\n" % tuple(size * x for x in corner))
+                file.write("f 1 5 4\nf 1 6 5\nf 1 4 6\nf 4 5 6\n")
+            for command in (["info"], ["silhouette", "--from", "1,2,3"]):
+                if size < 1e-14:
+                    assert path + ": too small" in fail(1, *command, path)
+                else:
+                    succeed(*command, path)
+
+
 def test_info_counts_shapes():
     for shape in ("sphere", "torus", "knot", "box", "spring"):
         found = succeed("info", f"shape:{shape}:1000")
