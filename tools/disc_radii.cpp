@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "silhouette/mesh/angle_between.h"
 #include "silhouette/points/umbrella_triangles.h"
 
 namespace rimline::tools {
@@ -12,6 +13,8 @@ namespace rimline::tools {
 namespace {
 
 constexpr double k_widest = 2.0;  // In medians of a point's triangles.
+// Of 25 degrees: what leans more has a disc of its own (disc_pieces.h).
+constexpr double k_greatest_lean = 0.4226;
 
 // The upper one of two. Reorders them; zero for none.
 double median(std::vector<double>& values) {
@@ -39,9 +42,12 @@ std::vector<double> disc_radii(const PointSurface& surface) {
     std::vector<double> own;
     for (std::uint32_t p = 0; p < surface.size(); ++p) {
         own.clear();
-        for_each_triangle(surface, PointId{p}, [&](PointId a, PointId b, UmbrellaId) {
-            own.push_back(covering_radius(positions[index(a)] - positions[p],
-                                          positions[index(b)] - positions[p]));
+        for_each_triangle(surface, PointId{p}, [&](PointId a, PointId b, UmbrellaId umbrella) {
+            const glm::dvec3 u = positions[index(a)] - positions[p];
+            const glm::dvec3 v = positions[index(b)] - positions[p];
+            const double lean =
+                std::sin(angle_between(glm::cross(u, v), surface.umbrella(umbrella).normal));
+            own.push_back(covering_radius(u, v) * (1.0 + std::min(lean, k_greatest_lean)));
         });
         if (own.empty()) continue;
         const double widest = *std::ranges::max_element(own);

@@ -57,6 +57,23 @@ TEST_CASE("discs on a lattice are as wide as half a cell's diagonal") {
         CHECK(radius == doctest::Approx(std::sqrt(0.5) / 16.0));
 }
 
+TEST_CASE("discs are wider where the surface bends, by the sine of the angle") {
+    // A lattice around a cylinder: triangles lie 10 degrees from the normals between them.
+    constexpr double k_step_rad = 20.0 * std::numbers::pi / 180.0;
+    const double side = 2.0 * std::sin(0.5 * k_step_rad);
+    std::vector<glm::dvec3> points;
+    for (int around = 0; around < 18; ++around)
+        for (int along = 0; along < 12; ++along)
+            points.push_back(
+                {std::cos(k_step_rad * around), std::sin(k_step_rad * around), side * along});
+    const std::vector<double> radii = disc_radii(PointSurface(points));
+    const double flat = std::sqrt(0.5) * side;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        CAPTURE(p);
+        CHECK(radii[p] == doctest::Approx(flat * (1.0 + std::sin(0.5 * k_step_rad))).epsilon(0.03));
+    }
+}
+
 TEST_CASE("discs cover a jittered patch") {
     const tests::Patch patch = tests::make_patch(20, 0.3, 4);
     const PointSurface surface(patch.points);
