@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 #include "tools/output_file.h"
@@ -98,13 +99,13 @@ void ViewLoop::take_keys() {
 
 void ViewLoop::save(const PanelRequests::Save& save) {
     try {
-        OutputFile file(save.path);
+        OutputFile file(save.path, session_.opened().name());
         const std::vector<std::byte> png =
             encode_png(renderer_.picture(session_.picture(), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
         file.commit();
         panel_.tell("saved " + save.path, false);
-    } catch (const Error& error) {
+    } catch (const std::runtime_error& error) {  // An Error, or where it is the model itself.
         panel_.tell(error.what(), true);
     }
 }
