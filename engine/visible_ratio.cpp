@@ -161,13 +161,13 @@ struct VisibleRatioPass::Room {
 };
 
 VisibleRatioPass::VisibleRatioPass(const DeviceContext& context, const HoughOctree& octree,
-                                   const VisibleRatioOptions& options)
+                                   const VisibleRatioOptions& options, const std::stop_token& stop)
     : context_(context),
       octree_(octree),
       options_(options),
       clusters_(octree.mesh()),
       occluders_(chosen(options.method.occluders, context)),
-      is_solid_(is_solid(octree.mesh())),
+      is_solid_(is_solid(octree.mesh(), {stop, {}})),
       concave_bits_(concave_edge_bits(octree.mesh())),
       positions_(upload_buffer(context, octree.mesh().positions(), "positions")),
       triangles_(upload_buffer(context, clusters_.triangles(), "triangles")),

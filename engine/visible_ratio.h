@@ -30,6 +30,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "engine/memory.h"
@@ -90,10 +91,10 @@ struct VisibleRatioOptions {
 class VisibleRatioPass {
 public:
     /// Finds out whether the mesh is solid, uploads it and waits. Device and octree, with its mesh, must
-    /// outlive the pass.
-    /// Throws Error{too_large} where the device has no room, and of more than 2^24 vertices.
+    /// outlive the pass. Throws Error{too_large} where the device has no room, and of more than 2^24
+    /// vertices; Error{cancelled} where `stop` is requested, which ends the first of these.
     VisibleRatioPass(const DeviceContext& context, const HoughOctree& octree,
-                     const VisibleRatioOptions& options = {});
+                     const VisibleRatioOptions& options = {}, const std::stop_token& stop = {});
     ~VisibleRatioPass();
     VisibleRatioPass(const VisibleRatioPass&) = delete;
     VisibleRatioPass& operator=(const VisibleRatioPass&) = delete;

@@ -45,7 +45,7 @@ constexpr const char* k_measures[] = {"projected area", "viewpoint entropy",
 Choices choose_all(const Mesh& mesh, const Device& device, const ViewsBenchOptions& options,
                    bool is_variant, const Context& context) {
     const HoughOctree octree(mesh);
-    VisibleRatioPass pass(device.context(), octree);
+    VisibleRatioPass pass(device.context(), octree, {}, context.stop);
     const auto start = std::chrono::steady_clock::now();
     const TangentialField field = make_view_field(mesh);
     BestViewsOptions views;

@@ -11,6 +11,7 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 #include <random>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -222,6 +223,15 @@ TEST_CASE("pictures of any side are counted the same by query and by the CPU") {
                                 {.side_px = side, .method = {.counts_by_query = false}});
         CHECK(by_query.measure(eyes) == by_cpu.measure(eyes));
     }
+}
+
+TEST_CASE("a stop ends the making of what measures visible ratios") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model model(make_built_in_shape("sphere", 2000));
+    std::stop_source stop;
+    CHECK_NOTHROW(VisibleRatioPass(gpu->context(), model.octree, {}, stop.get_token()));
+    stop.request_stop();
+    CHECK_THROWS_AS(VisibleRatioPass(gpu->context(), model.octree, {}, stop.get_token()), Error);
 }
 
 // A prism over a bow tie: closed, oriented, of positive volume, and half of it inside out.
