@@ -32,6 +32,9 @@ enum class Blend {
     none_written,    ///< The pass writes no color.
 };
 
+/// Of what indices draw: larger ones are a device feature (fullDrawIndexUint32), and not asked for.
+constexpr std::uint32_t k_most_indexed_vertices = 1u << 24;
+
 enum class StencilUse {
     off,
     count,  ///< Operations and written bits are set dynamically; always passes.

@@ -146,8 +146,8 @@ public:
     /// A frame that should be done and is not is found by the mark that each leaves (frame_marks.h), and
     /// stops the program. A mesh drawn for the first time is uploaded here, over the context's queue for
     /// copies, and waited for. One that deforms, and each new light of it, waits for all of the context's
-    /// queue, which nobody else may use meanwhile. Bound pipelines, sets, push constants and dynamic state are others afterwards.
-    /// Throws as render(), and Error{bad_input} for a format that is none to draw into; `commands` may
+    /// queue, which nobody else may use meanwhile. Bound pipelines, sets, push constants and dynamic state
+    /// are others afterwards. Throws as render(), and Error{bad_input} for a format that is none to draw into; `commands` may
     /// then hold a part of the frame, and must not be submitted.
     FrameReport record(VkCommandBuffer commands, const Scene& scene, const PictureTarget& target);
 

@@ -10,11 +10,8 @@ namespace rimline {
 
 namespace {
 
-// Drawing by larger indices is a device feature (fullDrawIndexUint32), and not asked for.
-constexpr std::uint32_t k_most_vertices = 1u << 24;
-
 bool can_draw_by_vertices(const DrawnInstance& instance) {
-    return instance.vertex_count <= k_most_vertices;
+    return instance.vertex_count <= k_most_indexed_vertices;
 }
 
 void bind(VkCommandBuffer commands, VkPipeline pipeline, const DrawnInstance& instance) {

@@ -33,14 +33,17 @@ constexpr std::array<std::uint32_t, 12> k_line_triangles{0, 1, 2, 1, 2, 3, 2, 3,
 constexpr std::uint32_t k_line_corners = 6;
 constexpr std::uint32_t k_lines_a_draw = 4096;
 
-// Drawing by larger indices is a device feature (fullDrawIndexUint32), and not asked for.
-constexpr std::uint32_t k_most_vertices = 1u << 24;
-
 // What the stencil of a pixel says. Hidden lines count down from nothing, visible ones replace, and once
 // visible it stays: whatever the order of lines, a pixel passes the visible ones' test once.
 constexpr std::uint8_t k_nothing = 1;
 constexpr std::uint8_t k_hidden = 0;
 constexpr std::uint8_t k_visible = 0x80;
+
+const Mesh& drawable(const Mesh& mesh) {
+    if (mesh.vertex_count() > k_most_indexed_vertices)
+        throw Error(ErrorCode::too_large, "more than 2^24 vertices, too many for visible ratios");
+    return mesh;
+}
 
 Occluders chosen(Occluders occluders, const DeviceContext& context) {
     if (occluders != Occluders::automatic) return occluders;
@@ -165,7 +168,7 @@ VisibleRatioPass::VisibleRatioPass(const DeviceContext& context, const HoughOctr
     : context_(context),
       octree_(octree),
       options_(options),
-      clusters_(octree.mesh()),
+      clusters_(drawable(octree.mesh())),
       occluders_(chosen(options.method.occluders, context)),
       is_solid_(is_solid(octree.mesh(), {stop, {}})),
       concave_bits_(concave_edge_bits(octree.mesh())),
@@ -179,9 +182,6 @@ VisibleRatioPass::VisibleRatioPass(const DeviceContext& context, const HoughOctr
       room_(new Room{tbb::enumerable_thread_specific<ThreadRoom>([&octree] {
           return ThreadRoom{octree.make_scratch(), {}, {}, {}};
       })}) {
-    if (octree.mesh().vertex_count() > k_most_vertices)
-        throw Error(ErrorCode::too_large,
-                    "visible ratios of more than 2^24 vertices: take fewer faces");
     RIMLINE_CHECK(options.side_px > 0 && options.fov_deg > 0.0 && options.fov_deg < 180.0);
     RIMLINE_CHECK(options.method.has_separate_targets || counts_by_query());
     GraphicsPipelineDescription surface = surface_description(layout_);

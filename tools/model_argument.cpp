@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <glm/common.hpp>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -109,7 +110,16 @@ Mesh make_mesh(const std::string& model, const MeshSource& source, const Context
     });
 }
 
+void check_room_around(const std::string& model, const Mesh& mesh) {
+    const glm::dvec3 reach = glm::abs(mesh.center()) + 3.0 * mesh.radius();
+    if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
+        throw Error(ErrorCode::too_large, model +
+                                              ": too large to be seen from around: scale it "
+                                              "down, coordinates end at 2^60");
+}
+
 void check_has_extent(const std::string& model, const Mesh& mesh) {
+    check_room_around(model, mesh);
     if (mesh.radius() == 0.0)
         throw Error(ErrorCode::bad_input,
                     model + ": its radius is 0: take a model whose vertices are not all one point");

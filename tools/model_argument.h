@@ -40,7 +40,10 @@ Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context&
 /// The mesh of what load_model() gave. Throws Error: also where it is smaller than 2^-50.
 Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context);
 
-/// Throws Error{bad_input} where all vertices of the mesh are one point: no camera stands around it.
+/// Throws Error{too_large} where three radii around its center the mesh leaves the coordinates that it may be
+/// seen from.
+void check_room_around(const std::string& model, const Mesh& mesh);
+/// The same, and Error{bad_input} where all vertices are one point: no camera stands around it.
 void check_has_extent(const std::string& model, const Mesh& mesh);
 
 /// Within a catch block: throws on what was caught, an Error that does not begin with the model's name,

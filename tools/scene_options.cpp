@@ -99,7 +99,8 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
         if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye)) {
             const glm::dvec3 up = up_of(mesh, picture);
             const glm::dvec3 lit = ground ? above_ground(sun->direction, up) : sun->direction;
-            // Rounded as --sun is read, so that what `light` prints gives the same picture.
+            // Rounded as --sun is read, so that what `light` prints gives the same picture, but for a low one
+            // over a ground.
             scene.lights.push_back({.vector = glm::dvec3(glm::vec3(lit)), .directional = true});
         }
     if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));

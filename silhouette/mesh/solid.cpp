@@ -272,15 +272,15 @@ bool is_solid(const Mesh& mesh, const LongCall& call) {
             first + std::min(mesh.face_count() - first, k_faces_a_checkpoint);
         tbb::parallel_for(
             tbb::blocked_range<std::uint32_t>(first, last, 256), [&](const auto& run) {
-                for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i) {
-                    std::uint64_t pairs = 0;
-                    if (tree.meets_another(i, pairs) || (all_pairs += pairs) > most_pairs)
+                std::uint64_t pairs = 0;
+                for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i)
+                    if (tree.meets_another(i, pairs) || all_pairs + pairs > most_pairs)
                         is_none = true;
-                }
+                all_pairs += pairs;
             });
         first = last;
     }
-    return !is_none;
+    return !is_none && all_pairs <= most_pairs;
 }
 
 }  // namespace rimline

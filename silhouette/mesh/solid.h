@@ -17,7 +17,7 @@ namespace rimline {
 /// Never true of a mesh of which that does not hold. False, too, where doubles cannot tell: faces without an
 /// area, and faces nearer to each other than some 2^-40 of their size, or a shell as flat as that. And false
 /// where a shell lines a hollow, and where it would take too long to know: where the boxes of more than 256
-/// pairs of faces a face meet, in meshes of 16,384 faces and more, as those of a fan do at its middle.
+/// pairs of faces a face meet, and of more than 2^22 in all, as those of a fan of thousands do at its middle.
 /// O(n log n), about a microsecond a face where faces are not much longer than wide, on all threads that
 /// oneTBB gives. Throws Error{cancelled}.
 bool is_solid(const Mesh& mesh, const LongCall& call = {});

@@ -268,6 +268,19 @@ def test_a_model_too_small_to_be_seen_is_an_error():
                     succeed(*command, path)
 
 
+def test_a_model_too_large_to_be_seen_from_around_is_an_error():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "huge.obj")
+        with open(path, "w") as file:
+            file.write("v 9e17 0 0\nv 0 9e17 0\nv 0 0 9e17\nv -9e17 0 0\nf 1 2 3\nf 2 4 3\n")
+        assert path in fail(1, "bench", "service", path)
+        assert path in fail(1, "bench", "hough", path, "--no-vtk")
+        have_device()
+        output = os.path.join(folder, "views")
+        for command in (["views", "-o", output], ["path", "-o", output], ["bench", "views"], ["bench", "engine"]):
+            assert path + ": too large" in fail(1, *command, path)
+
+
 def test_info_counts_shapes():
     for shape in ("sphere", "torus", "knot", "box", "spring"):
         found = succeed("info", f"shape:{shape}:1000")
