@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/barrier.h"
+#include "engine/vulkan/barrier.h"
 
 namespace rimline {
 

@@ -2,9 +2,9 @@
 
 // The way of a picture back to the host: an image to draw into, a buffer to copy it to, and the bytes.
 
-#include "engine/memory.h"
-#include "engine/picture_target.h"
-#include "engine/png.h"
+#include "engine/vulkan/memory.h"
+#include "engine/vulkan/picture_target.h"
+#include "silhouette/picture.h"
 
 namespace rimline {
 

@@ -7,9 +7,9 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "engine/barrier.h"
+#include "engine/vulkan/barrier.h"
 #include "engine/picture_readback.h"
-#include "engine/scene_data.h"
+#include "engine/frame/scene_data.h"
 #include "silhouette/mesh/face_bits.h"
 
 namespace rimline {

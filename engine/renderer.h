@@ -20,21 +20,21 @@
 #include <optional>
 #include <vector>
 
-#include "engine/composite_pass.h"
-#include "engine/consistency_check.h"
-#include "engine/draw_data.h"
-#include "engine/draw_list.h"
-#include "engine/frame_marks.h"
-#include "engine/ink_pass.h"
-#include "engine/instance_states.h"
-#include "engine/line_pass.h"
-#include "engine/picture_target.h"
-#include "engine/png.h"
-#include "engine/render_targets.h"
+#include "engine/passes/composite_pass.h"
+#include "engine/stream/consistency_check.h"
+#include "engine/frame/draw_data.h"
+#include "engine/frame/draw_list.h"
+#include "engine/vulkan/frame_marks.h"
+#include "engine/passes/ink_pass.h"
+#include "engine/frame/instance_states.h"
+#include "engine/passes/line_pass.h"
+#include "engine/vulkan/picture_target.h"
+#include "silhouette/picture.h"
+#include "engine/frame/render_targets.h"
 #include "engine/scene.h"
-#include "engine/shadow_batches.h"
-#include "engine/shadow_volume_pass.h"
-#include "engine/surface_pass.h"
+#include "engine/frame/shadow_batches.h"
+#include "engine/passes/shadow_volume_pass.h"
+#include "engine/passes/surface_pass.h"
 
 namespace rimline {
 

@@ -1,7 +1,7 @@
 #ifndef RIMLINE_SHADERS_DEFORM_JOB_H
 #define RIMLINE_SHADERS_DEFORM_JOB_H
 
-// A mesh whose positions are made anew every frame (engine/deforming_mesh.h). In the scalar layout of
+// A mesh whose positions are made anew every frame (engine/stream/deforming_mesh.h). In the scalar layout of
 // layout.h.
 
 #include "layout.h"

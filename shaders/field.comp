@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "field_job.h"
 
-// The tangential distance field at many points (engine/field_pass.h): a column of workgroups for some points,
+// The tangential distance field at many points (engine/measure/field_pass.h): a column of workgroups for some points,
 // a row for each chunk of planes. An invocation has a plane at a time and votes for all its group's points,
 // so that a piece of the function is read once for all of them.
 

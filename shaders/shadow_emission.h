@@ -2,7 +2,7 @@
 #define RIMLINE_SHADERS_SHADOW_EMISSION_H
 
 // Which corners the triangles of a shadow volume have, for the shaders that draw them and for C++ that
-// proves them closed (tests/gpu/shadow_boundary_test.cpp): one text, compiled as both.
+// proves them closed (tests/engine/passes/shadow_boundary_test.cpp): one text, compiled as both.
 //
 // A volume is a chain of oriented triangles over the vertices of a mesh, each near (where it is) or far
 // (where its light ray ends). A face casts its light cap, its dark cap and three sides; where two faces

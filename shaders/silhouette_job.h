@@ -1,7 +1,7 @@
 #ifndef RIMLINE_SHADERS_SILHOUETTE_JOB_H
 #define RIMLINE_SHADERS_SILHOUETTE_JOB_H
 
-// One silhouette that the GPU finds by itself (engine/gpu_silhouette.h): where its faces and edges are
+// One silhouette that the GPU finds by itself (engine/stream/gpu_silhouette.h): where its faces and edges are
 // read, and where its bits and lists are written. In the scalar layout of layout.h.
 //
 // 32 faces, or 32 edges, are a word and one invocation's; 64 words are a workgroup's. Edges are those

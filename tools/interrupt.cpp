@@ -10,7 +10,7 @@
 #include <string_view>
 #include <thread>
 
-#include "tools/output_file.h"
+#include "tools/output/output_file.h"
 
 namespace rimline::tools {
 

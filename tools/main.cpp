@@ -22,7 +22,7 @@
 #include "tools/command.h"
 #include "tools/help_formatter.h"
 #include "tools/interrupt.h"
-#include "tools/option_types.h"
+#include "tools/options/option_types.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 // differ.
 //
 // Votes know no occlusion. A caller who can draw weights them by how much of a viewpoint's silhouette
-// is visible (4.5.3; engine/visible_ratio.h). As that is never over 1, candidates are drawn in falling
+// is visible (4.5.3; engine/measure/visible_ratio.h). As that is never over 1, candidates are drawn in falling
 // order of votes and only until none that is left can win (points_of_interest.h).
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "silhouette/points/neighbour_lists.h"
+#include "silhouette/points/neighbor_lists.h"
 #include "silhouette/points/point_surface.h"
 
 namespace rimline {

@@ -1,8 +1,8 @@
 #include "silhouette/points/pca_normals.h"
 
 #include "silhouette/points/each_point.h"
-#include "silhouette/points/neighbour_lists.h"
-#include "silhouette/points/neighbourhood.h"
+#include "silhouette/points/neighbor_lists.h"
+#include "silhouette/points/neighborhood.h"
 #include "silhouette/points/point_order.h"
 
 namespace rimline {

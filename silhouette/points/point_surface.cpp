@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "silhouette/points/each_point.h"
-#include "silhouette/points/neighbour_lists.h"
+#include "silhouette/points/neighbor_lists.h"
 #include "silhouette/points/point_order.h"
 #include "silhouette/points/robust_umbrellas.h"
 #include "silhouette/points/thesis_umbrellas.h"

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "silhouette/points/fan.h"
-#include "silhouette/points/neighbourhood.h"
+#include "silhouette/points/neighborhood.h"
 
 namespace rimline {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/points/neighbourhood.h"
+#include "silhouette/points/neighborhood.h"
 
 namespace rimline {
 

@@ -1,4 +1,4 @@
-# Bytes streamed a frame over the step: a curve for each of `models`, set by tools/plot_stream.py.
+# Bytes streamed a frame over the step: a curve for each of `models`, set by tools/figures/plot_stream.py.
 wide = 1600; high = 860
 load style
 set logscale xy

@@ -9,7 +9,7 @@
 
 #include "engine/renderer.h"
 #include "sample_count_comp.h"
-#include "silhouette/hough/baselines/brute_force.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/solid.h"
 #include "tools/samples/foreign_renderer.h"

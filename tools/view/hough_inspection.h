@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "silhouette/hough/box_walk.h"
-#include "tools/view/opened_model.h"
+#include "tools/view/model_document.h"
 
 namespace rimline::tools {
 

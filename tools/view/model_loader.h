@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "tools/view/opened.h"
+#include "tools/view/document.h"
 
 namespace rimline::tools {
 

@@ -4,7 +4,7 @@
 //
 //     begin_frame() --> ImGui:: calls --> end_frame() --> drawing()
 
-#include "engine/overlay_pass.h"
+#include "engine/passes/overlay_pass.h"
 #include "tools/view/window.h"
 #include "tools/view/window_renderer.h"
 

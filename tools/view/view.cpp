@@ -2,15 +2,15 @@
 
 #include <utility>
 
-#include "engine/vulkan_instance.h"
-#include "tools/cloud_argument.h"
+#include "engine/vulkan/vulkan_instance.h"
+#include "tools/options/cloud_argument.h"
 #include "tools/command.h"
-#include "tools/model_argument.h"
-#include "tools/output_file.h"
-#include "tools/picture_options.h"
-#include "tools/picture_scene.h"
+#include "tools/options/model_argument.h"
+#include "tools/output/output_file.h"
+#include "tools/options/picture_options.h"
+#include "tools/options/picture_scene.h"
 #include "tools/progress.h"
-#include "tools/scene_options.h"
+#include "tools/options/scene_options.h"
 #include "tools/view/view_loop.h"
 
 namespace rimline::tools {

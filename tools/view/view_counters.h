@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "engine/renderer.h"
-#include "tools/view/opened_cloud.h"
+#include "tools/view/cloud_document.h"
 
 namespace rimline::tools {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/output_file.h"
+#include "tools/output/output_file.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/view_marks.h"
 

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/vulkan_instance.h"
+#include "engine/vulkan/vulkan_instance.h"
 #include "tools/command.h"
 #include "tools/view/hough_inspection.h"
 #include "tools/view/hough_panel.h"
 #include "tools/view/model_loader.h"
 #include "tools/view/panel_context.h"
 #include "tools/view/view_counters.h"
-#include "tools/view/view_hand.h"
+#include "tools/view/view_input.h"
 #include "tools/view/view_panel.h"
 #include "tools/view/view_session.h"
 #include "tools/view/window.h"

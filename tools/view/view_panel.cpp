@@ -10,7 +10,7 @@
 
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
-#include "tools/picture_scene.h"
+#include "tools/options/picture_scene.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
 

@@ -10,7 +10,7 @@
 #include "tools/view/hough_panel.h"
 #include "tools/view/model_loader.h"
 #include "tools/view/view_counters.h"
-#include "tools/view/view_hand.h"
+#include "tools/view/view_input.h"
 #include "tools/view/view_session.h"
 
 namespace rimline::tools {

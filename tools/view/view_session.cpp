@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/view_defaults.h"
-#include "tools/picture_scene.h"
+#include "tools/options/picture_scene.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
 

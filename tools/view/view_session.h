@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "engine/scene.h"
-#include "engine/splat_renderer.h"
-#include "tools/option_types.h"
-#include "tools/view/opened.h"
+#include "engine/clouds/splat_renderer.h"
+#include "tools/options/option_types.h"
+#include "tools/view/document.h"
 
 namespace rimline::tools {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/swapchain.h"
+#include "engine/vulkan/swapchain.h"
 
 struct GLFWwindow;
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "engine/barrier.h"
-#include "engine/device_loss.h"
+#include "engine/vulkan/barrier.h"
+#include "engine/vulkan/device_loss.h"
 #include "engine/picture_readback.h"
 
 namespace rimline::tools {

@@ -8,7 +8,7 @@
 //         --> the panel over it --> submit --> present
 //
 // A lost device takes all of this with it, but no mesh, octree or scene: it is made again and the frame
-// drawn once more (engine/device_loss.h).
+// drawn once more (engine/vulkan/device_loss.h).
 
 #include <vulkan/vulkan.h>
 
@@ -18,11 +18,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/device.h"
-#include "engine/overlay_pass.h"
+#include "engine/vulkan/device.h"
+#include "engine/passes/overlay_pass.h"
 #include "engine/renderer.h"
-#include "engine/splat_renderer.h"
-#include "engine/vulkan_instance.h"
+#include "engine/clouds/splat_renderer.h"
+#include "engine/vulkan/vulkan_instance.h"
 #include "tools/view/view_session.h"
 #include "tools/view/window.h"
 

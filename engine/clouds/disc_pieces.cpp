@@ -1,0 +1,126 @@
+#include "engine/clouds/disc_pieces.h"
+
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "silhouette/points/umbrella_triangles.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr std::size_t k_most_faces = 3;
+const double k_flat_cosine = std::cos(25.0 * std::numbers::pi / 180.0);
+// Between the sides of a gap of 135 degrees.
+const double k_bent_cosine = std::cos(45.0 * std::numbers::pi / 180.0);
+
+// The triangles of one face: sums over them by their angles at the point.
+struct Face {
+    glm::dvec3 normal{0.0};
+    glm::dvec3 middle{0.0};  // From the point into them.
+};
+
+struct PieceTriangle {
+    glm::dvec3 normal;  // Of length 1.
+    glm::dvec3 middle;
+    double angle;  // At the point.
+};
+
+std::vector<PieceTriangle> triangles_of(const PointSurface& surface, PointId point) {
+    const std::span<const glm::dvec3> positions = surface.positions();
+    std::vector<PieceTriangle> triangles;
+    for_each_triangle(surface, point, [&](PointId from, PointId to, UmbrellaId) {
+        const auto direction = [&](PointId q) {
+            return glm::normalize(positions[index(q)] - positions[index(point)]);
+        };
+        const glm::dvec3 a = direction(from), b = direction(to), cross = glm::cross(a, b);
+        const double sine = glm::length(cross);
+        if (sine > 1e-9)
+            triangles.push_back({cross / sine, a + b, std::atan2(sine, glm::dot(a, b))});
+    });
+    return triangles;
+}
+
+// The triangles gathered by their normals, each face's of length 1.
+std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
+    const std::vector<PieceTriangle> triangles = triangles_of(surface, point);
+    if (triangles.empty()) return {};
+    // Each seed is the triangle farthest from all before it.
+    std::vector<glm::dvec3> seeds{triangles[0].normal};
+    const auto nearest_seed = [&](const PieceTriangle& triangle) {
+        std::size_t nearest = 0;
+        for (std::size_t s = 1; s < seeds.size(); ++s)
+            if (glm::dot(triangle.normal, seeds[s]) > glm::dot(triangle.normal, seeds[nearest]))
+                nearest = s;
+        return nearest;
+    };
+    while (seeds.size() < k_most_faces) {
+        const PieceTriangle* farthest = nullptr;
+        double least = k_flat_cosine;
+        for (const PieceTriangle& triangle : triangles) {
+            const double cosine = glm::dot(triangle.normal, seeds[nearest_seed(triangle)]);
+            if (cosine >= least) continue;
+            least = cosine;
+            farthest = &triangle;
+        }
+        if (!farthest) break;
+        seeds.push_back(farthest->normal);
+    }
+    std::vector<Face> faces(seeds.size());
+    for (const PieceTriangle& triangle : triangles) {
+        Face& face = faces[nearest_seed(triangle)];
+        face.normal += triangle.angle * triangle.normal;
+        face.middle += triangle.angle * triangle.middle;
+    }
+    for (Face& face : faces) face.normal = glm::normalize(face.normal);
+    return faces;
+}
+
+// Along the two sides of a border's gap, if it has one gap: inwards, in the umbrella's plane.
+std::array<glm::dvec3, 2> border_cuts(const PointSurface& surface, PointId point) {
+    if (surface.label(point) != PointLabel::border) return {};
+    const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
+    const Umbrella umbrella = surface.umbrella(UmbrellaId{range.first});
+    if (range.size() != 1 || std::popcount(umbrella.gaps) != 1) return {};
+    const auto gap = static_cast<std::size_t>(std::countr_zero(umbrella.gaps));
+    const auto direction = [&](std::size_t j) {
+        const PointId q = umbrella.ring[j % umbrella.ring.size()];
+        return surface.positions()[index(q)] - surface.positions()[index(point)];
+    };
+    // The triangles follow the ring from the gap's end to its beginning.
+    const glm::dvec3 first = glm::cross(umbrella.normal, direction(gap + 1));
+    const glm::dvec3 last = glm::cross(direction(gap), umbrella.normal);
+    const double lengths = glm::length(first) * glm::length(last);
+    if (lengths == 0.0) return {};
+    const bool is_convex =
+        glm::dot(glm::cross(direction(gap + 1), direction(gap)), umbrella.normal) >= 0.0;
+    if (is_convex) return {first, last};
+    // Two cuts leave what both do: too little beside a gap that is less than a half turn.
+    if (glm::dot(first, last) < k_bent_cosine * lengths) return {};
+    return {glm::normalize(first) + glm::normalize(last), glm::dvec3(0.0)};
+}
+
+}  // namespace
+
+std::vector<DiscPiece> disc_pieces(const PointSurface& surface, PointId point) {
+    const std::vector<Face> faces = faces_of(surface, point);
+    if (faces.size() < 2) {
+        if (faces.empty()) return {{surface.normal(point), {}}};
+        return {{surface.normal(point), border_cuts(surface, point)}};
+    }
+    std::vector<DiscPiece> pieces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        DiscPiece piece{faces[f].normal, {}};
+        for (std::size_t other = 0, cut = 0; other < faces.size(); ++other) {
+            if (other == f) continue;
+            const double side = glm::dot(faces[f].middle, faces[other].normal);
+            piece.cuts[cut++] = faces[other].normal * (side < 0.0 ? -1.0 : 1.0);
+        }
+        pieces.push_back(piece);
+    }
+    return pieces;
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,68 @@
+#include "engine/frame/draw_data.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "engine/frame/draw_list.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr VkDescriptorSetLayoutBinding binding(std::uint32_t number, VkDescriptorType type) {
+    return {.binding = number,
+            .descriptorType = type,
+            .descriptorCount = 1,
+            .stageFlags = k_draw_stages};
+}
+
+constexpr std::array k_bindings{binding(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER),
+                                binding(1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC),
+                                binding(2, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC)};
+
+}  // namespace
+
+DrawData::DrawData(const DeviceContext& context, std::uint32_t frames_in_flight)
+    : context_(context), sets_(context, k_bindings, frames_in_flight), buffers_(frames_in_flight) {}
+
+std::uint32_t DrawData::padded(std::size_t size_bytes) const noexcept {
+    const VkDeviceSize unit = context_.limits.minUniformBufferOffsetAlignment;
+    return static_cast<std::uint32_t>((size_bytes + unit - 1) / unit * unit);
+}
+
+void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std::size_t instances,
+                           std::size_t lights) {
+    slot_ = slot;
+    end_ = padded(sizeof frame);
+    // Descriptors lie within the buffer even where there is no instance; a light takes less room.
+    static_assert(sizeof(gpu::LightData) <= sizeof(gpu::InstanceData));
+    const VkDeviceSize size =
+        VkDeviceSize{padded(sizeof frame)} +
+        VkDeviceSize{std::max<std::size_t>(instances, 1)} * padded(sizeof(gpu::InstanceData)) +
+        VkDeviceSize{lights} * padded(sizeof(gpu::LightData));
+    if (size > std::numeric_limits<std::uint32_t>::max())
+        throw Error(ErrorCode::too_large, "a scene's " + std::to_string(instances) +
+                                              " instances and their lights are more than 4 GiB");
+    Buffer& buffer = buffers_[slot];
+    if (buffer.size() < size) {
+        buffer = Buffer(context_, size, BufferPlace::upload, "frame data");
+        const std::array sizes{sizeof frame, sizeof(gpu::InstanceData), sizeof(gpu::LightData)};
+        std::array<VkDescriptorBufferInfo, k_bindings.size()> infos;
+        std::array<VkWriteDescriptorSet, k_bindings.size()> writes;
+        for (std::uint32_t i = 0; i < k_bindings.size(); ++i) {
+            infos[i] = {.buffer = buffer.handle(), .offset = 0, .range = sizes[i]};
+            writes[i] = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                         .dstSet = sets_[slot],
+                         .dstBinding = i,
+                         .descriptorCount = 1,
+                         .descriptorType = k_bindings[i].descriptorType,
+                         .pBufferInfo = &infos[i]};
+        }
+        vkUpdateDescriptorSets(context_.device, writes.size(), writes.data(), 0, nullptr);
+    }
+    std::memcpy(buffer.mapped(), &frame, sizeof frame);
+}
+
+}  // namespace rimline

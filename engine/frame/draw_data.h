@@ -1,0 +1,53 @@
+#pragma once
+
+// What shaders read of a frame, its instances and its lights (shaders/draw.glsl): structures one after the
+// other in a buffer, a buffer and a descriptor set for each frame in flight. An instance and a light are
+// chosen for a draw by their offsets.
+
+#include <vulkan/vulkan.h>
+
+#include <cstring>
+#include <vector>
+
+#include "engine/vulkan/descriptor_sets.h"
+#include "engine/vulkan/memory.h"
+#include "shaders/layout.h"
+
+namespace rimline {
+
+class DrawData {
+public:
+    DrawData(const DeviceContext& context, std::uint32_t frames_in_flight);
+
+    /// Of set 0 in every drawing pass.
+    VkDescriptorSetLayout layout() const noexcept { return sets_.layout(); }
+    VkDescriptorSet set(std::uint32_t slot) const noexcept { return sets_[slot]; }
+
+    /// Makes room for what is put next, which goes from the buffer's begin. Not while a frame that reads the
+    /// slot is in flight. Throws Error{too_large} beyond 4 GiB, or where a device has no such buffers.
+    void begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std::size_t instances,
+                     std::size_t lights);
+
+    /// Its offset, once for each instance and each light that begin_frame() was told of.
+    std::uint32_t put(const gpu::InstanceData& instance) { return put_bytes(instance); }
+    std::uint32_t put(const gpu::LightData& light) { return put_bytes(light); }
+
+private:
+    template <typename T>
+    std::uint32_t put_bytes(const T& value) {
+        const std::uint32_t offset = end_;
+        RIMLINE_CHECK(offset + sizeof value <= buffers_[slot_].size());
+        std::memcpy(buffers_[slot_].mapped() + offset, &value, sizeof value);
+        end_ = offset + padded(sizeof value);
+        return offset;
+    }
+    std::uint32_t padded(std::size_t size_bytes) const noexcept;
+
+    DeviceContext context_;
+    DescriptorSets sets_;
+    std::vector<Buffer> buffers_;
+    std::uint32_t slot_ = 0;
+    std::uint32_t end_ = 0;  // Of what is in the slot's buffer.
+};
+
+}  // namespace rimline

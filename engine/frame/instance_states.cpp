@@ -1,0 +1,149 @@
+#include "engine/frame/instance_states.h"
+
+#include <algorithm>
+
+#include "engine/frame/scene_data.h"
+
+namespace rimline {
+
+InstanceStates::InstanceStates(const DeviceContext& context, SilhouetteService& service,
+                               const Options& options)
+    : context_(context),
+      service_(service),
+      options_(options),
+      stream_budget_(options.stream_memory_bytes,
+                     "the budget for silhouettes (RendererOptions::stream_memory_bytes)"),
+      tracker_budget_(options.tracker_memory_bytes,
+                      "the budget for trackers (RendererOptions::tracker_memory_bytes)"),
+      uploads_(context) {}
+
+// Made before what goes there is taken: nothing may be freed because there was no room to keep it.
+InstanceStates::Retired& InstanceStates::next_retired() {
+    return retired_.emplace_back(Retired{recorded_, nullptr, nullptr, nullptr, nullptr});
+}
+
+void InstanceStates::retire(std::unique_ptr<TrackedSilhouette>& silhouette) {
+    if (silhouette) next_retired().silhouette = std::move(silhouette);
+}
+
+void InstanceStates::retire(InstanceState& state) {
+    retire(state.camera);
+    for (std::unique_ptr<TrackedSilhouette>& light : state.lights) retire(light);
+    if (state.deforming) next_retired().deforming = std::move(state.deforming);
+    unused_meshes_ = true;
+    state = {};
+}
+
+void InstanceStates::retire_unused_meshes() {
+    if (!unused_meshes_) return;
+    for (auto& [mesh, uploaded] : meshes_)
+        if (std::ranges::none_of(instances_, [&](const InstanceState& state) {
+                return state.mesh == uploaded.get();
+            }))
+            next_retired().mesh = std::move(uploaded);
+    std::erase_if(meshes_, [](const auto& entry) { return !entry.second; });
+    unused_meshes_ = false;
+}
+
+// The mesh on the GPU, or on its way there.
+const GpuMesh& InstanceStates::upload(const Mesh& mesh, Uploaded& uploaded) {
+    std::unique_ptr<GpuMesh>& known = meshes_[&mesh];
+    if (!known) {
+        UploadBatch batch(context_, uploads_);
+        auto made =
+            std::make_unique<GpuMesh>(batch, mesh, options_.crease_angle_rad, options_.line_path);
+        batch.send();
+        known = std::move(made);
+        ++uploaded.meshes;
+        uploaded.bytes += known->size_bytes();
+    }
+    return *known;
+}
+
+void InstanceStates::make(InstanceState& state, const SceneInstance& instance, Uploaded& uploaded) {
+    const Mesh& source = instance.mesh();
+    const GpuMesh& mesh = upload(source, uploaded);
+    if (instance.deforming) {
+        if (!deform_passes_) deform_passes_ = std::make_unique<DeformPasses>(context_);
+        state.deforming =
+            std::make_unique<DeformingInstance>(context_, source, mesh, options_.crease_angle_rad,
+                                                options_.ring_slots, stream_budget_, instance.name);
+    }
+    state.source = &source;
+    state.octree = instance.deforming ? nullptr : instance.octree;
+    state.mesh = &mesh;
+    state.is_closed_chain = is_closed_chain(source);
+}
+
+InstanceStates::Uploaded InstanceStates::prepare(const Scene& scene, const Frames& frames) {
+    recorded_ = frames.recorded;
+    if (!retired_.empty() && uploads_.is_done())
+        std::erase_if(retired_, [&](const Retired& retired) {
+            return retired.last_frame < frames.first_running;
+        });
+    Uploaded uploaded;
+    for (std::size_t i = scene.instances.size(); i < instances_.size(); ++i) retire(instances_[i]);
+    instances_.resize(scene.instances.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        InstanceState& state = instances_[i];
+        const SceneInstance& instance = scene.instances[i];
+        if (state.source != &instance.mesh() ||
+            state.octree != (instance.deforming ? nullptr : instance.octree)) {
+            retire(state);
+            make(state, instance, uploaded);
+        }
+        for (std::size_t l = scene.lights.size(); l < state.lights.size(); ++l)
+            retire(state.lights[l]);
+        state.lights.resize(scene.lights.size());
+        while (state.deforming && state.deforming->light_count() > scene.lights.size())
+            next_retired().found = state.deforming->take_last_light();
+    }
+    retire_unused_meshes();
+    return uploaded;
+}
+
+void InstanceStates::prepare_silhouettes(const Scene& scene) {
+    const auto prepare = [&](std::unique_ptr<TrackedSilhouette>& silhouette,
+                             const SceneInstance& instance, const HomogeneousPoint& point) {
+        if (silhouette)
+            silhouette->announce(point);
+        else
+            silhouette = std::make_unique<TrackedSilhouette>(
+                context_, service_, *instance.octree, point, options_.ring_slots, stream_budget_,
+                tracker_budget_, instance.name);
+    };
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const SceneInstance& instance = scene.instances[i];
+        if (instance.deforming) continue;
+        if (has_lines(scene, instance) && draws_slots(options_.line_path))
+            prepare(instances_[i].camera, instance, camera_point(instance, lines_camera(scene)));
+        if (!casts_shadows(scene, instance)) continue;
+        for (std::size_t l = 0; l < scene.lights.size(); ++l)
+            prepare(instances_[i].lights[l], instance,
+                    casting_point(scene, instance, scene.lights[l]));
+    }
+}
+
+void InstanceStates::announce(const Scene& scene) noexcept {
+    for (std::size_t i = 0; i < std::min(scene.instances.size(), instances_.size()); ++i) {
+        const SceneInstance& instance = scene.instances[i];
+        InstanceState& state = instances_[i];
+        if (instance.deforming || state.octree != instance.octree) continue;
+        if (state.camera && has_lines(scene, instance))
+            state.camera->announce(camera_point(instance, lines_camera(scene)));
+        if (!casts_shadows(scene, instance)) continue;
+        for (std::size_t l = 0; l < std::min(scene.lights.size(), state.lights.size()); ++l)
+            if (state.lights[l])
+                state.lights[l]->announce(casting_point(scene, instance, scene.lights[l]));
+    }
+}
+
+void InstanceStates::invalidate() noexcept {
+    for (InstanceState& state : instances_) {
+        if (state.camera) state.camera->invalidate();
+        for (const auto& light : state.lights)
+            if (light) light->invalidate();
+    }
+}
+
+}  // namespace rimline

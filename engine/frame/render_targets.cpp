@@ -1,0 +1,209 @@
+#include "engine/frame/render_targets.h"
+
+#include <algorithm>
+
+#include "engine/vulkan/barrier.h"
+
+namespace rimline {
+
+namespace {
+
+// Where a viewport ends triangles are clipped, and the corners they get there are rounded. In orthographic
+// views shadow volumes end so far away that lavapipe rounds them by whole pixels, and the picture's
+// outermost row or column had no shadow. So the viewport ends beyond the picture, if the device has room
+// for it. With a power of two no other corner is rounded otherwise than without.
+constexpr float k_guard = 2.0f;
+
+float fitting_guard(const VkPhysicalDeviceLimits& limits, VkExtent2D extent) {
+    const auto fits = [&](std::uint32_t length, std::uint32_t limit) {
+        const float size = k_guard * static_cast<float>(length);
+        const float excess = 0.5f * (size - static_cast<float>(length));
+        return size <= static_cast<float>(limit) && -excess >= limits.viewportBoundsRange[0] &&
+               size - excess <= limits.viewportBoundsRange[1];
+    };
+    const bool fit = fits(extent.width, limits.maxViewportDimensions[0]) &&
+                     fits(extent.height, limits.maxViewportDimensions[1]);
+    return fit ? k_guard : 1.0f;
+}
+
+// Whatever came before in the same commands, which may be another picture's passes or the caller's.
+constexpr StageAccess k_before{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
+constexpr StageAccess k_after{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                              VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+constexpr StageAccess k_drawing{
+    VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+        VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
+constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+
+void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, const VkRect2D& area, float guard,
+                     const VkRenderingAttachmentInfo& color,
+                     const VkRenderingAttachmentInfo* depth_stencil = nullptr) {
+    const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                               .renderArea = area,
+                               .layerCount = 1,
+                               .colorAttachmentCount = 1,
+                               .pColorAttachments = &color,
+                               .pDepthAttachment = depth_stencil,
+                               .pStencilAttachment = depth_stencil};
+    vkCmdBeginRendering(commands, &info);
+    const float width = static_cast<float>(extent.width);
+    const float height = static_cast<float>(extent.height);
+    const VkViewport viewport{.x = 0.5f * (1.0f - guard) * width,
+                              .y = 0.5f * (1.0f - guard) * height,
+                              .width = guard * width,
+                              .height = guard * height,
+                              .minDepth = 0.0f,
+                              .maxDepth = 1.0f};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &area);
+}
+
+VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp load) {
+    return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+            .imageView = view,
+            .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+            .loadOp = load,
+            .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+            .clearValue = {}};
+}
+
+}  // namespace
+
+std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
+                            std::uint32_t samples) {
+    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved.
+    const std::uint64_t pixel_bytes = 16 * (samples > 1 ? samples + 1 : 1);
+    VkDeviceSize memory = 0;
+    for (std::uint32_t i = 0; i < context.memory.memoryHeapCount; ++i)
+        if ((context.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
+            memory = std::max(memory, context.memory.memoryHeaps[i].size);
+    const auto fits = [&](std::uint64_t scale) {
+        const std::uint64_t width = scale * size.width;
+        const std::uint64_t height = scale * size.height;
+        const std::uint64_t limit = context.limits.maxImageDimension2D;
+        return width <= limit && height <= limit && width * height * pixel_bytes <= memory / 2;
+    };
+    std::uint32_t scale = wanted;
+    while (scale > 1 && !fits(scale)) --scale;
+    return scale;
+}
+
+RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
+                             std::uint32_t samples)
+    : size_(size),
+      scale_(scale),
+      samples_(samples),
+      guard_(fitting_guard(context.limits, pass_extent())) {
+    RIMLINE_CHECK(size.width > 0 && size.height > 0 && scale > 0);
+    const VkExtent2D extent = pass_extent();
+    constexpr VkImageUsageFlags k_drawn_and_read =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    surfaces_ = Image(context, {k_surface_format, extent, k_drawn_and_read}, "the picture");
+    depth_ = Image(context,
+                   {.format = k_depth_stencil_format,
+                    .extent = extent,
+                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                    .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
+                   "the picture's depth");
+    if (is_multisampled()) {
+        multisampled_surfaces_ =
+            Image(context, {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples},
+                  "the picture's samples");
+        multisampled_depth_ = Image(
+            context,
+            {k_depth_stencil_format, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
+            "the depth of the picture's samples");
+    }
+}
+
+VkRect2D RenderTargets::in_pass(const VkRect2D& rect) const noexcept {
+    const auto scale = static_cast<std::int32_t>(scale_);
+    return {{rect.offset.x * scale, rect.offset.y * scale},
+            {rect.extent.width * scale_, rect.extent.height * scale_}};
+}
+
+void RenderTargets::begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
+                                   const DrawnArea& area) const {
+    VkRenderingAttachmentInfo color =
+        color_attachment((is_multisampled() ? multisampled_surfaces_ : surfaces_).attachment_view(),
+                         VK_ATTACHMENT_LOAD_OP_CLEAR);
+    color.clearValue.color = {{background.r, background.g, background.b, 0.0f}};
+    VkRenderingAttachmentInfo depth{
+        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+        .imageView = (is_multisampled() ? multisampled_depth_ : depth_).attachment_view(),
+        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+        .clearValue = {.depthStencil = {0.0f, 0}}};
+    if (is_multisampled()) {
+        color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+        color.resolveImageView = surfaces_.attachment_view();
+        color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        depth.resolveMode = VK_RESOLVE_MODE_SAMPLE_ZERO_BIT;
+        depth.resolveImageView = depth_.attachment_view();
+        depth.resolveImageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    }
+    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_, color, &depth);
+}
+
+void RenderTargets::begin_lines(VkCommandBuffer commands, const DrawnArea& area) const {
+    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_,
+                    color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD));
+}
+
+void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target,
+                                  const DrawnArea& area) {
+    const bool is_whole = area.rect.extent.width == target.extent.width &&
+                          area.rect.extent.height == target.extent.height;
+    VkRenderingAttachmentInfo color = color_attachment(
+        target.view, is_whole ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR);
+    color.clearValue.color = area.around;
+    begin_rendering(commands, target.extent, {{0, 0}, target.extent}, 1.0f, color);
+    vkCmdSetScissor(commands, 0, 1, &area.rect);
+}
+
+void RenderTargets::record_before_surfaces(VkCommandBuffer commands,
+                                           const PictureTarget& target) const {
+    constexpr VkImageLayout k_fresh = VK_IMAGE_LAYOUT_UNDEFINED;
+    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    constexpr VkImageLayout k_depth = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    if (is_multisampled())
+        record_barrier(commands, k_before, k_drawing,
+                       {{surfaces_, k_fresh, k_color},
+                        {depth_, k_fresh, k_depth},
+                        {multisampled_surfaces_, k_fresh, k_color},
+                        {multisampled_depth_, k_fresh, k_depth},
+                        {target, target.initial_layout, k_color}});
+    else
+        record_barrier(commands, k_before, k_drawing,
+                       {{surfaces_, k_fresh, k_color},
+                        {depth_, k_fresh, k_depth},
+                        {target, target.initial_layout, k_color}});
+}
+
+void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
+    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    record_barrier(commands, k_drawing,
+                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+                   {{surfaces_, k_color, k_color},
+                    {depth_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+                     VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
+}
+
+void RenderTargets::record_before_picture(VkCommandBuffer commands) const {
+    record_barrier(commands, k_drawing, k_sampling,
+                   {{surfaces_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
+}
+
+void RenderTargets::record_after_picture(VkCommandBuffer commands, const PictureTarget& target) {
+    record_barrier(commands, k_drawing, k_after,
+                   {{target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, target.final_layout}});
+}
+
+}  // namespace rimline

@@ -1,0 +1,85 @@
+#pragma once
+
+// The images that the passes of one picture size draw into, up to the picture itself.
+//
+//     surfaces (color, depth + stencil; several samples) --resolved--> surfaces, depth (one sample)
+//     lines are drawn against depth into the surfaces' alpha, as coverage; composite averages scale x
+//     scale texels to a pixel of the target.
+
+#include <vulkan/vulkan.h>
+
+#include <glm/vec3.hpp>
+
+#include "engine/vulkan/memory.h"
+#include "engine/vulkan/picture_target.h"
+#include "engine/vulkan/pipeline.h"
+
+namespace rimline {
+
+constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+/// The greatest scale up to `wanted`, and at least 1, whose images are within the device's limits and
+/// take no more than half of its memory.
+std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
+                            std::uint32_t samples);
+
+/// The part of a picture that a frame is drawn in, in its pixels.
+struct DrawnArea {
+    VkRect2D rect;
+    VkClearColorValue around{};  ///< What the picture is where `rect` is not.
+
+    static DrawnArea whole(VkExtent2D size) { return {{{0, 0}, size}}; }
+};
+
+class RenderTargets {
+public:
+    /// `scale` pixels of the passes along each side of a pixel, each with `samples` samples.
+    /// Throws Error{too_large} naming the limit.
+    RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
+                  std::uint32_t samples);
+
+    VkExtent2D size() const noexcept { return size_; }
+    /// The size the surface and line passes draw.
+    VkExtent2D pass_extent() const noexcept {
+        return {size_.width * scale_, size_.height * scale_};
+    }
+    /// Of the picture, the same in the surface and line passes.
+    VkRect2D in_pass(const VkRect2D& rect) const noexcept;
+    std::uint32_t scale() const noexcept { return scale_; }
+    std::uint32_t samples() const noexcept { return samples_; }
+    /// The viewport of the surface and line passes is so many times as wide and high as the picture in
+    /// its middle, a power of two.
+    float guard() const noexcept { return guard_; }
+
+    const Image& surfaces() const noexcept { return surfaces_; }
+    const Image& depth() const noexcept { return depth_; }
+
+    /// Scopes of dynamic rendering. Surfaces and their depth hold something in the area alone, which
+    /// begins with linear `background`, where lines cover nothing.
+    void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
+                        const DrawnArea& area) const;
+    /// Draws over the finished surfaces, and into their alpha.
+    void begin_lines(VkCommandBuffer commands, const DrawnArea& area) const;
+    /// Overwrites what is around the area; the area is the caller's to draw.
+    static void begin_picture(VkCommandBuffer commands, const PictureTarget& target,
+                              const DrawnArea& area);
+
+    /// Layout changes between the scopes, for all images at once, the target among them.
+    void record_before_surfaces(VkCommandBuffer commands, const PictureTarget& target) const;
+    void record_before_lines(VkCommandBuffer commands) const;
+    void record_before_picture(VkCommandBuffer commands) const;
+    /// Leaves the target in its final layout, and orders all that follows after it.
+    static void record_after_picture(VkCommandBuffer commands, const PictureTarget& target);
+
+private:
+    bool is_multisampled() const noexcept { return samples_ > 1; }
+
+    VkExtent2D size_;
+    std::uint32_t scale_;
+    std::uint32_t samples_;
+    float guard_;
+    Image surfaces_, depth_;                            // One sample.
+    Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
+};
+
+}  // namespace rimline

@@ -1,0 +1,53 @@
+#include "engine/passes/ink_pass.h"
+
+#include "composite_vert.h"
+#include "grid_frag.h"
+#include "ink_frag.h"
+
+namespace rimline {
+
+namespace {
+
+struct GridConstants {
+    glm::vec4 color;
+    std::int32_t width, height, scale;
+};
+
+OwnedPipeline make_pipeline(const DeviceContext& context, SpirvCode fragment, VkFormat format,
+                            Blend blend, VkPipelineLayout layout) {
+    return make_graphics_pipeline(context, {.vertex = composite_vert,
+                                            .geometry = {},
+                                            .fragment = fragment,
+                                            .formats = {.color = format},
+                                            .blend = blend,
+                                            .layout = layout});
+}
+
+template <typename Constants>
+void record(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout,
+            const Constants& constants) {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
+                       &constants);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+}
+
+}  // namespace
+
+InkPass::InkPass(const DeviceContext& context, VkFormat surface_format)
+    : layout_(make_pipeline_layout(context, sizeof(GridConstants), VK_SHADER_STAGE_FRAGMENT_BIT)),
+      grid_(make_pipeline(context, grid_frag, surface_format, Blend::over, layout_)),
+      ink_(make_pipeline(context, ink_frag, surface_format, Blend::over_by_target, layout_)) {}
+
+void InkPass::record_grid(VkCommandBuffer commands, const glm::vec4& color, VkExtent2D size,
+                          std::uint32_t scale) const {
+    record(commands, grid_, layout_,
+           GridConstants{color, static_cast<std::int32_t>(size.width),
+                         static_cast<std::int32_t>(size.height), static_cast<std::int32_t>(scale)});
+}
+
+void InkPass::record_ink(VkCommandBuffer commands, const glm::vec3& ink) const {
+    record(commands, ink_, layout_, ink);
+}
+
+}  // namespace rimline

@@ -1,0 +1,108 @@
+#include "engine/passes/line_pass.h"
+
+#include "line_adjacency_geom.h"
+#include "line_adjacency_vert.h"
+#include "line_frag.h"
+#include "line_geom.h"
+#include "line_vert.h"
+#include "points_vert.h"
+
+namespace rimline {
+
+namespace {
+
+LinePath possible_path(const DeviceContext& context, LinePath path) {
+    if (context.features.geometry_shader || !needs_geometry_shader(path)) return path;
+    if (path == LinePath::geometry) return LinePath::pulling;
+    throw Error(ErrorCode::no_device,
+                "this path of lines needs geometry shaders, which the device lacks");
+}
+
+GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
+                                           VkPipelineLayout layout) {
+    GraphicsPipelineDescription description{.vertex = line_vert,
+                                            .geometry = {},
+                                            .fragment = line_frag,
+                                            .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+                                            .formats = {.color = format},
+                                            .blend = Blend::maximum_alpha,
+                                            .layout = layout};
+    if (needs_geometry_shader(path)) {
+        description.vertex = points_vert;
+        description.geometry = line_geom;
+        description.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+    }
+    return description;
+}
+
+}  // namespace
+
+LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+                   VkFormat surface_format, LinePath path)
+    : path_(possible_path(context, path)),
+      depth_(context, 1),
+      layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages,
+                                   {draw_data, depth_.layout()})),
+      pipeline_(make_graphics_pipeline(context, description_of(path_, surface_format, layout_))) {
+    if (path_ != LinePath::adjacency) return;
+    adjacency_ = make_graphics_pipeline(
+        context, {.vertex = line_adjacency_vert,
+                  .geometry = line_adjacency_geom,
+                  .fragment = line_frag,
+                  .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
+                  .formats = {.color = surface_format},
+                  .blend = Blend::maximum_alpha,
+                  .layout = layout_});
+}
+
+void LinePass::record_list(VkCommandBuffer commands, std::uint32_t edge_count) const {
+    if (edge_count == 0) return;
+    if (needs_geometry_shader(path_))
+        vkCmdDraw(commands, edge_count, 1, 0, 0);
+    else
+        vkCmdDraw(commands, 4, edge_count, 0, 0);
+}
+
+void LinePass::record_every_edge(VkCommandBuffer commands, const DrawList& list,
+                                 const DrawnInstance& instance) const {
+    const EveryEdgeDraw& every = instance.every_edge;
+    if (path_ == LinePath::adjacency) {
+        if (every.adjacency_index_count > 0) {
+            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, adjacency_);
+            set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
+            vkCmdBindIndexBuffer(commands, every.adjacency, 0, VK_INDEX_TYPE_UINT32);
+            vkCmdDrawIndexed(commands, every.adjacency_index_count, 1, 0, 0, 0);
+            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+        }
+    } else {
+        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
+        record_list(commands, every.regular_edge_count);
+    }
+    set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_IRREGULAR);
+    record_list(commands, every.irregular_pair_count);
+}
+
+void LinePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+    const VkDescriptorSet set = depth_.get();
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set, 0,
+                            nullptr);
+    for (const DrawnInstance& instance : list.instances) {
+        if (!instance.has_lines || instance.ink != ink) continue;
+        if (draws_slots(path_)) {
+            set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_SILHOUETTE);
+            vkCmdDrawIndirect(
+                commands, instance.silhouette.arguments,
+                path_ == LinePath::geometry ? IndirectDraw::k_points : IndirectDraw::k_strips, 1,
+                sizeof(VkDrawIndirectCommand));
+        } else {
+            record_every_edge(commands, list, instance);
+        }
+        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_BORDER);
+        record_list(commands, instance.border_count);
+        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_CREASE);
+        record_list(commands, instance.crease_count);
+    }
+}
+
+}  // namespace rimline

@@ -1,0 +1,166 @@
+#include "engine/passes/shadow_volume_pass.h"
+
+#include "composite_vert.h"
+#include "points_vert.h"
+#include "shaders/shadow_emission.h"
+#include "shadow_caps_vert.h"
+#include "shadow_sides_geom.h"
+#include "shadow_sides_vert.h"
+
+namespace rimline {
+
+namespace {
+
+// A ray that leaves the picture behind the surface crosses as many back faces of a volume as front
+// faces, but for one more back face if it starts inside. One that arrives at the surface from outside
+// of all volumes has crossed one more front face.
+void set_counting(VkCommandBuffer commands, ShadowMethod method, bool turned_round) {
+    const bool passes = method == ShadowMethod::pass;
+    const bool front_counts = passes != turned_round;
+    const VkStencilOp up = VK_STENCIL_OP_INCREMENT_AND_WRAP;
+    const VkStencilOp down = VK_STENCIL_OP_DECREMENT_AND_WRAP;
+    const auto set = [&](VkStencilFaceFlags face, VkStencilOp operation) {
+        vkCmdSetStencilOp(commands, face, VK_STENCIL_OP_KEEP,
+                          passes ? operation : VK_STENCIL_OP_KEEP,
+                          passes ? VK_STENCIL_OP_KEEP : operation, VK_COMPARE_OP_ALWAYS);
+    };
+    set(VK_STENCIL_FACE_FRONT_BIT, front_counts ? up : down);
+    set(VK_STENCIL_FACE_BACK_BIT, front_counts ? down : up);
+}
+
+void set_counting_bits(VkCommandBuffer commands, std::uint32_t bits) {
+    vkCmdSetStencilWriteMask(commands, VK_STENCIL_FACE_FRONT_AND_BACK, bits);
+}
+
+// Where any but the top bit is set, only the top bit is left.
+constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
+                                  .passOp = VK_STENCIL_OP_REPLACE,
+                                  .depthFailOp = VK_STENCIL_OP_KEEP,
+                                  .compareOp = VK_COMPARE_OP_NOT_EQUAL,
+                                  .compareMask = 0x7f,
+                                  .writeMask = 0xff,
+                                  .reference = 0x80};
+
+}  // namespace
+
+ShadowVolumePass::Pipelines ShadowVolumePass::make_pipelines(const DeviceContext& context,
+                                                             const AttachmentFormats& formats,
+                                                             VkPipelineLayout layout,
+                                                             SideStage stage, bool depth_clamp) {
+    Pipelines pipelines;
+    GraphicsPipelineDescription description{.vertex = shadow_caps_vert,
+                                            .geometry = {},
+                                            .fragment = {},
+                                            .formats = formats,
+                                            .blend = Blend::none_written,
+                                            .depth_compare = VK_COMPARE_OP_GREATER,
+                                            .depth_clamp = depth_clamp,
+                                            .stencil = StencilUse::count,
+                                            .layout = layout};
+    pipelines.caps = make_graphics_pipeline(context, description);
+    description.vertex = shadow_sides_vert;
+    pipelines.pulled_sides = make_graphics_pipeline(context, description);
+    if (stage == SideStage::geometry && context.features.geometry_shader) {
+        description.vertex = points_vert;
+        description.geometry = shadow_sides_geom;
+        description.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+        pipelines.geometry_sides = make_graphics_pipeline(context, description);
+    }
+    return pipelines;
+}
+
+ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+                                   const AttachmentFormats& formats, SideStage stage)
+    : layout_(
+          make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages, {draw_data})),
+      perspective_(make_pipelines(context, formats, layout_, stage, false)),
+      orthographic_(make_pipelines(context, formats, layout_, stage, true)) {
+    fold_ = make_graphics_pipeline(context, {.vertex = composite_vert,
+                                             .geometry = {},
+                                             .fragment = {},
+                                             .formats = formats,
+                                             .blend = Blend::none_written,
+                                             .stencil = StencilUse::given,
+                                             .stencil_state = k_fold,
+                                             .layout = layout_});
+}
+
+void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
+                              const VkRect2D& area) const {
+    const VkClearAttachment stencil{.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT,
+                                    .clearValue = {.depthStencil = {0.0f, 0}}};
+    const VkClearRect everywhere{.rect = area, .layerCount = 1};
+    vkCmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
+
+    const std::vector<ShadowBatch>& batches = list.shadow_batches[light];
+    for (const ShadowBatch& batch : batches) {
+        // One after the other, so that dynamic state is set anew behind each fold.
+        record_caps(commands, list, light, batch);
+        record_sides(commands, list, light, batch);
+        if (batches.size() == 1) break;
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
+        vkCmdDraw(commands, 3, 1, 0, 0);
+    }
+}
+
+void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& list,
+                                   std::size_t light, const ShadowBatch& batch) const {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
+    set_counting_bits(commands, list.shadow_batches[light].size() == 1 ? 0xffu : 0x7fu);
+    for (const std::uint32_t front_bit : {1u, 0u}) {
+        set_counting(commands, ShadowMethod::fail, front_bit == 0);
+        for (const ShadowDraw& draw : batch.draws) {
+            const DrawnInstance& instance = list.instances[draw.instance];
+            const DrawnLight& drawn = instance.lights[light];
+            if (drawn.method == ShadowMethod::pass) continue;
+            const bool single = drawn.form == ShadowForm::single && !draw.face_by_face;
+            if (single && front_bit == 0) continue;
+            set_draw(commands, layout_, list, instance, &drawn, front_bit);
+            // Where all light rays end in one point there is no dark cap.
+            const std::uint32_t caps = drawn.ends_in_one_point ? 1 : 2;
+            vkCmdDraw(commands, 3 * draw.face_count, caps, 3 * draw.first_face, 0);
+        }
+    }
+}
+
+void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& list,
+                                    std::size_t light, const ShadowBatch& batch) const {
+    const Pipelines& pipelines = pipelines_of(list);
+    const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
+    VkPipeline bound = VK_NULL_HANDLE;
+    const auto bind = [&](VkPipeline pipeline) {
+        if (pipeline == bound) return;
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+        set_counting_bits(commands, list.shadow_batches[light].size() == 1 ? 0xffu : 0x7fu);
+        bound = pipeline;
+    };
+    for (const ShadowDraw& draw : batch.draws) {
+        const DrawnInstance& instance = list.instances[draw.instance];
+        const DrawnLight& drawn = instance.lights[light];
+        const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
+        if (draw.face_by_face) {
+            bind(pipelines.pulled_sides);
+            set_counting(commands, drawn.method, false);
+            set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_FACES);
+            vkCmdDraw(commands, 3 * corners * draw.face_count, 1, 3 * corners * draw.first_face, 0);
+            continue;
+        }
+        bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);
+        set_counting(commands, drawn.method, false);
+        const bool single = drawn.form == ShadowForm::single;
+        const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
+        set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_SLOTS | flag);
+        const VkDeviceSize offset = !pulled        ? IndirectDraw::k_points
+                                    : corners == 3 ? IndirectDraw::k_pointed_sides
+                                                   : IndirectDraw::k_sides;
+        // Of two faces whose bits differ, in the general form both cast the edge, the same way round.
+        for (int times = single ? 1 : 2; times > 0; --times)
+            vkCmdDrawIndirect(commands, drawn.sides.arguments, offset, 1,
+                              sizeof(VkDrawIndirectCommand));
+        if (instance.loose_count == 0) continue;
+        set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_LOOSE | flag);
+        vkCmdDraw(commands, instance.loose_count * (pulled ? corners : 1), 1, 0, 0);
+    }
+}
+
+}  // namespace rimline

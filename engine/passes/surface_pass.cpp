@@ -1,0 +1,96 @@
+#include "engine/passes/surface_pass.h"
+
+#include <array>
+
+#include "surface_frag.h"
+#include "surface_unlit_vert.h"
+#include "surface_vert.h"
+
+namespace rimline {
+
+namespace {
+
+bool can_draw_by_vertices(const DrawnInstance& instance) {
+    return instance.vertex_count <= k_most_indexed_vertices;
+}
+
+void bind(VkCommandBuffer commands, VkPipeline pipeline, const DrawnInstance& instance) {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdSetCullMode(commands, instance.shows_backs ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+}
+
+}  // namespace
+
+SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
+                         const AttachmentFormats& formats)
+    : formats_(formats),
+      layout_(
+          make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages, {draw_data})) {}
+
+void SurfacePass::prepare(const DeviceContext& context, Style style) {
+    const auto number = static_cast<std::uint32_t>(style);
+    if (pipelines_.contains(number)) return;
+    const auto make = [&](bool has_shade, bool has_light, bool fades,
+                          SpirvCode vertex = surface_vert) {
+        const std::array<std::uint32_t, 4> constants{number, has_shade, has_light, fades};
+        return make_graphics_pipeline(
+            context, {.vertex = vertex,
+                      .geometry = {},
+                      .fragment = surface_frag,
+                      .fragment_constants = constants,
+                      .formats = formats_,
+                      .blend = has_shade ? Blend::replace : Blend::add,
+                      .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
+                      .depth_write = has_shade,
+                      .stencil = has_shade ? StencilUse::off : StencilUse::zero,
+                      .sets_cull = true,
+                      .layout = layout_});
+    };
+    const auto make_by_vertices = [&](bool fades) {
+        return style == Style::hatch ? OwnedPipeline()
+                                     : make(true, false, fades, surface_unlit_vert);
+    };
+    pipelines_.emplace(
+        number, Pipelines{.unlit = {make(true, false, false), make(true, false, true)},
+                          .lit = {make(false, true, false), make(false, true, true)},
+                          .shadowless = {make(true, true, false), make(true, true, true)},
+                          .unlit_by_vertices = {make_by_vertices(false), make_by_vertices(true)}});
+}
+
+void SurfacePass::record(VkCommandBuffer commands, const DrawList& list,
+                         const OwnedPipeline (&pipelines)[2], std::size_t light) const {
+    for (const DrawnInstance& instance : list.instances) {
+        bind(commands, pipelines[instance.fades], instance);
+        const DrawnLight& drawn = instance.lights[light];
+        set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 2);
+        vkCmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
+    }
+}
+
+void SurfacePass::record_unlit(VkCommandBuffer commands, const DrawList& list) const {
+    const Pipelines& pipelines = pipelines_.at(list.style);
+    for (const DrawnInstance& instance : list.instances) {
+        const VkPipeline by_vertices = pipelines.unlit_by_vertices[instance.fades];
+        const bool indexed = by_vertices != VK_NULL_HANDLE && can_draw_by_vertices(instance);
+        bind(commands, indexed ? by_vertices : VkPipeline(pipelines.unlit[instance.fades]),
+             instance);
+        set_draw(commands, layout_, list, instance, nullptr, 0);
+        if (indexed) {
+            vkCmdBindIndexBuffer(commands, instance.indices, 0, VK_INDEX_TYPE_UINT32);
+            vkCmdDrawIndexed(commands, 3 * instance.face_count, 1, 0, 0, 0);
+        } else {
+            vkCmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
+        }
+    }
+}
+
+void SurfacePass::record_lit(VkCommandBuffer commands, const DrawList& list,
+                             std::size_t light) const {
+    record(commands, list, pipelines_.at(list.style).lit, light);
+}
+
+void SurfacePass::record_shadowless(VkCommandBuffer commands, const DrawList& list) const {
+    record(commands, list, pipelines_.at(list.style).shadowless, 0);
+}
+
+}  // namespace rimline

@@ -1,0 +1,140 @@
+#pragma once
+
+// The GPU's copy of one tracker's state, kept up to date by change sets.
+//
+//     ChangeSet --memcpy--> ring (mapped) --scatter.comp--> slots, face words, draw arguments
+//
+// Writes are scattered in parallel, for a change set names each place once. Bytes a frame are
+// proportional to what changed. Where that would pass a full rewrite, or a change set was missed, the
+// whole state is sent: slots in use, 4 bytes each, and all words.
+//
+// A ring slot belongs to one frame in flight: the caller names the slot, and has waited until the GPU
+// is done with the frame that used it last.
+//
+// The slots' buffer has room for every edge that can be on a silhouette. Ring slots do not: few
+// silhouettes come near that, and there are several ring slots. They begin with room for an eighth of the
+// edges, and one that is too small is replaced by a larger one when its frame begins to need it.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/vulkan/memory.h"
+#include "engine/vulkan/memory_budget.h"
+#include "engine/vulkan/pipeline.h"
+#include "silhouette/hough/change_set.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline {
+
+/// The compute pass that scatters; one serves every stream of a device.
+class ScatterPass {
+public:
+    explicit ScatterPass(const DeviceContext& context);
+
+private:
+    friend class ChangeStream;
+    OwnedPipelineLayout layout_;
+    OwnedPipeline pipeline_;
+};
+
+/// How many slots a silhouette can fill and how many words of face bits there are: what a stream costs.
+struct StreamSize {
+    std::uint64_t slots = 0;
+    std::uint32_t words = 0;
+
+    static StreamSize of(const Mesh& mesh) noexcept;
+    /// What the GPU holds.
+    std::uint64_t state_bytes() const noexcept;
+    /// A ring slot at first, and when a silhouette of all edges has been sent whole.
+    std::uint64_t first_ring_bytes() const noexcept;
+    std::uint64_t last_ring_bytes() const noexcept;
+    /// A stream when it is made; it grows to state_bytes() + ring_slots * last_ring_bytes() at most.
+    std::uint64_t first_bytes(std::uint32_t ring_slots) const noexcept {
+        return state_bytes() + ring_slots * first_ring_bytes();
+    }
+};
+
+class ChangeStream {
+public:
+    /// Its state is empty until the first resend(). What it allocates, later too, is of `budget`, which
+    /// must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the budget,
+    /// or the device's limit.
+    ChangeStream(const DeviceContext& context, const StreamSize& size, std::uint32_t ring_slots,
+                 MemoryBudget* budget = nullptr, const std::string& model = "the model");
+    /// Room for any silhouette of `mesh`.
+    ChangeStream(const DeviceContext& context, const Mesh& mesh, std::uint32_t ring_slots)
+        : ChangeStream(context, StreamSize::of(mesh), ring_slots) {}
+
+    /// Forgets what the GPU holds: only resend() will do next. For a frame that was queued and never
+    /// ran.
+    void invalidate() noexcept { has_state_ = false; }
+
+    /// Opens ring slot `ring_slot` for a new frame.
+    void begin_frame(std::uint32_t ring_slot);
+
+    /// Queues a change set. False, and nothing queued, where only resend() will do: the sequence has a
+    /// gap, or the whole state is smaller. Throws Error{too_large} when the ring slot cannot grow, as
+    /// resend() does; call invalidate() then.
+    [[nodiscard]] bool apply(const ChangeSet& changes);
+
+    /// Queues the whole state; what was queued this frame before is dropped.
+    void resend(std::uint64_t sequence, std::span<const EdgeId> silhouette,
+                std::span<const std::uint32_t> face_words);
+
+    /// Records copies and scatters of what was queued. Surround it with record_before() and
+    /// record_after(), once for all streams of a frame.
+    void record(VkCommandBuffer commands, const ScatterPass& pass) const;
+    static void record_before(VkCommandBuffer commands);
+    static void record_after(VkCommandBuffer commands);
+
+    /// Bytes of buffers.
+    std::uint64_t size_bytes() const noexcept;
+    /// Bytes queued in this frame, and what sending the whole state would have cost.
+    std::uint64_t bytes_streamed() const noexcept { return used_; }
+    std::uint64_t bytes_full() const noexcept;
+    std::uint32_t silhouette_size() const noexcept { return silhouette_size_; }
+
+    /// For a caller's own shaders: slots hold edge numbers, words hold face bits, and the arguments
+    /// (gpu::SlotArguments) draw the slots in use, as points, as strips of four vertices, or as the sides
+    /// of shadow volumes.
+    const Buffer& slots() const noexcept { return slots_; }
+    const Buffer& face_words() const noexcept { return face_words_; }
+    const Buffer& arguments() const noexcept { return arguments_; }
+
+private:
+    // Parts of the ring slot's data, as offsets from its beginning.
+    struct Batch {
+        std::uint64_t slot_offset, word_offset;
+        std::uint32_t slot_count, word_count;
+        std::uint32_t silhouette_size;
+        bool full;  // Plain values to copy, not writes to scatter.
+    };
+
+    struct RingSlot {
+        MemoryBudget::Share share;
+        Buffer data;
+    };
+
+    const Buffer& ring() const noexcept { return ring_[ring_slot_].data; }
+    void reserve(std::uint64_t size_bytes);
+    void write(const void* data, std::uint64_t size_bytes);
+
+    DeviceContext context_;
+    StreamSize size_;
+    std::string model_;
+    MemoryBudget::Share share_;  // Of all but the ring.
+    std::vector<RingSlot> ring_;
+    Buffer slots_;
+    Buffer face_words_;
+    Buffer arguments_;
+    std::uint32_t ring_slot_ = 0;
+    std::uint64_t used_ = 0;
+    std::uint64_t sequence_ = 0;
+    bool has_state_ = false;
+    std::uint32_t silhouette_size_ = 0;
+    std::vector<Batch> batches_;
+};
+
+}  // namespace rimline

@@ -1,0 +1,67 @@
+#include "engine/stream/deforming_instance.h"
+
+#include <cstring>
+
+#include "engine/vulkan/barrier.h"
+
+namespace rimline {
+
+void DeformedFrame::clear() noexcept {
+    meshes_.clear();
+    runs_.clear();
+    uses_.clear();
+}
+
+void DeformedFrame::add(const SilhouetteRun& run, Purpose purpose, bool is_first) {
+    runs_.push_back(run);
+    uses_.push_back({purpose, is_first});
+}
+
+void DeformedFrame::record(const DeviceContext& context, VkCommandBuffer commands,
+                           const DeformPasses& passes) {
+    if (is_empty()) return;
+    const VkDeviceSize size_bytes = sizeof(GpuSilhouetteCounts) * runs_.size();
+    if (counts_.size() < size_bytes)
+        counts_ = Buffer(context, size_bytes, BufferPlace::readback, "silhouette counts");
+    passes.deform.record(commands, meshes_);
+    passes.silhouettes.record(commands, runs_);
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        const VkBufferCopy region{.dstOffset = sizeof(GpuSilhouetteCounts) * i,
+                                  .size = sizeof(GpuSilhouetteCounts)};
+        vkCmdCopyBuffer(commands, runs_[i].silhouette->counts().handle(), counts_.handle(), 1,
+                        &region);
+    }
+    if (runs_.empty()) return;
+    record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                   {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+}
+
+DeformedCounts DeformedFrame::counts(Purpose purpose) const {
+    DeformedCounts sum;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        if (uses_[i].purpose != purpose) continue;
+        GpuSilhouetteCounts found;
+        std::memcpy(&found, counts_.mapped() + sizeof found * i, sizeof found);
+        sum.silhouette += found.silhouette;
+        sum.regular += found.regular;
+        if (uses_[i].is_first) continue;
+        sum.flips += found.flips;
+        sum.added += found.added;
+        sum.removed += found.removed;
+    }
+    return sum;
+}
+
+const GpuSilhouette& DeformingInstance::add(std::unique_ptr<GpuSilhouette>& silhouette,
+                                            const HomogeneousPoint& point,
+                                            DeformedFrame::Purpose purpose, DeformedFrame& frame) {
+    const bool is_first = !silhouette;
+    if (is_first)
+        silhouette =
+            std::make_unique<GpuSilhouette>(context_, mesh_.topology(), mesh_.faces(),
+                                            GpuSilhouette::Changes::counted, &budget_, model_);
+    frame.add({silhouette.get(), point}, purpose, is_first);
+    return *silhouette;
+}
+
+}  // namespace rimline

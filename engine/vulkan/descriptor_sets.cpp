@@ -1,0 +1,41 @@
+#include "engine/vulkan/descriptor_sets.h"
+
+namespace rimline {
+
+DescriptorSets::DescriptorSets(const DeviceContext& context,
+                               std::span<const VkDescriptorSetLayoutBinding> bindings,
+                               std::uint32_t count)
+    : sets_(count) {
+    const VkDescriptorSetLayoutCreateInfo layout_info{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+        .bindingCount = static_cast<std::uint32_t>(bindings.size()),
+        .pBindings = bindings.data()};
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    vk_check(vkCreateDescriptorSetLayout(context.device, &layout_info, nullptr, &layout),
+             "vkCreateDescriptorSetLayout");
+    layout_ = {context.device, layout};
+
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (const VkDescriptorSetLayoutBinding& binding : bindings)
+        sizes.push_back({binding.descriptorType, binding.descriptorCount * count});
+    const VkDescriptorPoolCreateInfo pool_info{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+        .maxSets = count,
+        .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
+        .pPoolSizes = sizes.data()};
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    vk_check(vkCreateDescriptorPool(context.device, &pool_info, nullptr, &pool),
+             "vkCreateDescriptorPool");
+    pool_ = {context.device, pool};
+
+    const std::vector<VkDescriptorSetLayout> layouts(count, layout);
+    const VkDescriptorSetAllocateInfo allocate{
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+        .descriptorPool = pool,
+        .descriptorSetCount = count,
+        .pSetLayouts = layouts.data()};
+    vk_check(vkAllocateDescriptorSets(context.device, &allocate, sets_.data()),
+             "vkAllocateDescriptorSets");
+}
+
+}  // namespace rimline

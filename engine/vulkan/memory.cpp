@@ -1,0 +1,196 @@
+#include "engine/vulkan/memory.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "engine/vulkan/barrier.h"
+#include "engine/vulkan/memory_budget.h"
+
+namespace rimline {
+
+namespace {
+
+// vk_check(), and what the memory was for where there is none left.
+void check_room(VkResult result, const char* call, VkDeviceSize size, const std::string& what) {
+    if (is_out_of_memory(result))
+        throw Error(ErrorCode::too_large,
+                    (result == VK_ERROR_TOO_MANY_OBJECTS
+                         ? "the device allows no more allocations (maxMemoryAllocationCount), for "
+                         : "the device has no memory left for ") +
+                        what + " of " + size_text(size) + ": " + call + " failed with " +
+                        name_of(result));
+    vk_check(result, call);
+}
+
+OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& requirements,
+                     VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed, bool addressable,
+                     const std::string& what) {
+    const auto find = [&](VkMemoryPropertyFlags flags) {
+        std::uint32_t type = 0;
+        while (type < context.memory.memoryTypeCount &&
+               ((requirements.memoryTypeBits >> type & 1u) == 0 ||
+                (context.memory.memoryTypes[type].propertyFlags & flags) != flags))
+            ++type;
+        return type;
+    };
+    std::uint32_t type = find(wanted | needed);
+    if (type == context.memory.memoryTypeCount) type = find(needed);
+    if (type == context.memory.memoryTypeCount)
+        throw Error(ErrorCode::no_device, "the device has no memory for " + what);
+    const auto fail_beyond = [&](VkDeviceSize limit, const char* of) {
+        if (requirements.size <= limit) return;
+        throw Error(ErrorCode::too_large, what + " needs " + size_text(requirements.size) +
+                                              ", more than the device's " + of + " of " +
+                                              size_text(limit));
+    };
+    fail_beyond(context.max_allocation_bytes, "maxMemoryAllocationSize");
+    const VkDeviceSize heap =
+        context.memory.memoryHeaps[context.memory.memoryTypes[type].heapIndex].size;
+    fail_beyond(heap, "memory");
+
+    const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                          .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
+    const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                    .pNext = addressable ? &flags : nullptr,
+                                    .allocationSize = requirements.size,
+                                    .memoryTypeIndex = type};
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    check_room(vkAllocateMemory(context.device, &info, nullptr, &memory), "vkAllocateMemory",
+               requirements.size, what);
+    return {context.device, memory};
+}
+
+VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
+    switch (place) {
+        case BufferPlace::device: return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+        case BufferPlace::upload: return VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+        case BufferPlace::readback: return VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place,
+               const std::string& what)
+    : size_(buffer_bytes(size)) {
+    if (size_ > context.max_buffer_bytes)
+        throw Error(ErrorCode::too_large, what + " needs " + size_text(size_) +
+                                              ", more than the device's maxBufferSize of " +
+                                              size_text(context.max_buffer_bytes));
+    const std::array families{context.queue_family, context.transfer_family};
+    const bool is_shared =
+        place == BufferPlace::device && context.queue_family != context.transfer_family;
+    const VkBufferCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .size = size_,
+        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                 VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                 VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                 VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+        .sharingMode = is_shared ? VK_SHARING_MODE_CONCURRENT : VK_SHARING_MODE_EXCLUSIVE,
+        .queueFamilyIndexCount = is_shared ? 2u : 0u,
+        .pQueueFamilyIndices = families.data()};
+    VkBuffer handle = VK_NULL_HANDLE;
+    check_room(vkCreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer", size_,
+               what);
+    buffer_ = {context.device, handle};
+    VkMemoryRequirements requirements;
+    vkGetBufferMemoryRequirements(context.device, handle, &requirements);
+    const VkMemoryPropertyFlags needed =
+        place == BufferPlace::device
+            ? 0
+            : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    memory_ = allocate(context, requirements, wanted_properties(place), needed, true, what);
+    check_room(vkBindBufferMemory(context.device, handle, memory_, 0), "vkBindBufferMemory", size_,
+               what);
+    if (place != BufferPlace::device) {
+        void* mapped = nullptr;
+        check_room(vkMapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
+                   "vkMapMemory", size_, what);
+        mapped_ = static_cast<std::byte*>(mapped);
+    }
+    const VkBufferDeviceAddressInfo address{.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+                                            .buffer = handle};
+    address_ = vkGetBufferDeviceAddress(context.device, &address);
+}
+
+Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,
+                     const std::string& what) {
+    Buffer buffer(context, data.size(), BufferPlace::device, what);
+    if (data.empty()) return buffer;
+    const Buffer staging(context, data.size(), BufferPlace::upload, what);
+    std::memcpy(staging.mapped(), data.data(), data.size());
+    run_commands(context, [&](VkCommandBuffer commands) {
+        const VkBufferCopy region{.size = data.size()};
+        vkCmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
+    });
+    return buffer;
+}
+
+void read_buffer(const DeviceContext& context, const Buffer& buffer, std::span<std::byte> data) {
+    RIMLINE_CHECK(data.size() <= buffer.size());
+    if (data.empty()) return;
+    const Buffer staging(context, data.size(), BufferPlace::readback, "reading back");
+    run_commands(context, [&](VkCommandBuffer commands) {
+        const VkBufferCopy region{.size = data.size()};
+        vkCmdCopyBuffer(commands, buffer.handle(), staging.handle(), 1, &region);
+        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+    });
+    std::memcpy(data.data(), staging.mapped(), data.size());
+}
+
+VkImageAspectFlags Image::aspects() const noexcept {
+    return description_.format == k_depth_stencil_format
+               ? VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT
+               : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+Image::Image(const DeviceContext& context, const ImageDescription& description,
+             const std::string& what)
+    : description_(description) {
+    const std::uint32_t limit = context.limits.maxImageDimension2D;
+    if (description.extent.width > limit || description.extent.height > limit)
+        throw Error(ErrorCode::too_large, what + " of " + std::to_string(description.extent.width) +
+                                              "x" + std::to_string(description.extent.height) +
+                                              " exceeds the device's maxImageDimension2D of " +
+                                              std::to_string(limit));
+    const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                 .imageType = VK_IMAGE_TYPE_2D,
+                                 .format = description.format,
+                                 .extent = {description.extent.width, description.extent.height, 1},
+                                 .mipLevels = 1,
+                                 .arrayLayers = 1,
+                                 .samples = static_cast<VkSampleCountFlagBits>(description.samples),
+                                 .tiling = VK_IMAGE_TILING_OPTIMAL,
+                                 .usage = description.usage};
+    VkImage handle = VK_NULL_HANDLE;
+    const VkDeviceSize pixels = VkDeviceSize{description.extent.width} * description.extent.height;
+    check_room(vkCreateImage(context.device, &info, nullptr, &handle), "vkCreateImage",
+               4 * pixels * description.samples, what);
+    image_ = {context.device, handle};
+    VkMemoryRequirements requirements;
+    vkGetImageMemoryRequirements(context.device, handle, &requirements);
+    memory_ = allocate(context, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, false, what);
+    check_room(vkBindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory",
+               requirements.size, what);
+
+    const auto view_of = [&](VkImageAspectFlags aspects) {
+        const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                         .image = handle,
+                                         .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                         .format = description.format,
+                                         .subresourceRange = {aspects, 0, 1, 0, 1}};
+        VkImageView view_handle = VK_NULL_HANDLE;
+        vk_check(vkCreateImageView(context.device, &view, nullptr, &view_handle),
+                 "vkCreateImageView");
+        return OwnedImageView(context.device, view_handle);
+    };
+    attachment_view_ = view_of(aspects());
+    if ((description.usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0)
+        sampled_view_ = view_of(description.sampled_aspect);
+}
+
+}  // namespace rimline

@@ -1,0 +1,200 @@
+#include "engine/vulkan/pipeline.h"
+
+#include <array>
+#include <vector>
+
+namespace rimline {
+
+namespace {
+
+OwnedShaderModule make_module(const DeviceContext& context, SpirvCode code) {
+    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                        .codeSize = code.size_bytes(),
+                                        .pCode = code.data()};
+    VkShaderModule module = VK_NULL_HANDLE;
+    vk_check(vkCreateShaderModule(context.device, &info, nullptr, &module), "vkCreateShaderModule");
+    return {context.device, module};
+}
+
+VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits stage, VkShaderModule module) {
+    return {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+            .stage = stage,
+            .module = module,
+            .pName = "main"};
+}
+
+VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
+    constexpr VkColorComponentFlags k_color =
+        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
+    constexpr VkColorComponentFlags k_alpha = VK_COLOR_COMPONENT_A_BIT;
+    VkPipelineColorBlendAttachmentState state{.blendEnable = VK_TRUE,
+                                              .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .colorBlendOp = VK_BLEND_OP_ADD,
+                                              .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                                              .alphaBlendOp = VK_BLEND_OP_ADD,
+                                              .colorWriteMask = k_color | k_alpha};
+    switch (blend) {
+        case Blend::replace: state.blendEnable = VK_FALSE; break;
+        case Blend::add: break;
+        case Blend::over:
+            state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+            state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            state.colorWriteMask = k_color;
+            break;
+        case Blend::maximum_alpha:
+            state.alphaBlendOp = VK_BLEND_OP_MAX;
+            state.colorWriteMask = k_alpha;
+            break;
+        case Blend::over_by_target:
+            state.srcColorBlendFactor = VK_BLEND_FACTOR_DST_ALPHA;
+            state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
+            state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+            state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+            break;
+        case Blend::none_written:
+            state.blendEnable = VK_FALSE;
+            state.colorWriteMask = 0;
+            break;
+    }
+    return state;
+}
+
+VkStencilOpState stencil_state(const GraphicsPipelineDescription& description) {
+    if (description.stencil == StencilUse::given) return description.stencil_state;
+    const bool zero = description.stencil == StencilUse::zero;
+    return {.failOp = VK_STENCIL_OP_KEEP,
+            .passOp = VK_STENCIL_OP_KEEP,
+            .depthFailOp = VK_STENCIL_OP_KEEP,
+            .compareOp = zero ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_ALWAYS,
+            .compareMask = 0xff,
+            .writeMask = zero ? 0u : 0xffu,
+            .reference = 0};
+}
+
+}  // namespace
+
+OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint32_t size_bytes,
+                                         VkShaderStageFlags stages,
+                                         std::initializer_list<VkDescriptorSetLayout> sets) {
+    const VkPushConstantRange range{.stageFlags = stages, .size = size_bytes};
+    const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                          .setLayoutCount = static_cast<std::uint32_t>(sets.size()),
+                                          .pSetLayouts = sets.begin(),
+                                          .pushConstantRangeCount = 1,
+                                          .pPushConstantRanges = &range};
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    vk_check(vkCreatePipelineLayout(context.device, &info, nullptr, &layout),
+             "vkCreatePipelineLayout");
+    return {context.device, layout};
+}
+
+OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
+                                    VkPipelineLayout layout) {
+    const OwnedShaderModule module = make_module(context, code);
+    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                           .stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, module),
+                                           .layout = layout};
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    vk_check(vkCreateComputePipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+             "vkCreateComputePipelines");
+    return {context.device, pipeline};
+}
+
+OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
+                                     const GraphicsPipelineDescription& description) {
+    std::vector<OwnedShaderModule> modules;
+    std::vector<VkPipelineShaderStageCreateInfo> stages;
+    const auto add_stage = [&](VkShaderStageFlagBits stage, SpirvCode code) {
+        if (code.empty()) return;
+        modules.push_back(make_module(context, code));
+        stages.push_back(stage_of(stage, modules.back()));
+    };
+    add_stage(VK_SHADER_STAGE_VERTEX_BIT, description.vertex);
+    add_stage(VK_SHADER_STAGE_GEOMETRY_BIT, description.geometry);
+    add_stage(VK_SHADER_STAGE_FRAGMENT_BIT, description.fragment);
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::uint32_t i = 0; i < description.fragment_constants.size(); ++i)
+        entries.push_back({.constantID = i, .offset = 4 * i, .size = 4});
+    const VkSpecializationInfo constants{
+        .mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+        .pMapEntries = entries.data(),
+        .dataSize = description.fragment_constants.size_bytes(),
+        .pData = description.fragment_constants.data()};
+    if (!entries.empty()) stages.back().pSpecializationInfo = &constants;
+
+    const VkPipelineVertexInputStateCreateInfo no_vertices{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    const VkPipelineInputAssemblyStateCreateInfo assembly{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+        .topology = description.topology};
+    const VkPipelineViewportStateCreateInfo viewport{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+        .viewportCount = 1,
+        .scissorCount = 1};
+    const VkPipelineRasterizationStateCreateInfo raster{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+        .depthClampEnable = description.depth_clamp,
+        .polygonMode = VK_POLYGON_MODE_FILL,
+        .cullMode = description.cull,
+        .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+        .depthBiasEnable = description.depth_bias_slopes != 0.0f,
+        .depthBiasSlopeFactor = description.depth_bias_slopes,
+        .lineWidth = 1.0f};
+    const VkPipelineMultisampleStateCreateInfo multisample{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+        .rasterizationSamples = static_cast<VkSampleCountFlagBits>(description.formats.samples)};
+    const VkStencilOpState stencil = stencil_state(description);
+    const VkPipelineDepthStencilStateCreateInfo depth_stencil{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+        .depthTestEnable = description.formats.depth_stencil != VK_FORMAT_UNDEFINED,
+        .depthWriteEnable = description.depth_write,
+        .depthCompareOp = description.depth_compare,
+        .stencilTestEnable = description.stencil != StencilUse::off,
+        .front = stencil,
+        .back = stencil};
+    const VkPipelineColorBlendAttachmentState attachment = blend_state(description.blend);
+    const bool has_color = description.formats.color != VK_FORMAT_UNDEFINED;
+    const VkPipelineColorBlendStateCreateInfo blend{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+        .attachmentCount = has_color ? 1u : 0u,
+        .pAttachments = &attachment};
+    std::vector<VkDynamicState> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    if (description.stencil == StencilUse::count) {
+        dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_OP);
+        dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_WRITE_MASK);
+    }
+    if (description.sets_cull) dynamic_states.push_back(VK_DYNAMIC_STATE_CULL_MODE);
+    const VkPipelineDynamicStateCreateInfo dynamic{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+        .dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size()),
+        .pDynamicStates = dynamic_states.data()};
+    const VkPipelineRenderingCreateInfo rendering{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+        .colorAttachmentCount = has_color ? 1u : 0u,
+        .pColorAttachmentFormats = &description.formats.color,
+        .depthAttachmentFormat = description.formats.depth_stencil,
+        .stencilAttachmentFormat = description.formats.depth_stencil};
+    const VkGraphicsPipelineCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+        .pNext = &rendering,
+        .stageCount = static_cast<std::uint32_t>(stages.size()),
+        .pStages = stages.data(),
+        .pVertexInputState = &no_vertices,
+        .pInputAssemblyState = &assembly,
+        .pViewportState = &viewport,
+        .pRasterizationState = &raster,
+        .pMultisampleState = &multisample,
+        .pDepthStencilState = &depth_stencil,
+        .pColorBlendState = &blend,
+        .pDynamicState = &dynamic,
+        .layout = description.layout};
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    vk_check(
+        vkCreateGraphicsPipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+        "vkCreateGraphicsPipelines");
+    return {context.device, pipeline};
+}
+
+}  // namespace rimline

@@ -1,0 +1,77 @@
+#pragma once
+
+// Pipelines for dynamic rendering, described by what differs between our passes.
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/vulkan_handle.h"
+
+namespace rimline {
+
+using SpirvCode = std::span<const std::uint32_t>;
+
+/// Push constants of `size_bytes` for `stages`, and descriptor sets of `sets`.
+OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint32_t size_bytes,
+                                         VkShaderStageFlags stages,
+                                         std::initializer_list<VkDescriptorSetLayout> sets = {});
+
+OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
+                                    VkPipelineLayout layout);
+
+enum class Blend {
+    replace,
+    add,
+    over,            ///< By the source's alpha; the target's is left alone.
+    maximum_alpha,   ///< Alpha keeps its maximum, color is left alone.
+    over_by_target,  ///< By the target's own alpha, which becomes zero.
+    none_written,    ///< The pass writes no color.
+};
+
+/// Of what indices draw: larger ones are a device feature (fullDrawIndexUint32), and not asked for.
+constexpr std::uint32_t k_most_indexed_vertices = 1u << 24;
+
+enum class StencilUse {
+    off,
+    count,  ///< Operations and written bits are set dynamically; always passes.
+    zero,   ///< Passes where the stencil is zero, writes nothing.
+    given,  ///< As GraphicsPipelineDescription::stencil_state says, on both faces.
+};
+
+/// Formats and samples of the attachments a pipeline draws into.
+struct AttachmentFormats {
+    VkFormat color = VK_FORMAT_UNDEFINED;
+    VkFormat depth_stencil = VK_FORMAT_UNDEFINED;
+    std::uint32_t samples = 1;
+};
+
+/// Viewport and scissor are dynamic; counter-clockwise on the screen is front.
+struct GraphicsPipelineDescription {
+    SpirvCode vertex;
+    SpirvCode geometry;  ///< Empty: none.
+    SpirvCode fragment;  ///< Empty: none.
+    /// Of the fragment stage's specialization constants those of numbers 0, 1, ...; empty: none.
+    std::span<const std::uint32_t> fragment_constants{};
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    AttachmentFormats formats;
+    Blend blend = Blend::replace;
+    VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
+    bool depth_write = false;
+    bool depth_clamp = false;
+    /// Added to depth: this many times what it changes by towards the next pixel, right or down.
+    float depth_bias_slopes = 0.0f;
+    StencilUse stencil = StencilUse::off;
+    VkStencilOpState stencil_state{};
+    VkCullModeFlags cull = VK_CULL_MODE_NONE;
+    bool sets_cull = false;  ///< What is culled is set dynamically instead.
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+};
+
+OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
+                                     const GraphicsPipelineDescription& description);
+
+}  // namespace rimline

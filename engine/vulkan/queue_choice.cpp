@@ -1,0 +1,33 @@
+#include "engine/vulkan/queue_choice.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr VkQueueFlags k_draws = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+// What engines for copies may do beside them. Not so those for video, which copy only what they code.
+constexpr VkQueueFlags k_beside_copies = VK_QUEUE_SPARSE_BINDING_BIT | VK_QUEUE_PROTECTED_BIT;
+
+bool draws(const VkQueueFamilyProperties& family) {
+    return family.queueCount > 0 && (family.queueFlags & k_draws) == k_draws;
+}
+
+bool only_copies(const VkQueueFamilyProperties& family) {
+    return family.queueCount > 0 && (family.queueFlags & ~k_beside_copies) == VK_QUEUE_TRANSFER_BIT;
+}
+
+}  // namespace
+
+std::optional<QueueChoice> choose_queues(std::span<const VkQueueFamilyProperties> families) {
+    const auto find = [&](auto&& fits) {
+        std::uint32_t family = 0;
+        while (family < families.size() && !fits(families[family])) ++family;
+        return family;
+    };
+    const std::uint32_t family = find(draws);
+    if (family == families.size()) return std::nullopt;
+    const std::uint32_t copies = find(only_copies);
+    return QueueChoice{family, copies == families.size() ? family : copies};
+}
+
+}  // namespace rimline

@@ -1,0 +1,59 @@
+#include "engine/vulkan/sampled_images.h"
+
+#include <vector>
+
+namespace rimline {
+
+namespace {
+
+OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter) {
+    // Where shaders fetch texels filters do not matter, and nearest is allowed for every format.
+    const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                   .magFilter = filter,
+                                   .minFilter = filter,
+                                   .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                   .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
+    VkSampler sampler = VK_NULL_HANDLE;
+    vk_check(vkCreateSampler(context.device, &info, nullptr, &sampler), "vkCreateSampler");
+    return {context.device, sampler};
+}
+
+DescriptorSets make_set(const DeviceContext& context, std::uint32_t count,
+                        const VkSampler& sampler) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        bindings[i] = {.binding = i,
+                       .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                       .descriptorCount = 1,
+                       .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT,
+                       .pImmutableSamplers = &sampler};
+    return DescriptorSets(context, bindings, 1);
+}
+
+}  // namespace
+
+SampledImages::SampledImages(const DeviceContext& context, std::uint32_t count, VkFilter filter)
+    : device_(context.device),
+      sampler_(make_sampler(context, filter)),
+      sets_(make_set(context, count, sampler_.get())) {}
+
+void SampledImages::set(std::initializer_list<const Image*> images) {
+    std::vector<VkDescriptorImageInfo> infos;
+    for (const Image* image : images)
+        infos.push_back({.imageView = image->sampled_view(),
+                         .imageLayout = image->aspects() == VK_IMAGE_ASPECT_COLOR_BIT
+                                            ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL
+                                            : VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL});
+    std::vector<VkWriteDescriptorSet> writes;
+    for (std::uint32_t i = 0; i < infos.size(); ++i)
+        writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                          .dstSet = get(),
+                          .dstBinding = i,
+                          .descriptorCount = 1,
+                          .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                          .pImageInfo = &infos[i]});
+    vkUpdateDescriptorSets(device_, static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
+                           nullptr);
+}
+
+}  // namespace rimline

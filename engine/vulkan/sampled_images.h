@@ -1,0 +1,33 @@
+#pragma once
+
+// The descriptor set of a pass that reads finished images in its fragment shader: binding i is image i.
+
+#include <vulkan/vulkan.h>
+
+#include <initializer_list>
+
+#include "engine/vulkan/descriptor_sets.h"
+#include "engine/vulkan/memory.h"
+
+namespace rimline {
+
+class SampledImages {
+public:
+    /// Linear filters are for color alone.
+    SampledImages(const DeviceContext& context, std::uint32_t count,
+                  VkFilter filter = VK_FILTER_NEAREST);
+
+    /// Points the bindings at `images`, which will be in SHADER_READ_ONLY_OPTIMAL or, for depth,
+    /// DEPTH_STENCIL_READ_ONLY_OPTIMAL. Not while a frame that reads the set is in flight.
+    void set(std::initializer_list<const Image*> images);
+
+    VkDescriptorSetLayout layout() const noexcept { return sets_.layout(); }
+    VkDescriptorSet get() const noexcept { return sets_[0]; }
+
+private:
+    VkDevice device_;
+    OwnedSampler sampler_;
+    DescriptorSets sets_;
+};
+
+}  // namespace rimline

@@ -1,0 +1,159 @@
+#include "engine/vulkan/swapchain.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rimline {
+
+namespace {
+
+OwnedSemaphore make_semaphore(VkDevice device) {
+    const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    VkSemaphore semaphore = VK_NULL_HANDLE;
+    vk_check(vkCreateSemaphore(device, &info, nullptr, &semaphore), "vkCreateSemaphore");
+    return {device, semaphore};
+}
+
+// Pictures hold sRGB bytes already: a format that encodes once more would brighten them.
+VkFormat choose_format(VkPhysicalDevice device, VkSurfaceKHR surface) {
+    const auto offered = enumerate<VkSurfaceFormatKHR>(
+        [&](std::uint32_t* count, VkSurfaceFormatKHR* formats) {
+            return vkGetPhysicalDeviceSurfaceFormatsKHR(device, surface, count, formats);
+        },
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
+    for (const VkFormat format : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
+        if (std::ranges::any_of(offered, [format](const VkSurfaceFormatKHR& f) {
+                return f.format == format && f.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;
+            }))
+            return format;
+    throw Error(ErrorCode::no_device,
+                "the window takes no pictures of 8 bits a channel in sRGB: choose another device "
+                "with --device");
+}
+
+}  // namespace
+
+Swapchain::Swapchain(const DeviceContext& context, VkSurfaceKHR surface, std::uint32_t ring_slots)
+    : context_(context), surface_(surface) {
+    VkBool32 supported = VK_FALSE;
+    if (context.features.swapchain)
+        vk_check(vkGetPhysicalDeviceSurfaceSupportKHR(context.physical_device, context.queue_family,
+                                                      surface, &supported),
+                 "vkGetPhysicalDeviceSurfaceSupportKHR");
+    if (supported != VK_TRUE)
+        throw Error(ErrorCode::no_device,
+                    "the device cannot show pictures in this window: choose another with --device");
+    format_ = choose_format(context.physical_device, surface);
+    for (std::uint32_t i = 0; i < ring_slots; ++i)
+        acquired_.push_back(make_semaphore(context.device));
+}
+
+Swapchain::~Swapchain() { wait_until_unused(); }
+
+// What is presented may use its image and semaphore until the queue is idle; a lost device is done.
+void Swapchain::wait_until_unused() const noexcept {
+    (void)repeat_wait([&] { return vkQueueWaitIdle(context_.queue); });
+}
+
+void Swapchain::remake(VkExtent2D window_size) {
+    wait_until_unused();
+    VkSurfaceCapabilitiesKHR can;
+    vk_check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device, surface_, &can),
+             "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+    constexpr std::uint32_t k_any = 0xffffffffu;
+    extent_ = can.currentExtent;
+    if (extent_.width == k_any)
+        extent_ = {
+            std::clamp(window_size.width, can.minImageExtent.width, can.maxImageExtent.width),
+            std::clamp(window_size.height, can.minImageExtent.height, can.maxImageExtent.height)};
+    window_size_ = window_size;
+    images_.clear();
+    if (extent_.width == 0 || extent_.height == 0) {
+        swapchain_ = {};
+        return;
+    }
+
+    const std::uint32_t most = can.maxImageCount == 0 ? k_any : can.maxImageCount;
+    const VkSwapchainCreateInfoKHR info{
+        .sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR,
+        .surface = surface_,
+        .minImageCount = std::min(can.minImageCount + 1, most),
+        .imageFormat = format_,
+        .imageColorSpace = VK_COLOR_SPACE_SRGB_NONLINEAR_KHR,
+        .imageExtent = extent_,
+        .imageArrayLayers = 1,
+        // Copies out of it are for saving what the window shows.
+        .imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                      (can.supportedUsageFlags &
+                       (VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT)),
+        .imageSharingMode = VK_SHARING_MODE_EXCLUSIVE,
+        .preTransform = can.currentTransform,
+        .compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
+                              ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
+                              : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR,
+        .presentMode = VK_PRESENT_MODE_FIFO_KHR,
+        .clipped = VK_FALSE,
+        .oldSwapchain = swapchain_};
+    VkSwapchainKHR handle = VK_NULL_HANDLE;
+    const VkResult made = vkCreateSwapchainKHR(context_.device, &info, nullptr, &handle);
+    // Also where it failed: the old one is retired, and cannot be followed by another.
+    swapchain_ = OwnedSwapchain(context_.device, handle);
+    vk_check(made, "vkCreateSwapchainKHR");
+
+    for (const VkImage image : enumerate<VkImage>(
+             [&](std::uint32_t*count, VkImage*images) {
+                 return vkGetSwapchainImagesKHR(context_.device, handle, count, images);
+             },
+             "vkGetSwapchainImagesKHR")) {
+        const VkImageViewCreateInfo view{
+            .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+            .image = image,
+            .viewType = VK_IMAGE_VIEW_TYPE_2D,
+            .format = format_,
+            .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+        VkImageView view_handle = VK_NULL_HANDLE;
+        vk_check(vkCreateImageView(context_.device, &view, nullptr, &view_handle),
+                 "vkCreateImageView");
+        images_.push_back({image, {context_.device, view_handle}, make_semaphore(context_.device)});
+    }
+    ++generation_;
+    stale_ = false;
+}
+
+bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
+    if (window_size.width == 0 || window_size.height == 0) return false;
+    ring_slot_ = ring_slot;
+    if (window_size.width != window_size_.width || window_size.height != window_size_.height)
+        stale_ = true;
+    // Once more where the images went out of date between the two calls.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        if (stale_ || images_.empty()) remake(window_size);
+        if (images_.empty()) return false;
+        const VkResult result =
+            vkAcquireNextImageKHR(context_.device, swapchain_, UINT64_MAX, acquired_[ring_slot],
+                                  VK_NULL_HANDLE, &current_);
+        if (result == VK_SUCCESS) return true;
+        stale_ = true;
+        if (result == VK_SUBOPTIMAL_KHR) return true;  // Its semaphore will be signalled: draw.
+        if (result != VK_ERROR_OUT_OF_DATE_KHR) vk_check(result, "vkAcquireNextImageKHR");
+    }
+    return false;
+}
+
+void Swapchain::present() {
+    const VkSwapchainKHR swapchain = swapchain_;
+    const VkSemaphore wait = drawn();
+    const VkPresentInfoKHR info{.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR,
+                                .waitSemaphoreCount = 1,
+                                .pWaitSemaphores = &wait,
+                                .swapchainCount = 1,
+                                .pSwapchains = &swapchain,
+                                .pImageIndices = &current_};
+    const VkResult result = vkQueuePresentKHR(context_.queue, &info);
+    if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR)
+        stale_ = true;
+    else
+        vk_check(result, "vkQueuePresentKHR");
+}
+
+}  // namespace rimline

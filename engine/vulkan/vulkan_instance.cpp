@@ -1,0 +1,126 @@
+#include "engine/vulkan/vulkan_instance.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <mutex>
+
+#include "engine/vulkan/device_choice.h"
+#include "engine/vulkan/vulkan_handle.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr const char* k_validation_layer = "VK_LAYER_KHRONOS_validation";
+
+bool has_validation_layer() {
+    const std::vector<VkLayerProperties> layers = enumerate<VkLayerProperties>(
+        [](std::uint32_t* count, VkLayerProperties* all) {
+            return vkEnumerateInstanceLayerProperties(count, all);
+        },
+        "vkEnumerateInstanceLayerProperties");
+    return std::any_of(layers.begin(), layers.end(), [](const VkLayerProperties& layer) {
+        return std::strcmp(layer.layerName, k_validation_layer) == 0;
+    });
+}
+
+template <typename Function>
+Function instance_function(VkInstance instance, const char* name) {
+    return reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
+}
+
+}  // namespace
+
+struct VulkanInstance::Messages {
+    std::atomic<std::uint32_t> count{0};
+    mutable std::mutex mutex;
+    std::string first;
+
+    static VKAPI_ATTR VkBool32 VKAPI_CALL receive(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                                  VkDebugUtilsMessageTypeFlagsEXT,
+                                                  const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                                  void* user) {
+        Messages& messages = *static_cast<Messages*>(user);
+        const std::lock_guard lock(messages.mutex);
+        if (messages.count++ == 0) messages.first = data->pMessage;
+        return VK_FALSE;
+    }
+};
+
+VulkanInstance::VulkanInstance(const InstanceOptions& options)
+    : presents_(!options.window_extensions.empty()), messages_(std::make_unique<Messages>()) {
+    std::uint32_t version = VK_API_VERSION_1_0;
+    vk_check(vkEnumerateInstanceVersion(&version), "vkEnumerateInstanceVersion");
+    if (version < VK_API_VERSION_1_3)
+        throw Error(ErrorCode::no_device,
+                    "the Vulkan loader is older than 1.3: install a newer libvulkan1");
+    if (options.validate && !has_validation_layer())
+        throw Error(ErrorCode::no_device, std::string("the layer ") + k_validation_layer +
+                                              " is not installed: install vulkan-validationlayers");
+
+    const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                        .pApplicationName = "rimline",
+                                        .pEngineName = "rimline",
+                                        .apiVersion = VK_API_VERSION_1_3};
+    const VkDebugUtilsMessengerCreateInfoEXT messenger{
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+        .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+        .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
+        .pfnUserCallback = &Messages::receive,
+        .pUserData = messages_.get()};
+    constexpr std::array k_checks{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    const VkValidationFeaturesEXT features{
+        .sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+        .pNext = &messenger,  // Covers the making and the end of the instance itself.
+        .enabledValidationFeatureCount = k_checks.size(),
+        .pEnabledValidationFeatures = k_checks.data()};
+    std::vector<const char*> extensions;
+    for (const std::string& name : options.window_extensions) extensions.push_back(name.c_str());
+    if (options.validate)
+        extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
+                                             VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
+    VkInstanceCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+        .pApplicationInfo = &application,
+        .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+        .ppEnabledExtensionNames = extensions.data()};
+    if (options.validate) {
+        info.pNext = &features;
+        info.enabledLayerCount = 1;
+        info.ppEnabledLayerNames = &k_validation_layer;
+    }
+    const VkResult created = vkCreateInstance(&info, nullptr, &instance_);
+    // The loader's answer where no driver is installed at all.
+    if (created == VK_ERROR_INCOMPATIBLE_DRIVER)
+        throw Error(ErrorCode::no_device, k_no_device_advice);
+    vk_check(created, "vkCreateInstance");
+    if (options.validate) {
+        const auto create = instance_function<PFN_vkCreateDebugUtilsMessengerEXT>(
+            instance_, "vkCreateDebugUtilsMessengerEXT");
+        const VkResult result = create ? create(instance_, &messenger, nullptr, &messenger_)
+                                       : VK_ERROR_EXTENSION_NOT_PRESENT;
+        if (result != VK_SUCCESS) vkDestroyInstance(instance_, nullptr);
+        vk_check(result, "vkCreateDebugUtilsMessengerEXT");
+    }
+}
+
+VulkanInstance::~VulkanInstance() {
+    if (messenger_ != VK_NULL_HANDLE)
+        instance_function<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            instance_, "vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, nullptr);
+    if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+}
+
+std::optional<std::uint32_t> VulkanInstance::validation_message_count() const noexcept {
+    if (!validates()) return std::nullopt;
+    return messages_->count.load();
+}
+
+std::string VulkanInstance::first_validation_message() const {
+    const std::lock_guard lock(messages_->mutex);
+    return messages_->first;
+}
+
+}  // namespace rimline

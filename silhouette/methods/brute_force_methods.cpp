@@ -1,0 +1,36 @@
+#include "silhouette/methods/brute_force_methods.h"
+
+#include "silhouette/mesh/brute_force.h"
+
+namespace rimline {
+
+void ScalarBruteForceMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                                     TraversalCounters& counters) {
+    RIMLINE_CHECK(point.is_valid());
+    edges = brute_force_silhouette(*mesh_, point);
+    counters.face_checks += mesh_->face_count();
+    counters.edge_checks += mesh_->edge_count();
+}
+
+void PackedBruteForceMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                                     TraversalCounters& counters) {
+    RIMLINE_CHECK(point.is_valid());
+    brute_force_.face_bits(point, words_);
+    brute_force_.silhouette(words_, edges);
+    counters.face_checks += mesh_->face_count();
+    counters.edge_checks += mesh_->edges_of_class(EdgeClass::border).first;
+}
+
+void PackedBruteForceMethod::update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                                    TraversalCounters& counters) {
+    if (!tracker_) {
+        tracker_.emplace(*mesh_, point);
+        counters.face_checks += mesh_->face_count();
+        counters.edge_checks += mesh_->edges_of_class(EdgeClass::border).first;
+    } else {
+        counters += tracker_->move_to(point).counters;
+    }
+    edges.assign(tracker_->silhouette().begin(), tracker_->silhouette().end());
+}
+
+}  // namespace rimline

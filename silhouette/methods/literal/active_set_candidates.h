@@ -1,0 +1,47 @@
+#pragma once
+
+// Which nodes may be in the active set (thesis 3.4.4): neither leaves, which make walks long, nor nodes
+// so high that a walk is a traversal. Every leaf has exactly one active-set candidate, an ASC, at or
+// above it, so candidates and empty octants beside or above them fill the root.
+//
+//     cost(node) = w1 * depth / children + w2 * mean over neighbours n of |depth - depth(n)|
+//
+// A node whose children are all leaves is a candidate. A node whose children are leaves and candidates
+// replaces them when its cost is less than the mean of its candidates'. Costs do not change, so one pass
+// from the deepest nodes up is the text's "iterate until no changes".
+//
+// Where the text is open or wrong: all is divided as reals (as integers most costs would be equal);
+// leaves have no children and no cost, and do not count in the mean; and a leaf beside a child that never
+// became a candidate would be left without one above it, and so is one itself.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "silhouette/methods/literal/neighbor_graph.h"
+#include "silhouette/methods/literal/point_octree.h"
+
+namespace rimline {
+
+struct AscWeights {
+    double subtree = 2.0;     ///< The thesis's w1.
+    double neighbour = 0.25;  ///< The thesis's w2.
+};
+
+/// The cost of a node that has children.
+double asc_cost(std::span<const OctreeNode> nodes, std::span<const NeighbourNodes> neighbours,
+                std::uint32_t node, const AscWeights& weights);
+
+struct ActiveSetCandidates {
+    std::vector<std::uint32_t> candidates;  ///< Ascending.
+    /// For each node: the candidate that it is or that is above it; k_no_node above all candidates.
+    std::vector<std::uint32_t> candidate_above;
+    std::uint32_t uncovered_leaves = 0;  ///< Candidates that the text does not make any.
+};
+
+/// O(nodes).
+ActiveSetCandidates choose_active_set_candidates(std::span<const OctreeNode> nodes,
+                                                 std::span<const NeighbourNodes> neighbours,
+                                                 const AscWeights& weights = {});
+
+}  // namespace rimline

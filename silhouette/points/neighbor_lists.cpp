@@ -1,0 +1,241 @@
+#include "silhouette/points/neighbor_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <nanoflann.hpp>
+#include <numeric>
+
+#include "silhouette/points/each_point.h"
+
+namespace rimline {
+
+namespace {
+
+// Directions spread 1.8 times as far along a line as across it.
+constexpr double k_row = 0.18;
+
+// As nanoflann reads points.
+struct TreePoints {
+    std::span<const glm::dvec3> points;
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+        return points[i][static_cast<glm::length_t>(axis)];
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box&) const {
+        return false;
+    }
+};
+
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<
+    nanoflann::L2_Simple_Adaptor<double, TreePoints, double, std::uint32_t>, TreePoints, 3,
+    std::uint32_t>;
+
+struct Near {
+    double square;
+    std::uint32_t number;
+    bool operator<(const Near& other) const {
+        return square != other.square ? square < other.square : number < other.number;
+    }
+};
+
+// Up to where the tree must look for all that lies no farther: it leaves out branches by sums of squares that
+// are rounded otherwise than those of points, by some units in the last place for each of its levels.
+double reach(double square) { return square * (1.0 + 0x1p-30); }
+
+// The nearest so far, ascending, for nanoflann, whose own set drops ties in the order it meets them.
+class NearestSet {
+public:
+    // k others are known to lie no farther than the square root of `known`.
+    NearestSet(std::uint32_t self, std::uint32_t k, double known)
+        : self_(self), k_(k), reach_(reach(known)) {}
+    bool full() const { return count_ == k_; }
+    // Beyond it nothing is offered.
+    double worstDist() const { return reach_; }
+    bool addPoint(double square, std::uint32_t number) {
+        const Near near{square, number};
+        if (number == self_ || (full() && !(near < near_[k_ - 1]))) return true;
+        std::uint32_t i = full() ? k_ - 1 : count_++;
+        for (; i > 0 && near < near_[i - 1]; --i) near_[i] = near_[i - 1];
+        near_[i] = near;
+        if (full()) reach_ = reach(near_[k_ - 1].square);
+        return true;
+    }
+    // All k of them.
+    std::span<const Near> found() const {
+        RIMLINE_CHECK(full());
+        return std::span(near_).first(k_);
+    }
+
+private:
+    std::uint32_t self_, k_;
+    std::uint32_t count_ = 0;
+    double reach_;
+    std::array<Near, k_most_neighbours> near_;
+};
+
+// Whether the directions of so many neighbours spread along one line, as they do where a row bends too: by
+// the eigenvalues of the sum of their squares, for (ab + bc + ca) / (a + b + c)² is its sum of principal
+// minors over the square of its trace.
+bool is_row(std::span<const glm::dvec3> points, std::uint32_t i,
+            std::span<const std::uint32_t> near) {
+    glm::dmat3 sum(0.0);
+    for (const std::uint32_t j : near) {
+        const glm::dvec3 d = glm::normalize(points[j] - points[i]);
+        sum += glm::outerProduct(d, d);
+    }
+    const double trace = sum[0][0] + sum[1][1] + sum[2][2];
+    const double minors = sum[0][0] * sum[1][1] - sum[0][1] * sum[0][1] + sum[0][0] * sum[2][2] -
+                          sum[0][2] * sum[0][2] + sum[1][1] * sum[2][2] - sum[1][2] * sum[1][2];
+    return minors < k_row * trace * trace;
+}
+
+class Search {
+public:
+    Search(std::span<const glm::dvec3> points, std::uint32_t k)
+        : points_(points),
+          k_(k),
+          source_{points},
+          tree_(3, source_, nanoflann::KDTreeSingleIndexAdaptorParams(12)),
+          nearest_(points.size() * k),
+          farthest_(points.size()) {}
+
+    // Of all points; body(point) for each as it is found.
+    template <typename Body>
+    void find(const CallPart& part, Body&& body) {
+        each_point(static_cast<std::uint32_t>(points_.size()), part,
+                   [&](std::uint32_t first, std::uint32_t last) {
+                       for (std::uint32_t i = first; i < last; ++i) {
+                           NearestSet set(i, k_, i > first ? known_of(i) : k_unknown);
+                           farthest_[i] = look(set, i, nearest_.data() + std::size_t{i} * k_);
+                           body(i);
+                       }
+                   });
+    }
+
+    // Its k nearest.
+    std::span<const std::uint32_t> of(std::uint32_t point) const {
+        return std::span(nearest_).subspan(std::size_t{point} * k_, k_);
+    }
+    Near from(std::uint32_t point, std::uint32_t other) const {
+        const glm::dvec3 d = points_[point] - points_[other];
+        return {glm::dot(d, d), other};
+    }
+    // Whether `other` is among the k nearest: no farther than the farthest of them.
+    bool has(std::uint32_t point, std::uint32_t other) const {
+        return !(farthest_[point] < from(point, other));
+    }
+    // Writes its `most` nearest.
+    void find_more(std::uint32_t point, std::uint32_t most, std::uint32_t* out) const {
+        NearestSet set(point, most, k_unknown);
+        look(set, point, out);
+    }
+
+private:
+    static constexpr double k_unknown = std::numeric_limits<double>::infinity();
+
+    // The point before, near in memory and mostly in space, and its neighbours are k others.
+    double known_of(std::uint32_t point) const {
+        double known = from(point, point - 1).square;
+        for (const std::uint32_t other : of(point - 1))
+            known = std::max(known, from(point, other).square);
+        return known;
+    }
+    Near look(NearestSet& set, std::uint32_t point, std::uint32_t* out) const {
+        tree_.findNeighbors(set, &points_[point].x, nanoflann::SearchParams());
+        const std::span<const Near> found = set.found();
+        for (const Near& near : found) *out++ = near.number;
+        return found.back();
+    }
+
+    std::span<const glm::dvec3> points_;
+    std::uint32_t k_;
+    TreePoints source_;
+    Tree tree_;
+    std::vector<std::uint32_t> nearest_;
+    std::vector<Near> farthest_;
+};
+
+// Who counts a point among its k nearest, but for those among the point's own.
+class Followers {
+public:
+    // is_returned[i], bit n: the n-th nearest of i counts i among its own.
+    Followers(const Search& search, std::span<const std::uint64_t> is_returned)
+        : begin_(is_returned.size() + 1, 0) {
+        const auto each = [&](auto&& body) {
+            for (std::uint32_t i = 0; i < is_returned.size(); ++i)
+                for (std::size_t n = 0; n < search.of(i).size(); ++n)
+                    if ((is_returned[i] >> n & 1u) == 0) body(search.of(i)[n], i);
+        };
+        each([&](std::uint32_t point, std::uint32_t) { ++begin_[point]; });
+        std::exclusive_scan(begin_.begin(), begin_.end(), begin_.begin(), std::uint64_t{0});
+        numbers_.resize(begin_.back());
+        std::vector<std::uint64_t> end(begin_.begin(), begin_.end() - 1);
+        each([&](std::uint32_t point, std::uint32_t follower) {
+            numbers_[end[point]++] = follower;
+        });
+    }
+    std::span<const std::uint32_t> of(std::uint32_t point) const {
+        return std::span(numbers_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
+    }
+
+private:
+    std::vector<std::uint64_t> begin_;
+    std::vector<std::uint32_t> numbers_;
+};
+
+}  // namespace
+
+NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t k,
+                               const LongCall& call) {
+    const auto count = static_cast<std::uint32_t>(points.size());
+    k_ = count == 0 ? 0 : std::min(k, count - 1);
+    RIMLINE_CHECK(k <= k_most_neighbours);
+    begin_.assign(std::size_t{count} + 1, 0);
+    is_mutual_.assign(count, 0);
+    is_row_.assign(count, 0);
+    if (k_ == 0) return;
+
+    Search search(points, k_);
+    search.find({call, 0.0, 0.85},
+                [&](std::uint32_t i) { is_row_[i] = is_row(points, i, search.of(i)); });
+    std::vector<std::uint64_t> is_returned(count, 0);
+    each_point(count, {call, 0.85, 0.9}, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t i = first; i < last; ++i) {
+            for (std::size_t n = 0; n < k_; ++n)
+                if (search.has(search.of(i)[n], i)) is_returned[i] |= std::uint64_t{1} << n;
+            is_mutual_[i] = is_returned[i] != 0;
+        }
+    });
+    const Followers followers(search, is_returned);
+
+    const std::uint32_t most = std::min(k_most_neighbours, count - 1);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::size_t all = is_row_[i] != 0 ? most : k_ + followers.of(i).size();
+        begin_[i + 1] = begin_[i] + std::min<std::size_t>(all, k_most_neighbours);
+    }
+    lists_.resize(begin_[count]);
+    each_point(count, {call, 0.9, 1.0}, [&](std::uint32_t first, std::uint32_t last) {
+        std::vector<Near> more;
+        for (std::uint32_t i = first; i < last; ++i) {
+            std::uint32_t* out = lists_.data() + begin_[i];
+            if (is_row_[i] != 0) {
+                search.find_more(i, most, out);
+                continue;
+            }
+            out = std::ranges::copy(search.of(i), out).out;
+            more.clear();
+            for (const std::uint32_t follower : followers.of(i))
+                more.push_back(search.from(i, follower));
+            std::sort(more.begin(), more.end());
+            for (std::size_t j = 0; out < lists_.data() + begin_[i + 1]; ++j)
+                *out++ = more[j].number;
+        }
+    });
+}
+
+}  // namespace rimline

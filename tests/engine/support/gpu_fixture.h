@@ -1,0 +1,63 @@
+#pragma once
+
+// A device for a test, with the validation layers on where they are installed. A machine without a
+// device skips the test; a validation message fails it.
+
+#include <doctest/doctest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/vulkan_instance.h"
+#include "tests/skip.h"
+
+namespace rimline::tests {
+
+class Gpu {
+public:
+    /// Null where there is no usable device; `reason` then says why.
+    static std::unique_ptr<Gpu> open(std::string& reason) {
+        try {
+            return std::unique_ptr<Gpu>(new Gpu);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::no_device) throw;
+            reason = error.what();
+            return nullptr;
+        }
+    }
+    ~Gpu() {
+        device_.reset();
+        const std::string first = instance_->first_validation_message();
+        CHECK_MESSAGE(instance_->validation_message_count().value_or(0) == 0, first);
+    }
+    Gpu(const Gpu&) = delete;
+    Gpu& operator=(const Gpu&) = delete;
+
+    const Device& device() const noexcept { return *device_; }
+    const DeviceContext& context() const noexcept { return device_->context(); }
+    const VulkanInstance& instance() const noexcept { return *instance_; }
+
+private:
+    Gpu() {
+        try {
+            instance_.emplace(InstanceOptions{.validate = true});
+        } catch (const Error& error) {
+            MESSAGE("without validation: ", std::string(error.what()));
+            instance_.emplace();
+        }
+        device_.emplace(*instance_);
+    }
+
+    std::optional<VulkanInstance> instance_;
+    std::optional<Device> device_;
+};
+
+}  // namespace rimline::tests
+
+/// Defines `gpu`, or ends the test case as skipped.
+#define RIMLINE_OPEN_GPU(gpu)                                                                 \
+    std::string gpu##_reason;                                                                 \
+    const std::unique_ptr<rimline::tests::Gpu> gpu = rimline::tests::Gpu::open(gpu##_reason); \
+    if (!gpu) RIMLINE_SKIP(gpu##_reason)

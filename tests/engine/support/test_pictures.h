@@ -1,0 +1,49 @@
+#pragma once
+
+// What tests of pictures share: a model with its octree, and pictures of what went wrong.
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "silhouette/picture.h"
+#include "silhouette/hough/hough_octree.h"
+
+namespace rimline::tests {
+
+struct Model {
+    explicit Model(const MeshSource& source) : mesh(source), octree(mesh) {}
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
+    Mesh mesh;
+    HoughOctree octree;
+};
+
+inline double linear_from_srgb(std::uint8_t channel) {
+    const double encoded = channel / 255.0;
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+struct Mark {
+    std::size_t pixel;
+    glm::u8vec3 color;
+};
+
+/// Writes what was drawn, marked where it is wrong, for who asks by naming a folder in
+/// RIMLINE_TEST_PICTURES.
+inline void save_picture(const std::string& name, Picture picture, const std::vector<Mark>& marks) {
+    const char* folder = std::getenv("RIMLINE_TEST_PICTURES");
+    if (!folder) return;
+    for (const Mark& mark : marks)
+        for (int c = 0; c < 3; ++c)
+            picture.rgba[4 * mark.pixel + static_cast<std::size_t>(c)] = mark.color[c];
+    const std::vector<std::byte> png = encode_png(picture);
+    std::ofstream(std::string(folder) + "/" + name + ".png", std::ios::binary)
+        .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+}
+
+}  // namespace rimline::tests

@@ -1,0 +1,158 @@
+// Best views against drawing every candidate, against what a few planes must choose, and against the same
+// mesh moved, scaled and turned inside out.
+
+#include "silhouette/field/best_views.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "silhouette/field/named_functions.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/winding.h"
+#include "tests/silhouette/field/reference_sum.h"
+#include "tests/silhouette/mesh/random.h"
+#include "tests/silhouette/mesh/small_meshes.h"
+
+using namespace rimline;
+using namespace rimline::tests;
+
+namespace {
+
+BestViews views_of(const Mesh& mesh, std::uint32_t count, const VisibleRatios& ratios = {},
+                   bool draws_all = false) {
+    const TangentialField field = make_view_field(mesh);
+    BestViewsOptions options;
+    options.count = count;
+    options.visible_ratios = ratios;
+    options.draws_all = draws_all;
+    return find_best_views(field, options);
+}
+
+bool in_shell(const Mesh& mesh, const glm::dvec3& eye) {
+    const double distance = glm::distance(eye, mesh.center()) / mesh.radius();
+    return distance >= std::sqrt(3.0) - 1e-9 && distance <= 2.0 + 1e-9;
+}
+
+// Anything that depends on the place alone, and hardly ever is the same twice.
+double made_up_ratio(const glm::dvec3& eye) {
+    return 0.55 + 0.4 * std::sin(3.0 * eye.x + 1.0) * std::cos(2.0 * eye.y - eye.z);
+}
+
+TEST_CASE("views lie in the shell and have falling scores without ratios") {
+    const Mesh mesh(make_built_in_shape("knot", 3000));
+    const BestViews best = views_of(mesh, 5);
+    REQUIRE(best.views.size() == 5);
+    CHECK(best.renders == 0);
+    double last = best.views[0].score();
+    for (const BestView& view : best.views) {
+        CHECK(in_shell(mesh, view.eye));
+        CHECK(view.visible_ratio == 1.0);
+        CHECK(view.score() <= last);
+        last = view.score();
+    }
+}
+
+TEST_CASE("the first view has the votes of all planes there and nearly the most of anywhere") {
+    const Mesh mesh(make_built_in_shape("spring", 2000));
+    const BestView first = views_of(mesh, 1).views.at(0);
+    const UnitPlanes planes(mesh);
+    const TangentialFunction f = view_function();
+    const auto votes_at = [&](const glm::dvec3& p) {
+        return reference_sum(planes, f, FieldOptions::Weight::count, p);
+    };
+    CHECK(first.votes ==
+          doctest::Approx(votes_at(planes.frame().from_model(first.eye))).epsilon(1e-3));
+    Random random(11);
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 direction = glm::normalize(glm::dvec3(random.in_cube()));
+        const double radius = 1.7321 + 0.26 * std::abs(double{random.signed_unit()});
+        CHECK(votes_at(radius * direction) <= 1.01 * first.votes);
+    }
+}
+
+TEST_CASE("drawing candidates lazily chooses what drawing all of them chooses") {
+    for (const char* name : {"knot", "spring", "scene", "box"}) {
+        CAPTURE(name);
+        const Mesh mesh(make_built_in_shape(name, 1500));
+        const UnitFrame frame = unit_frame(mesh);
+        std::uint64_t drawn = 0;
+        const VisibleRatios ratios = [&](std::span<const glm::dvec3> eyes) {
+            std::vector<double> all;
+            for (const glm::dvec3& eye : eyes) all.push_back(made_up_ratio(frame.from_model(eye)));
+            drawn += eyes.size();
+            return all;
+        };
+        const BestViews lazy = views_of(mesh, 3, ratios);
+        CHECK(drawn == lazy.renders);
+        const BestViews all = views_of(mesh, 3, ratios, true);
+        CHECK(lazy.renders < all.renders);
+        REQUIRE(lazy.views.size() == all.views.size());
+        for (std::size_t i = 0; i < all.views.size(); ++i) {
+            CHECK(lazy.views[i].eye == all.views[i].eye);
+            CHECK(lazy.views[i].votes == all.views[i].votes);
+            CHECK(lazy.views[i].visible_ratio == all.views[i].visible_ratio);
+            CHECK(lazy.views[i].visible_ratio ==
+                  made_up_ratio(frame.from_model(lazy.views[i].eye)));
+        }
+    }
+}
+
+TEST_CASE("what cannot be seen from anywhere is not chosen for its votes") {
+    // The half space x > 0 shows nothing.
+    const Mesh mesh(make_built_in_shape("knot", 1500));
+    const BestViews best = views_of(mesh, 4, [](std::span<const glm::dvec3> eyes) {
+        std::vector<double> ratios;
+        for (const glm::dvec3& eye : eyes) ratios.push_back(eye.x > 0.0 ? 0.0 : 0.5);
+        return ratios;
+    });
+    REQUIRE(best.views.size() == 4);
+    for (const BestView& view : best.views) CHECK(view.eye.x <= 0.0);
+}
+
+TEST_CASE("one plane has one view and meshes without planes have none") {
+    const MeshSource triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    const Mesh mesh(triangle);
+    const BestViews best = views_of(mesh, 4);
+    REQUIRE(best.views.size() == 1);
+    CHECK(best.views[0].votes == doctest::Approx(1.0).epsilon(1e-6));
+    CHECK(in_shell(mesh, best.views[0].eye));
+
+    MeshSource square = triangle;
+    square.positions.emplace_back(1, 1, 0);
+    square.triangles.push_back({1, 3, 2});
+    CHECK(views_of(Mesh(square), 4).views.size() == 1);
+
+    CHECK(views_of(Mesh(MeshSource{}), 4).views.empty());
+    const MeshSource needle{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
+    CHECK(views_of(Mesh(needle), 4).views.empty());
+}
+
+TEST_CASE("a mesh moved far away and scaled by a power of two has the same views there") {
+    const MeshSource source = make_built_in_shape("scene", 1500);
+    const BestViews expected = views_of(Mesh(source), 3);
+    for (const float scale : {0x1p-20f, 0x1p30f}) {
+        CAPTURE(scale);
+        MeshSource scaled = source;
+        for (glm::vec3& position : scaled.positions) position *= scale;
+        const BestViews found = views_of(Mesh(scaled), 3);
+        REQUIRE(found.views.size() == expected.views.size());
+        for (std::size_t i = 0; i < expected.views.size(); ++i) {
+            CHECK(glm::distance(found.views[i].eye / double{scale}, expected.views[i].eye) < 1e-9);
+            CHECK(found.views[i].votes == doctest::Approx(expected.views[i].votes));
+        }
+    }
+}
+
+TEST_CASE("a closed mesh that is wound inside out has the same views") {
+    const Mesh mesh(make_built_in_shape("knot", 2000));
+    const BestViews expected = views_of(mesh, 3);
+    const BestViews found = views_of(turned_inside_out(mesh), 3);
+    REQUIRE(found.views.size() == expected.views.size());
+    for (std::size_t i = 0; i < expected.views.size(); ++i)
+        CHECK(glm::distance(found.views[i].eye, expected.views[i].eye) < 1e-6 * mesh.radius());
+}
+
+}  // namespace

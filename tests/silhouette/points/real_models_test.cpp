@@ -1,0 +1,142 @@
+// Real meshes without their faces: at most as many border points missed and extra as were measured when the
+// rules were made (docs/points.md), and never more undecided. Skipped without RIMLINE_MODELS.
+
+#include <doctest/doctest.h>
+
+#include <span>
+#include <vector>
+
+#include "silhouette/mesh/formats/mesh_file.h"
+#include "silhouette/mesh/mesh.h"
+#include "silhouette/points/point_surface.h"
+#include "tests/models.h"
+#include "tests/silhouette/points/soundness.h"
+
+namespace rimline {
+namespace {
+
+struct Cloud {
+    std::vector<glm::dvec3> points;
+    std::vector<bool> is_border;
+};
+
+// The vertices that have faces.
+std::optional<Cloud> read_cloud(const std::string& file_name) {
+    const auto path = tests::find_model(file_name);
+    if (!path) {
+        MESSAGE("skipped, no " << file_name);
+        return std::nullopt;
+    }
+    const Mesh mesh(read_mesh_file(*path));
+    std::vector<bool> is_border(mesh.positions().size(), false);
+    const Mesh::EdgeRange borders = mesh.edges_of_class(EdgeClass::border);
+    for (std::uint32_t e = borders.first; e < borders.last; ++e)
+        for (const VertexId v : mesh.edge(EdgeId{e}).vertices) is_border[index(v)] = true;
+    Cloud cloud;
+    for (const glm::vec3& p : mesh.positions()) cloud.points.emplace_back(p);
+    cloud.is_border = is_border;
+    return cloud;
+}
+
+struct Bound {
+    const char* file;
+    std::uint32_t missed = 0, extra = 0, undecided = 0, inconsistent = 1u << 31;
+    PointSurfaceOptions::Method method = PointSurfaceOptions::Method::robust;
+};
+
+void check(std::span<const Bound> bounds) {
+    for (const Bound& bound : bounds) {
+        const std::string file = bound.file;
+        CAPTURE(file);
+        const auto cloud = read_cloud(file);
+        if (!cloud) continue;
+        PointSurfaceOptions options;
+        options.method = bound.method;
+        const PointSurface surface(cloud->points, options);
+        tests::check_sound(surface);
+        std::uint32_t missed = 0, extra = 0;
+        for (std::uint32_t i = 0; i < surface.size(); ++i) {
+            const bool is_found = surface.label(PointId{i}) == PointLabel::border;
+            missed += cloud->is_border[i] && !is_found;
+            extra += !cloud->is_border[i] && is_found;
+        }
+        CHECK(missed <= bound.missed);
+        CHECK(extra <= bound.extra);
+        CHECK(surface.count(PointLabel::undecided) <= bound.undecided);
+        CHECK(surface.inconsistent_edge_count() <= bound.inconsistent);
+    }
+}
+
+TEST_CASE("borders of real models are missed and invented no more often than measured") {
+    constexpr auto k_thesis = PointSurfaceOptions::Method::thesis;
+    constexpr Bound k_bounds[] = {{"stanford-bunny.obj", 66, 3, 1},
+                                  {"beetle-alt.obj", 104, 0, 2},
+                                  {"alligator.obj", 103, 0, 4},
+                                  {"fandisk.obj", 0, 0, 0, 0},
+                                  {"rocker-arm.obj", 0, 6, 22},
+                                  {"horse.ply", 0, 93, 16},
+                                  {"beetle-alt.obj", 152, 858, 0, 766, k_thesis},
+                                  {"alligator.obj", 104, 0, 0, 12, k_thesis},
+                                  {"fandisk.obj", 0, 42, 0, 294, k_thesis},
+                                  {"rocker-arm.obj", 0, 513, 0, 964, k_thesis}};
+    check(k_bounds);
+}
+
+// Those that tools/fetch_meshes.sh fetches and docs/points.md counts: wide open ones and smooth ones.
+TEST_CASE("borders of the meshes of the figures are found as well as measured") {
+    if (!tests::find_model("armadillo.off")) {
+        MESSAGE("skipped, no meshes of tools/fetch_meshes.sh");
+        return;
+    }
+    constexpr Bound k_bounds[] = {
+        {"armadillo.off"},
+        {"bear.off"},
+        {"bear_bis.off"},
+        {"blobby.off"},
+        {"bunny00.off"},
+        {"cube-meshed.off"},
+        {"cylinder.off"},
+        {"eight.off"},
+        {"elephant.off"},
+        {"ellipe0.003.off"},
+        {"fandisk.off"},
+        {"knot.off"},
+        {"knot1.off"},
+        {"knot2.off"},
+        {"larger_sphere.off"},
+        {"mesh_with_border.off"},
+        {"mushroom.off"},
+        {"patch-01.off"},
+        {"patch-20.off"},
+        {"patch-30.off"},
+        {"plane.off"},
+        {"poly2x^2+y^2-0.062500.off"},
+        {"refined_elephant.off"},
+        {"retinal.off"},
+        {"sphere966.off"},
+        {"camel.off", 0, 0, 16},
+        {"cylinder_locally_refined.off", 0, 9, 0},
+        {"fandisk_large.off", 0, 0, 1},
+        {"holes.off", 16, 8, 0},
+        {"homer.off", 0, 7, 4},
+        {"lion-head.off", 0, 0, 2},
+        {"mannequin-devil.off", 0, 3, 39},
+        {"mask_cone.off", 1, 2, 5},
+        {"nefertiti.off", 1, 2, 0},
+        {"three_peaks.off", 0, 0, 1},
+    };
+    check(k_bounds);
+}
+
+TEST_SUITE("long") {
+    TEST_CASE("igea is closed in all its 134345 points") {
+        const auto cloud = read_cloud("igea.ply");
+        if (!cloud) return;
+        const PointSurface surface(cloud->points);
+        CHECK(surface.count(PointLabel::border) == 0);
+        CHECK(surface.count(PointLabel::undecided) <= 1);
+    }
+}
+
+}  // namespace
+}  // namespace rimline

@@ -1,0 +1,341 @@
+// The window under Xvfb: what it shows is what `rimline render` draws, whatever happens to it.
+
+#include "tools/view/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <thread>
+
+#include "engine/vulkan/device.h"
+#include "engine/view_defaults.h"
+#include "tests/skip.h"
+#include "tests/tools/scratch_folder.h"
+#include "tests/tools/view/virtual_display.h"
+#include "tools/view/camera_motion.h"
+#include "tools/view/view_loop.h"
+
+using namespace rimline;
+using namespace rimline::tools;
+
+namespace {
+
+constexpr int k_width = 320;
+constexpr int k_height = 240;
+
+// A window with a small model in it, and everything it needs; validation on where it is installed.
+class Shown {
+public:
+    explicit Shown(ViewLoopOptions options, bool as_points = false)
+        : window("test", k_width, k_height), instance(make_instance(window)) {
+        session.look.ground = true;
+        session.show(open_named({.model = "shape:knot:3000", .as_points = as_points},
+                                [](const std::string&) { return LongCall{}; }),
+                     double(k_width) / k_height);
+        loop.emplace(window, *instance, session, options);
+    }
+    ~Shown() {
+        loop.reset();
+        const std::string first = instance->first_validation_message();
+        CHECK_MESSAGE(instance->validation_message_count().value_or(0) == 0, first);
+    }
+
+    // What the window shows in the next frame.
+    Picture capture() {
+        loop->capture_next();
+        for (int attempt = 0; attempt < 100 && !loop->turn(true); ++attempt)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return loop->captured();
+    }
+
+    // The same once nothing has moved for a while.
+    Picture capture_at_rest() {
+        Picture picture = capture();
+        for (int attempt = 0; attempt < 400 && loop->is_coarse(); ++attempt) picture = capture();
+        REQUIRE(!loop->is_coarse());
+        return picture;
+    }
+
+    // The same scene by a device and a renderer of its own, as `rimline render` draws it.
+    Picture rendered(std::uint32_t width, std::uint32_t height) const {
+        const VulkanInstance own;
+        const Device device(own);
+        if (session.is_cloud())
+            return SplatRenderer(device.context()).render(session.cloud_scene(), width, height);
+        return Renderer(device.context()).render(session.scene(), width, height);
+    }
+
+    void resize(int width, int height) {
+        window.set_size(width, height);
+        const auto arrived = [&] {
+            const VkExtent2D size = window.size_px();
+            return size.width == static_cast<std::uint32_t>(width) &&
+                   size.height == static_cast<std::uint32_t>(height);
+        };
+        for (int attempt = 0; attempt < 400 && !arrived(); ++attempt) window.poll(0.01);
+        REQUIRE(arrived());
+    }
+
+    Window window;
+    std::unique_ptr<VulkanInstance> instance;
+    ViewSession session;
+    std::optional<ViewLoop> loop;
+
+private:
+    static std::unique_ptr<VulkanInstance> make_instance(const Window& window) {
+        try {
+            return std::make_unique<VulkanInstance>(
+                InstanceOptions{.validate = true, .window_extensions = window.vulkan_extensions()});
+        } catch (const Error& error) {
+            MESSAGE("without validation: ", std::string(error.what()));
+            return std::make_unique<VulkanInstance>(
+                InstanceOptions{.window_extensions = window.vulkan_extensions()});
+        }
+    }
+};
+
+// The greatest difference of a channel; 256 where the sizes differ.
+int difference(const Picture& a, const Picture& b) {
+    if (a.width != b.width || a.height != b.height || a.rgba.size() != b.rgba.size()) return 256;
+    int greatest = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        if (i % 4 != 3) greatest = std::max(greatest, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
+    return greatest;
+}
+
+// Pixels whose red differs, left of where the panel ends and right of it.
+std::array<std::size_t, 2> changed_pixels(const Picture& with_panel, const Picture& picture) {
+    REQUIRE(with_panel.width == picture.width);
+    REQUIRE(with_panel.rgba.size() == picture.rgba.size());
+    std::array<std::size_t, 2> changed{};
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+        if (std::abs(int(with_panel.rgba[i]) - int(picture.rgba[i])) > 1)
+            ++changed[i / 4 % picture.width < 320 ? 0 : 1];
+    return changed;
+}
+
+// Whether there is something to compare at all.
+int contrast(const Picture& picture) {
+    int least = 255;
+    int greatest = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        least = std::min<int>(least, picture.rgba[i]);
+        greatest = std::max<int>(greatest, picture.rgba[i]);
+    }
+    return greatest - least;
+}
+
+}  // namespace
+
+/// Defines `display`, or ends the case as skipped where there is none or no Vulkan device.
+#define RIMLINE_OPEN_DISPLAY(display)                                   \
+    std::string display##_reason;                                       \
+    const auto display = tests::VirtualDisplay::open(display##_reason); \
+    if (!display) RIMLINE_SKIP(display##_reason);                       \
+    try {                                                               \
+        const VulkanInstance probe;                                     \
+        const Device device(probe);                                     \
+    } catch (const Error& error) {                                      \
+        RIMLINE_SKIP(error.what());                                     \
+    }
+
+TEST_CASE(
+    "a window without its panel shows the picture that render draws, before and after resizes") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const Picture first = shown.capture();
+    CHECK(contrast(first) > 100);
+    CHECK(difference(first, shown.rendered(k_width, k_height)) <= 1);
+    for (const auto& [width, height] : {std::pair{401, 203}, {160, 300}, {k_width, k_height}}) {
+        shown.resize(width, height);
+        const Picture resized = shown.capture();
+        CHECK(resized.width == static_cast<std::uint32_t>(width));
+        CHECK(difference(resized, shown.rendered(resized.width, resized.height)) <= 1);
+    }
+    CHECK(difference(first, shown.capture()) == 0);
+}
+
+TEST_CASE(
+    "many frames of a moving camera, resized all along, are drawn without a word of validation") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    for (int i = 0; i < 24; ++i) {
+        if (i % 6 == 5) shown.window.set_size(200 + 13 * i, 240 - 5 * i);
+        orbit(shown.session.camera, {0.1, 0.02});
+        shown.loop->turn(true);
+    }
+    const Picture last = shown.capture();
+    CHECK(difference(last, shown.rendered(last.width, last.height)) <= 1);
+}
+
+TEST_CASE("a cloud in a window without its panel is the picture that points draws, as it turns") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false}, /*as_points=*/true);
+    REQUIRE(shown.session.is_cloud());
+    const Picture first = shown.capture();
+    CHECK(contrast(first) > 100);
+    CHECK(difference(first, shown.rendered(k_width, k_height)) <= 1);
+    for (int i = 0; i < 6; ++i) {
+        orbit(shown.session.camera, {0.15, 0.03});
+        if (i == 2) shown.session.freeze();
+        if (i == 4) shown.session.look.line_width_px = 4.0f;
+        const Picture turned = shown.capture();
+        CHECK(difference(turned, shown.rendered(k_width, k_height)) <= 1);
+        CHECK(difference(turned, first) > 50);
+    }
+    shown.loop->renderer().remake();
+    shown.resize(401, 203);
+    CHECK(difference(shown.capture(), shown.rendered(401, 203)) <= 1);
+}
+
+TEST_CASE("after a lost device the window shows the same picture again") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const Picture before = shown.capture();
+    for (std::uint32_t i = 1; i <= 2; ++i) {
+        shown.loop->renderer().remake();
+        CHECK(shown.loop->renderer().remade() == i);
+        CHECK(difference(before, shown.capture()) == 0);
+    }
+}
+
+TEST_CASE("a window of no size has no image, and has one again when it has a size") {
+    RIMLINE_OPEN_DISPLAY(display);
+    const Window window("test", k_width, k_height);
+    const VulkanInstance instance({.window_extensions = window.vulkan_extensions()});
+    const Device device(instance);
+    const WindowSurface surface = window.make_surface(instance.handle());
+    Swapchain swapchain(device.context(), surface.get(), 1);
+    CHECK_FALSE(swapchain.acquire(0, {0, 0}));
+    CHECK_FALSE(swapchain.acquire(0, {k_width, 0}));
+    CHECK(swapchain.generation() == 0);
+    REQUIRE(swapchain.acquire(0, {k_width, k_height}));
+    CHECK(swapchain.extent().width == k_width);
+    CHECK(swapchain.extent().height == k_height);
+    // Its image is waited for, as a frame would.
+    const VkSemaphoreSubmitInfo wait{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                     .semaphore = swapchain.acquired(),
+                                     .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .waitSemaphoreInfoCount = 1,
+                               .pWaitSemaphoreInfos = &wait};
+    CHECK(vkQueueSubmit2(device.context().queue, 1, &submit, VK_NULL_HANDLE) == VK_SUCCESS);
+    vkDeviceWaitIdle(device.context().device);
+}
+
+// As a window manager takes a minimised window off the screen, and puts it back.
+void show_window(const Window& window, bool is_shown) {
+    if (is_shown)
+        glfwShowWindow(window.handle());
+    else
+        glfwHideWindow(window.handle());
+    for (int attempt = 0; attempt < 400 && window.is_shown() != is_shown; ++attempt)
+        glfwWaitEventsTimeout(0.01);
+    REQUIRE(window.is_shown() == is_shown);
+}
+
+TEST_CASE("a window that is not shown draws nothing, and then the same picture again") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const Picture before = shown.capture();
+    show_window(shown.window, false);
+    CHECK(shown.window.size_px().width == 0);
+    for (int turn = 0; turn < 10; ++turn) CHECK_FALSE(shown.loop->turn(true));
+    show_window(shown.window, true);
+    CHECK(difference(before, shown.capture()) == 0);
+}
+
+TEST_CASE("a window that is not shown rests, whatever it has yet to draw") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    CHECK(shown.loop->turn(false));  // Coarse, and to be drawn finely soon.
+    show_window(shown.window, false);
+    for (int turn = 0; turn < 4; ++turn) shown.loop->turn(false);
+    const auto begun = std::chrono::steady_clock::now();
+    for (int turn = 0; turn < 3; ++turn) CHECK_FALSE(shown.loop->turn(false));
+    CHECK(std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(500));
+}
+
+TEST_CASE("the panel lies over the picture and leaves the rest of it as it is") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true, .fits = false});
+    shown.resize(900, 500);
+    shown.session.lights = {{.vector = {0, 0, -1}, .directional = true}};
+    shown.capture();  // The toolkit lays out its windows in the first frame.
+    const Picture with_panel = shown.capture_at_rest();
+    const Picture picture = shown.rendered(900, 500);
+    const auto [under_panel, beside_it] = changed_pixels(with_panel, picture);
+    CHECK(under_panel > 10'000);
+    // The sun's handle.
+    CHECK(beside_it < 1'000);
+}
+
+TEST_CASE("a model opened in the window takes the other's place, and a broken one does not") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    const auto load = [&](const std::string& name) {
+        shown.loop->open(name);
+        for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->turn(true);
+        shown.loop->turn(true);
+        shown.loop->turn(true);
+    };
+    load("shape:torus:2000");
+    CHECK(shown.session.model().name() == "shape:torus:2000");
+    CHECK(shown.loop->message().empty());
+    tests::ScratchFolder folder;
+    tests::write_bytes(folder / "broken.obj", "v 0 0 0\nf 1 2 3\n");
+    load((folder / "broken.obj").string());
+    CHECK(shown.session.model().name() == "shape:torus:2000");
+    CHECK(shown.loop->message().find("broken.obj") != std::string::npos);
+    load("shape:box");
+    CHECK(shown.session.model().name() == "shape:box");
+    CHECK(shown.loop->message().empty());
+}
+
+TEST_CASE("clouds and models take each other's place in the window") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const auto open = [](const std::string& name, bool as_points) {
+        return open_named({.model = name, .as_points = as_points},
+                          [](const std::string&) { return LongCall{}; });
+    };
+    for (const bool as_points : {true, true, false, true, false}) {
+        const std::string name = as_points ? "shape:torus:3000" : "shape:knot:2000";
+        shown.session.show(open(name, as_points), double(k_width) / k_height);
+        for (int frame = 0; frame < 4; ++frame) shown.loop->turn(true);
+        shown.session.forget_previous();
+        CHECK(difference(shown.capture(), shown.rendered(k_width, k_height)) <= 1);
+    }
+}
+
+TEST_CASE("the panel of a cloud says what it is and what it cannot have") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true, .inspector = true, .fits = false}, /*as_points=*/true);
+    shown.resize(900, 700);
+    shown.capture();
+    const Picture with_panel = shown.capture_at_rest();
+    const Picture picture = shown.rendered(900, 700);
+    const auto [under_panel, beside_it] = changed_pixels(with_panel, picture);
+    CHECK(under_panel > 10'000);
+    CHECK(beside_it == 0);  // Neither lights nor Hough space.
+}
+
+TEST_CASE("without a display the error says what to set and what else to use") {
+    unsetenv("WAYLAND_DISPLAY");
+    setenv("DISPLAY", ":67890", 1);
+    try {
+        const Window window("test", k_width, k_height);
+        FAIL("there is no such display");
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        CHECK(error.code() == ErrorCode::no_device);
+        CHECK(message.find("DISPLAY") != std::string::npos);
+        CHECK(message.find("rimline render") != std::string::npos);
+    }
+}

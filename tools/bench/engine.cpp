@@ -1,0 +1,354 @@
+#include "tools/bench/engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <numbers>
+
+#include "engine/measure/field_pass.h"
+#include "engine/renderer.h"
+#include "engine/view_defaults.h"
+#include "engine/measure/visible_ratio.h"
+#include "silhouette/field/named_functions.h"
+#include "silhouette/hough/orbit.h"
+#include "silhouette/mesh/solid.h"
+#include "tools/timing.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr VkExtent2D k_frame_size{1024, 1024};
+constexpr double k_orbit_radii = 2.0;
+constexpr double k_step_deg = 0.5;
+constexpr std::uint32_t k_warm_up_frames = 2;
+// Two ways differ where a corner is rounded otherwise, if anywhere.
+constexpr double k_most_differing_pixels = 1e-4;
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+Orbit orbit_around(const Mesh& mesh) {
+    return Orbit(mesh.center(), direction_of(mesh.up()), k_orbit_radii * mesh.radius());
+}
+
+// One frame of an orbit.
+Scene scene_at(const HoughOctree& octree, std::uint32_t frame) {
+    const Mesh& mesh = octree.mesh();
+    Scene scene;
+    scene.instances.push_back({.octree = &octree});
+    scene.camera = {.eye = orbit_around(mesh).position(radians(k_step_deg * frame)),
+                    .target = mesh.center(),
+                    .up = direction_of(mesh.up()),
+                    .fov_y_deg = 65.0};
+    scene.shadows = false;
+    return scene;
+}
+
+std::vector<StreamedBytes> stream_bytes_by_step(const HoughOctree& octree,
+                                                const DeviceContext& device, std::uint32_t frames) {
+    const Orbit orbit = orbit_around(octree.mesh());
+    std::vector<StreamedBytes> curve;
+    ChangeStream stream(device, octree.mesh(), 1);
+    for (const double step_deg : {0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0}) {
+        StreamedBytes bytes{.step_deg = step_deg};
+        SilhouetteTracker tracker(octree, orbit.viewpoint(0.0));
+        stream.begin_frame(0);
+        stream.resend(tracker.sequence(), tracker.silhouette(), tracker.face_words());
+        for (std::uint32_t frame = 1; frame <= frames; ++frame) {
+            const ChangeSet& changes = tracker.move_to(orbit.viewpoint(radians(step_deg * frame)));
+            stream.begin_frame(0);
+            if (!stream.apply(changes))
+                stream.resend(tracker.sequence(), tracker.silhouette(), tracker.face_words());
+            bytes.streamed += static_cast<double>(stream.bytes_streamed()) / frames;
+            bytes.full += static_cast<double>(stream.bytes_full()) / frames;
+        }
+        curve.push_back(bytes);
+    }
+    return curve;
+}
+
+double differing_share(const Picture& a, const Picture& b) {
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (std::abs(int{a.rgba[i + c]} - int{b.rgba[i + c]}) > 1) {
+                ++differing;
+                break;
+            }
+    return 4.0 * static_cast<double>(differing) / static_cast<double>(a.rgba.size());
+}
+
+// One way to a picture.
+struct FrameWay {
+    std::string name;
+    RendererOptions renderer;
+    std::function<void(Scene&)> change{};  // Of the scene that all ways draw; may be empty.
+    bool draws_the_same = true;            // As the first way.
+};
+
+// Frames of all ways in turn. Fills `times`, or returns what differs from the first way.
+std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& octree,
+                        const Device& device, std::uint32_t frames,
+                        const std::function<void(Scene&)>& change, std::vector<EngineTime>& times,
+                        const std::string& doing, const Context& context) {
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    for (const FrameWay& way : ways)
+        renderers.push_back(std::make_unique<Renderer>(device.context(), way.renderer));
+    std::vector<std::vector<double>> taken_ms(ways.size());
+    Progress progress(context, doing);
+    const LongCall call = progress.call();
+    for (std::uint32_t frame = 0; frame < frames + k_warm_up_frames; ++frame) {
+        Scene scene = scene_at(octree, frame);
+        change(scene);
+        Picture first{};
+        for (std::size_t w = 0; w < ways.size(); ++w) {
+            call.checkpoint(double(frame) / (frames + k_warm_up_frames));
+            Scene changed = scene;
+            if (ways[w].change) ways[w].change(changed);
+            const Clock::time_point start = Clock::now();
+            Picture picture =
+                renderers[w]->render(changed, k_frame_size.width, k_frame_size.height);
+            const std::chrono::duration<double, std::milli> took = Clock::now() - start;
+            if (frame >= k_warm_up_frames) {
+                taken_ms[w].push_back(took.count());
+            } else if (w == 0) {
+                first = std::move(picture);
+            } else if (ways[w].draws_the_same &&
+                       differing_share(first, picture) > k_most_differing_pixels) {
+                return ways[w].name + ": its picture";
+            }
+        }
+    }
+    for (std::size_t w = 0; w < ways.size(); ++w)
+        times.push_back({ways[w].name, quantile(taken_ms[w], 0.5)});
+    return {};
+}
+
+std::vector<FrameWay> line_ways(const DeviceContext& device) {
+    std::vector<FrameWay> ways;
+    const auto add = [&](const char* name, LinePath path) {
+        if (needs_geometry_shader(path) && !device.features.geometry_shader) return;
+        ways.push_back({name, {.samples = 1, .scale = 1, .line_path = path}});
+    };
+    add("slots, geometry shader", LinePath::geometry);
+    add("slots, vertex pulling", LinePath::pulling);
+    add("all edges, geometry shader", LinePath::all_edges);
+    add("all edges, quads", LinePath::quads);
+    add("adjacency, geometry shader", LinePath::adjacency);
+    // What it gives that the backs of a solid are left out.
+    ways.push_back({"slots, vertex pulling, backs drawn too",
+                    {.samples = 1, .scale = 1, .line_path = LinePath::pulling},
+                    [](Scene& scene) { scene.instances[0].is_solid = false; }});
+    return ways;
+}
+
+// The first is what a renderer chooses; pictures are all the same, but those without any shadows.
+std::vector<FrameWay> shadow_ways(const DeviceContext& device) {
+    std::vector<FrameWay> ways;
+    const auto add = [&](const char* name, SideStage sides, ShadowMethod method, ShadowForm form) {
+        if (sides == SideStage::geometry && !device.features.geometry_shader) return;
+        ways.push_back({name, {.samples = 1, .scale = 1, .shadow_sides = sides}, [=](Scene& scene) {
+                            scene.shadow_method = method;
+                            scene.shadow_form = form;
+                        }});
+    };
+    using enum ShadowForm;
+    add("as chosen, vertex pulling", SideStage::vertex, ShadowMethod::automatic, automatic);
+    add("depth fail, general, vertex pulling", SideStage::vertex, ShadowMethod::fail, general);
+    add("depth fail, general, geometry shader", SideStage::geometry, ShadowMethod::fail, general);
+    add("depth fail, single where right, vertex pulling", SideStage::vertex, ShadowMethod::fail,
+        single);
+    add("depth pass where right, general, vertex pulling", SideStage::vertex, ShadowMethod::pass,
+        general);
+    ways.push_back({"no shadows",
+                    {.samples = 1, .scale = 1},
+                    [](Scene& scene) { scene.shadows = false; },
+                    false});
+    return ways;
+}
+
+// In the shell of the thesis, by the golden angle.
+std::vector<glm::dvec3> shell(const Mesh& mesh, std::uint32_t count) {
+    std::vector<glm::dvec3> eyes;
+    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double across = std::sqrt(1.0 - z * z);
+        const double radius = std::sqrt(3.0) + (2.0 - std::sqrt(3.0)) * (i % 5) / 4.0;
+        eyes.push_back(mesh.center() + mesh.radius() * radius *
+                                           glm::dvec3(across * std::cos(golden_angle * i),
+                                                      across * std::sin(golden_angle * i), z));
+    }
+    return eyes;
+}
+
+std::string time_ratios(const HoughOctree& octree, const Device& device,
+                        const EngineBenchOptions& options, std::vector<EngineTime>& times,
+                        const Context& context) {
+    struct Way {
+        const char* name;
+        VisibleRatioMethod method;
+    };
+    constexpr Way k_ways[] = {
+        {"as chosen for the device", {}},
+        {"one target, a barrier each", {true, false, Occluders::all}},
+        {"a target each", {true, true, Occluders::all}},
+        {"a target each, clusters that may hide lines", {true, true, Occluders::clusters}},
+        {"a target each, faces that may hide lines", {true, true, Occluders::faces}},
+        {"one target, faces that may hide lines", {true, false, Occluders::faces}},
+        {"pixels counted on the CPU", {false, true, Occluders::automatic}},
+    };
+    std::vector<std::string> names;
+    std::vector<std::unique_ptr<VisibleRatioPass>> passes;
+    for (const Way& way : k_ways) {
+        if (!way.method.has_separate_targets && !device.context().features.occlusion_query_precise)
+            continue;
+        names.emplace_back(way.name);
+        passes.push_back(std::make_unique<VisibleRatioPass>(
+            device.context(), octree, VisibleRatioOptions{.method = way.method}));
+    }
+    const std::vector<glm::dvec3> eyes = shell(octree.mesh(), options.viewpoints);
+    std::vector<std::vector<double>> taken_ms(passes.size());
+    std::vector<VisibleRatio> first;
+    Progress progress(context, "measuring visible ratios");
+    const LongCall call = progress.call();
+    for (std::uint32_t round = 0; round <= options.rounds; ++round)
+        for (std::size_t p = 0; p < passes.size(); ++p) {
+            call.checkpoint(double(round) / (options.rounds + 1));
+            const Clock::time_point start = Clock::now();
+            std::vector<VisibleRatio> ratios = passes[p]->measure(eyes, {.stop = call.stop});
+            const std::chrono::duration<double, std::milli> took = Clock::now() - start;
+            if (first.empty()) first = ratios;
+            if (ratios != first) return "visible ratio, " + names[p] + ": its counts";
+            if (round > 0) taken_ms[p].push_back(took.count());
+        }
+    for (std::size_t p = 0; p < passes.size(); ++p)
+        times.push_back({names[p], quantile(taken_ms[p], 0.5)});
+    return {};
+}
+
+// A lattice in the ball of origins, summed by all in turn. Fills `times`, or returns which errs.
+std::string time_field(const Mesh& mesh, const Device& device, const EngineBenchOptions& options,
+                       std::vector<EngineTime>& times, const Context& context) {
+    const UnitPlanes planes(mesh);
+    const TangentialFunction function = origin_function();
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 17 * 17 * 17; ++i) {
+        const glm::dvec3 point(i % 17 - 8, i / 17 % 17 - 8, i / (17 * 17) - 8);
+        if (glm::dot(point, point) <= 64.0) points.push_back(3.0 / 8.0 * point);
+    }
+    FieldPass pass(device.context(), planes, function);
+    const TangentialField all(planes, function, {0.0});
+    const TangentialField clusters(planes, function);
+    struct Way {
+        const char* name;
+        std::function<void(std::span<double>)> sum;
+        double error_bound;
+        std::vector<double> taken_ms{};
+    };
+    const LongCall call{context.stop, {}};
+    Way ways[] = {
+        {"compute shader, all planes", [&](auto out) { pass.values(points, out, call); },
+         pass.error_bound()},
+        {"CPU, all threads, all planes", [&](auto out) { all.values(points, out, call); },
+         all.error_bound()},
+        {"CPU, all threads, clusters, error 1e-3",
+         [&](auto out) { clusters.values(points, out, call); }, clusters.error_bound()},
+    };
+    std::vector<double> first(points.size());
+    std::vector<double> values(points.size());
+    Progress progress(context, "summing a field");
+    const LongCall rounds = progress.call();
+    for (std::uint32_t round = 0; round <= options.rounds; ++round)
+        for (Way& way : ways) {
+            rounds.checkpoint(double(round) / (options.rounds + 1));
+            const Clock::time_point start = Clock::now();
+            way.sum(values);
+            const std::chrono::duration<double, std::milli> took = Clock::now() - start;
+            if (&way == ways) first = values;
+            for (std::size_t i = 0; i < points.size(); ++i)
+                if (std::abs(values[i] - first[i]) > way.error_bound + pass.error_bound())
+                    return std::string("field, ") + way.name + ": its value";
+            if (round > 0) way.taken_ms.push_back(took.count());
+        }
+    for (const Way& way : ways) times.push_back({way.name, quantile(way.taken_ms, 0.5)});
+    return {};
+}
+
+double over(const EngineTime& baseline, const EngineTime& ours) {
+    return baseline.median_ms / ours.median_ms;
+}
+
+}  // namespace
+
+const EngineTime* EngineResult::find_line_path(const std::string& name) const {
+    const auto found = std::ranges::find(lines, name, &EngineTime::name);
+    return found == lines.end() ? nullptr : &*found;
+}
+
+EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Device& device,
+                          const EngineBenchOptions& options, const Context& context) {
+    EngineResult result{.model = model, .faces = mesh.face_count(), .is_closed = mesh.is_closed()};
+    const HoughOctree octree(mesh);
+    context.checkpoint();
+    result.bytes = stream_bytes_by_step(octree, device.context(), options.frames);
+
+    result.is_solid = is_solid(mesh, {context.stop, {}});
+    const auto as_solid = [&](Scene& scene) { scene.instances[0].is_solid = result.is_solid; };
+    result.difference = time_frames(line_ways(device.context()), octree, device, options.frames,
+                                    as_solid, result.lines, "drawing lines", context);
+    if (!result.difference.empty()) return result;
+
+    const auto with_sun = [&](Scene& scene) {
+        as_solid(scene);
+        scene.lines = false;
+        scene.shadows = true;
+        scene.lights = {default_sun(scene.camera)};
+    };
+    result.difference = time_frames(shadow_ways(device.context()), octree, device, options.frames,
+                                    with_sun, result.shadows, "drawing shadows", context);
+    if (!result.difference.empty()) return result;
+
+    result.difference = time_ratios(octree, device, options, result.ratios, context);
+    if (!result.difference.empty()) return result;
+
+    result.difference = time_field(mesh, device, options, result.field, context);
+    return result;
+}
+
+std::vector<Target> targets_of(const EngineResult& result) {
+    std::vector<Target> targets;
+    if (result.faces == k_igea_faces)
+        for (const StreamedBytes& bytes : result.bytes)
+            if (bytes.step_deg == k_step_deg)
+                targets.push_back({.what = "bytes streamed a frame over the smallest full rewrite",
+                                   .value = bytes.streamed / bytes.full,
+                                   .reach = 1.0 / 4,
+                                   .aim = 1.0 / 6,
+                                   .less_is_better = true});
+    if (!result.is_closed || result.faces < 60'000 || result.faces > 110'000) return targets;
+    const EngineTime* const slots = result.find_line_path("slots, geometry shader");
+    const EngineTime* const adjacency = result.find_line_path("adjacency, geometry shader");
+    if (slots && adjacency)
+        targets.push_back({.what = "frame with lines, adjacency over slots",
+                           .value = over(*adjacency, *slots),
+                           .reach = 1.8,
+                           .aim = 2.5});
+    const auto baseline =
+        std::ranges::find(result.ratios, "one target, a barrier each", &EngineTime::name);
+    if (baseline != result.ratios.end())
+        targets.push_back({.what = "visible ratios, one target with barriers over ours",
+                           .value = over(*baseline, result.ratios.front()),
+                           .reach = 1.4,
+                           .aim = 3.0});
+    return targets;
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,55 @@
+#include "tools/bench/fresh_tracker.h"
+
+#include <bit>
+
+namespace rimline::tools {
+
+FreshTracker::FreshTracker(const HoughOctree& octree, const HomogeneousPoint& point)
+    : octree_(&octree),
+      scratch_(octree.make_scratch()),
+      bits_(octree.block_count()),
+      new_bits_(octree.block_count()),
+      record_(make_record(point)) {}
+
+SilhouetteRecord FreshTracker::make_record(const HomogeneousPoint& point) {
+    octree_->evaluate_faces(point, bits_, scratch_);
+    const Mesh& mesh = octree_->mesh();
+    std::vector<std::uint32_t> words(face_word_count(mesh.face_count()), 0);
+    for (std::uint32_t b = 0; b < bits_.size(); ++b) {
+        for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
+            const FaceId face = octree_
+                                    ->face_at(b * k_block_size +
+                                              static_cast<std::uint32_t>(std::countr_zero(lanes)))
+                                    .face;
+            words[index(face) / 32] |= 1u << (index(face) % 32);
+        }
+    }
+    flipped_.reserve(mesh.face_count());
+    extracted_.reserve(mesh.edge_count() + HoughOctree::k_extraction_slack);
+    TraversalCounters counters;
+    octree_->extract(point, extracted_, counters, scratch_);
+    return SilhouetteRecord(mesh, point, std::move(words), extracted_);
+}
+
+const ChangeSet& FreshTracker::move_to(const HomogeneousPoint& point) {
+    TraversalCounters counters;
+    counters.face_checks = std::uint64_t{octree_->block_count()} * k_block_size;
+    octree_->evaluate_faces(point, new_bits_, scratch_);
+    flipped_.clear();
+    for (std::uint32_t b = 0; b < bits_.size(); ++b)
+        for (std::uint32_t flips = static_cast<std::uint32_t>(bits_[b] ^ new_bits_[b]); flips != 0;
+             flips &= flips - 1)
+            flipped_.push_back(octree_
+                                   ->face_at(b * k_block_size +
+                                             static_cast<std::uint32_t>(std::countr_zero(flips)))
+                                   .face);
+    bits_.swap(new_bits_);
+    record_.begin_move();
+    record_.flip_faces(flipped_);
+    record_.end_faces();
+    octree_->extract(point, extracted_, counters, scratch_);
+    record_.replace_edges(extracted_);
+    return record_.end_move(point, counters);
+}
+
+}  // namespace rimline::tools

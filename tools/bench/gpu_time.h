@@ -1,0 +1,34 @@
+#pragma once
+
+// How long commands take: by the clock, around submitting and waiting, and by the device's own
+// timestamps where it has them. On lavapipe trust the clock: its timestamps miss what threads still
+// rasterise.
+
+#include <functional>
+#include <optional>
+
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/vulkan_handle.h"
+
+namespace rimline::tools {
+
+struct CommandTimes {
+    double wall_ms = 0.0;
+    std::optional<double> device_ms;  ///< Nothing where the queue family has no timestamps.
+};
+
+class CommandTimer {
+public:
+    explicit CommandTimer(const DeviceContext& context);
+
+    /// Records, submits, waits. What `record` itself takes is in wall_ms.
+    CommandTimes run(const std::function<void(VkCommandBuffer)>& record) const;
+
+private:
+    DeviceContext context_;
+    std::uint32_t valid_bits_ = 0;
+    double tick_ms_ = 0.0;
+    OwnedQueryPool queries_;
+};
+
+}  // namespace rimline::tools

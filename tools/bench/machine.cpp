@@ -1,0 +1,56 @@
+#include "tools/bench/machine.h"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "silhouette/methods/brute_force_packed.h"
+#include "silhouette/hough/hough_octree.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline::tools {
+
+namespace {
+
+std::string processor_name() {
+    std::ifstream cpu_info("/proc/cpuinfo");
+    for (std::string line; std::getline(cpu_info, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos)
+            return line.substr(colon + 2);
+    }
+    return "unknown";
+}
+
+}  // namespace
+
+BenchMachine this_machine() {
+    const Mesh nothing{MeshSource{}};
+    return {processor_name(), std::thread::hardware_concurrency(),
+            std::string(HoughOctree::instruction_set()),
+            std::string(PackedBruteForce(nothing).instruction_set())};
+}
+
+void print_machine(const BenchMachine& machine) {
+    std::printf(
+        "%s, %u threads, one of them measured; the octree uses %s, packed brute force %s\n\n",
+        machine.cpu.c_str(), machine.threads, machine.tree.c_str(), machine.packed.c_str());
+}
+
+nlohmann::ordered_json to_json(const BenchMachine& machine) {
+    return {{"cpu", machine.cpu},
+            {"threads", machine.threads},
+            {"tree", machine.tree},
+            {"packed", machine.packed}};
+}
+
+std::uint64_t peak_resident_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024 * static_cast<std::uint64_t>(usage.ru_maxrss);
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,157 @@
+#include "tools/bench/points.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+
+#include "silhouette/mesh/angle_between.h"
+#include "silhouette/points/point_surface.h"
+#include "tools/bench/gap_rule.h"
+#include "tools/bench/library_borders.h"
+#include "tools/bench/point_truth.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr double k_degree = std::numbers::pi / 180.0;
+constexpr double k_wrong_deg = 60.0;
+constexpr std::uint32_t k_most_extra = 10;  // Of closed models.
+constexpr int k_thresholds_deg[] = {90, 120, 150, 180};
+
+PointsBenchResult::Kind kind_of(const PointTruth& truth) {
+    using Kind = PointsBenchResult::Kind;
+    if (!truth.is_fit) return Kind::unfit;
+    if (truth.is_open()) return truth.is_wide() ? Kind::wide : Kind::open;
+    return truth.is_smooth() ? Kind::smooth : Kind::closed;
+}
+
+void add_noise(PointTruth& truth, double noise) {
+    const std::vector<glm::dvec3> exact = truth.positions;
+    std::mt19937 random(1);
+    std::normal_distribution<double> gauss;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (truth.neighbours[i].empty()) continue;
+        double lengths = 0.0;
+        for (const std::uint32_t n : truth.neighbours[i])
+            lengths += glm::distance(exact[i], exact[n]);
+        const double spacing = lengths / static_cast<double>(truth.neighbours[i].size());
+        for (int axis = 0; axis < 3; ++axis)
+            truth.positions[i][axis] += noise * spacing * gauss(random);
+    }
+}
+
+glm::dvec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz}; }
+
+void measure_normals(const Mesh& mesh, const PointSurface& surface, const PointTruth& truth,
+                     PointsBenchResult& result) {
+    const auto error_deg = [&](std::uint32_t i, const glm::dvec3& truly) {
+        const double error = angle_between(surface.normal(PointId{i}), truly) / k_degree;
+        return std::min(error, 180.0 - error);
+    };
+    std::vector<double> least(surface.size(), 0.0);
+    for (std::uint32_t i = 0; i < surface.size(); ++i)
+        if (surface.normal(PointId{i}) != glm::dvec3(0.0)) least[i] = 180.0;
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+        for (const VertexId v : mesh.triangles()[f])
+            least[index(v)] =
+                std::min(least[index(v)], error_deg(index(v), normal_of(mesh.plane(FaceId{f}))));
+    std::vector<double> errors;
+    for (std::uint32_t i = 0; i < surface.size(); ++i) {
+        if (surface.normal(PointId{i}) == glm::dvec3(0.0) || truth.normals[i] == glm::dvec3(0.0))
+            continue;
+        errors.push_back(error_deg(i, truth.normals[i]));
+        if (least[i] <= k_wrong_deg) continue;
+        ++result.wrong_normals;
+        result.wrong_apart += !truth.is_crowded(i);
+    }
+    if (errors.empty()) return;
+    std::sort(errors.begin(), errors.end());
+    result.median_error_deg = errors[errors.size() / 2];
+    result.high_error_deg = errors[errors.size() * 99 / 100];
+}
+
+}  // namespace
+
+std::uint32_t PointsBenchResult::extra_allowed() const {
+    return std::filesystem::path(model).stem() == "fandisk" ? 0 : k_most_extra;
+}
+
+std::uint32_t PointsBenchResult::charged(const BorderCount& count) const {
+    return extra_allowed() == 0 ? count.extra : count.extra - count.around_holes;
+}
+
+bool PointsBenchResult::is_found(const BorderCount& count) const {
+    if (border == 0) return charged(count) <= extra_allowed();
+    return count.missed <= 0.04 * border && count.extra <= 0.07 * border;
+}
+
+PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, double noise,
+                               const Context& context) {
+    PointsBenchResult result;
+    result.model = model;
+    PointTruth truth = point_truth(mesh);
+    result.kind = kind_of(truth);
+    result.points = static_cast<std::uint32_t>(truth.positions.size());
+    result.border = truth.border_count;
+    result.border_wide = truth.wide_count;
+    if (result.kind == PointsBenchResult::Kind::unfit) return result;
+    if (noise > 0.0) add_noise(truth, noise);
+
+    Progress progress(context, "finding umbrellas of " + model);
+    const LongCall call = progress.call();
+    const auto add = [&](std::string method, auto&& is_border) {
+        BorderCount count{std::move(method)};
+        std::vector<std::uint8_t> found(result.points);
+        for (std::uint32_t i = 0; i < result.points; ++i) {
+            found[i] = is_border(i);
+            count.missed += truth.is_border[i] && !found[i];
+            count.missed_wide += truth.is_wide_at[i] && !found[i];
+            count.extra += !truth.is_border[i] && found[i];
+        }
+        if (result.border == 0 && count.extra > k_most_extra)
+            count.around_holes = count_around_holes(mesh, found);
+        result.counts.push_back(std::move(count));
+    };
+    const auto labels = [&](const PointSurface& surface) {
+        return
+            [&surface](std::uint32_t i) { return surface.label(PointId{i}) == PointLabel::border; };
+    };
+    const PointSurface surface(truth.positions, {}, {call.stop, {}});
+    add("robust", labels(surface));
+    result.feature = surface.count(PointLabel::feature);
+    result.undecided = surface.count(PointLabel::undecided);
+    measure_normals(mesh, surface, truth, result);
+    result.silhouettes = compare_silhouettes(mesh, surface, {call.stop, {}});
+    PointSurfaceOptions thesis;
+    thesis.method = PointSurfaceOptions::Method::thesis;
+    const PointSurface by_thesis(truth.positions, thesis, {call.stop, {}});
+    add("thesis", labels(by_thesis));
+    const std::vector<double> widest = widest_sectors(truth.positions);
+    for (const int threshold : k_thresholds_deg)
+        add("gap " + std::to_string(threshold), [&](std::uint32_t i) {
+            // A straight border's sector is 180 degrees but for rounding.
+            return widest[i] > threshold * k_degree - 1e-9;
+        });
+    for (const LibraryBorders& library : library_borders(truth.positions, context))
+        add(library.method, [&](std::uint32_t i) { return library.is_border[i] != 0; });
+
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    for (int round = 0; round < 3; ++round) {
+        const auto start = std::chrono::steady_clock::now();
+        const PointSurface timed(truth.positions, {}, {call.stop, {}});
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        result.points_per_second = std::max(result.points_per_second, result.points / seconds);
+    }
+    return result;
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,14 @@
+#pragma once
+
+// How the result of `rimline bench service` is shown.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "tools/bench/service.h"
+
+namespace rimline::tools {
+
+void print_result(const ServiceResult& result);
+nlohmann::ordered_json to_json(const ServiceResult& result);
+
+}  // namespace rimline::tools

@@ -1,0 +1,82 @@
+// rimline devices: what Vulkan devices there are, and why one was or was not chosen.
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/vulkan_instance.h"
+#include "tools/command.h"
+
+namespace rimline::tools {
+
+namespace {
+
+std::string version_text(std::uint32_t version) {
+    return std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+           std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+class DevicesCommand final : public Command {
+public:
+    std::string name() const override { return "devices"; }
+    std::string summary() const override {
+        return "List the Vulkan devices, and why one is chosen";
+    }
+
+    void add_options(CLI::App& app) override {
+        app.add_option("--device", request_, "Whom --device would choose elsewhere")
+            ->type_name("DEVICE");
+        app.footer(
+            "With --device, says which device that request would choose.\n\n"
+            "Examples:\n"
+            "  rimline devices\n"
+            "  rimline devices --device gpu --json");
+    }
+
+    ExitStatus run(const Context& context) override {
+        const VulkanInstance instance;
+        const std::vector<DeviceFacts> devices = describe_devices(instance);
+        // Throws, naming what each device lacks, where none will do.
+        const DeviceChoice choice = choose_device(devices, request_);
+        if (context.json)
+            print_result(devices, choice);
+        else
+            print_summary(devices, choice);
+        return ExitStatus::success;
+    }
+
+private:
+    static void print_result(const std::vector<DeviceFacts>& devices, const DeviceChoice& choice) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (std::size_t i = 0; i < devices.size(); ++i) {
+            const DeviceVerdict verdict = judge_device(devices[i]);
+            list.push_back({{"index", i},
+                            {"name", devices[i].name},
+                            {"type", name_of(devices[i].type)},
+                            {"driver", devices[i].driver},
+                            {"vulkan", version_text(devices[i].api_version)},
+                            {"usable", verdict.usable()},
+                            {"lacks", verdict.lacks},
+                            {"chosen", i == choice.index},
+                            {"reason", choice.reasons[i]}});
+        }
+        print_json({{"devices", std::move(list)}});
+    }
+
+    static void print_summary(const std::vector<DeviceFacts>& devices, const DeviceChoice& choice) {
+        for (std::size_t i = 0; i < devices.size(); ++i) {
+            std::printf("%zu  %s\n", i, choice.reasons[i].c_str());
+            std::printf("     Vulkan %s, %s\n", version_text(devices[i].api_version).c_str(),
+                        devices[i].driver.c_str());
+        }
+    }
+
+    std::string request_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_devices_command() { return std::make_unique<DevicesCommand>(); }
+
+}  // namespace rimline::tools

@@ -1,0 +1,128 @@
+// rimline info: what is in a file.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "silhouette/mesh/mesh.h"
+#include "tools/command.h"
+#include "tools/options/model_argument.h"
+
+namespace rimline::tools {
+
+namespace {
+
+// Where a model is and how large; for points alone what Mesh would say if all of them were used.
+struct Extent {
+    std::uint32_t vertices;
+    glm::dvec3 center;
+    double radius;
+    Bounds bounds;
+};
+
+Extent extent_of(const Mesh& mesh) {
+    return {mesh.vertex_count(), mesh.center(), mesh.radius(), mesh.bounds()};
+}
+
+Extent extent_of(std::vector<glm::vec3> points) {
+    if (points.empty()) return {};
+    const auto key = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
+    std::sort(points.begin(), points.end(),
+              [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    Extent extent{static_cast<std::uint32_t>(points.size()), {}, 0.0, {points[0], points[0]}};
+    for (const glm::vec3& p : points) {
+        extent.bounds.low = glm::min(extent.bounds.low, p);
+        extent.bounds.high = glm::max(extent.bounds.high, p);
+    }
+    extent.center = 0.5 * (glm::dvec3(extent.bounds.low) + glm::dvec3(extent.bounds.high));
+    for (const glm::vec3& p : points)
+        extent.radius = std::max(extent.radius, glm::distance(glm::dvec3(p), extent.center));
+    return extent;
+}
+
+template <typename Vector>
+std::array<double, 3> list(const Vector& v) {
+    return {double{v.x}, double{v.y}, double{v.z}};
+}
+
+void print_summary(const std::string& model, const Mesh& mesh, const Extent& extent) {
+    const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
+    std::printf("%s\n", model.c_str());
+    std::printf("  vertices    %u used, %u in the file\n", extent.vertices,
+                mesh.file_vertex_count());
+    std::printf("  faces       %u, %u of them degenerate\n", mesh.face_count(),
+                mesh.degenerate_face_count());
+    std::printf("  edges       %u: %u border, %u non-manifold, %u inconsistent\n",
+                mesh.edge_count(), size_of(EdgeClass::border), size_of(EdgeClass::nonmanifold),
+                size_of(EdgeClass::inconsistent));
+    std::printf("  components  %u, %s, %s\n", mesh.component_count(),
+                mesh.is_closed() ? "closed" : "open",
+                mesh.is_oriented() ? "oriented" : "not oriented");
+    std::printf("  center      %.9g,%.9g,%.9g\n", extent.center.x, extent.center.y,
+                extent.center.z);
+    std::printf("  radius      %.9g\n", extent.radius);
+    std::printf("  bounds      %.9g,%.9g,%.9g to %.9g,%.9g,%.9g\n", double{extent.bounds.low.x},
+                double{extent.bounds.low.y}, double{extent.bounds.low.z},
+                double{extent.bounds.high.x}, double{extent.bounds.high.y},
+                double{extent.bounds.high.z});
+}
+
+class InfoCommand final : public Command {
+public:
+    std::string name() const override { return "info"; }
+    std::string summary() const override { return "Tell what is in a model"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        app.footer(
+            "vertices counts positions that faces use, equal ones once; in a file of points only, "
+            "every\n"
+            "distinct point. The center is that of their bounding box, the radius the greatest\n"
+            "distance from there to one of them.\n\n"
+            "Examples:\n"
+            "  rimline info bunny.obj\n"
+            "  rimline info shape:torus:50000 --json");
+    }
+
+    ExitStatus run(const Context& context) override {
+        const MeshSource source = model_.load(context, FaceRequirement::faces_or_points);
+        const Mesh mesh = make_mesh(model_.model, source, context);
+        const Extent extent =
+            source.triangles.empty() ? extent_of(source.positions) : extent_of(mesh);
+        if (!context.json) {
+            print_summary(model_.model, mesh, extent);
+            return ExitStatus::success;
+        }
+        const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
+        print_json({{"model", model_.model},
+                    {"vertices", extent.vertices},
+                    {"file_vertices", mesh.file_vertex_count()},
+                    {"faces", mesh.face_count()},
+                    {"edges", mesh.edge_count()},
+                    {"border_edges", size_of(EdgeClass::border)},
+                    {"nonmanifold_edges", size_of(EdgeClass::nonmanifold)},
+                    {"inconsistent_edges", size_of(EdgeClass::inconsistent)},
+                    {"degenerate_faces", mesh.degenerate_face_count()},
+                    {"components", mesh.component_count()},
+                    {"closed", mesh.is_closed()},
+                    {"oriented", mesh.is_oriented()},
+                    {"center", list(extent.center)},
+                    {"radius", extent.radius},
+                    {"bounds", {list(extent.bounds.low), list(extent.bounds.high)}},
+                    {"up", mesh.up() == UpAxis::z ? "z" : "y"}});
+        return ExitStatus::success;
+    }
+
+private:
+    ModelArgument model_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_info_command() { return std::make_unique<InfoCommand>(); }
+
+}  // namespace rimline::tools

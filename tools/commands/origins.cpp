@@ -1,0 +1,300 @@
+// rimline origins: origins for Hough spaces, given their number or by trying.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "silhouette/field/origins.h"
+#include "silhouette/methods/literal/literal_forest.h"
+#include "silhouette/hough/spread_viewpoints.h"
+#include "tools/output/canvas.h"
+#include "tools/command.h"
+#include "tools/output/group_picture.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/option_types.h"
+#include "tools/output/output_file.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::array<double, 3> list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::ordered_json to_json(const OriginTrial& trial) {
+    const HoughOctreeStatistics& s = trial.statistics;
+    return {{"origins", trial.count},
+            {"sfo_edges", s.sfo_edges},
+            {"box_checks", trial.mean.box_checks},
+            {"edge_checks", trial.mean.edge_checks},
+            {"work", trial.work}};
+}
+
+// The thesis's own octrees over the same groups, and what an extraction costs them.
+struct LiteralTrial {
+    const char* culling;
+    LiteralForestStatistics statistics;
+    LiteralCounters sum;
+};
+
+std::vector<LiteralTrial> try_literally(const Mesh& mesh, std::span<const glm::dvec3> origins,
+                                        std::uint32_t viewpoints, const Context& context) {
+    std::vector<glm::dvec3> used(origins.begin(), origins.end());
+    if (used.empty()) used.push_back(mesh.center());
+    const std::vector<std::uint32_t> groups = HoughOctree(mesh, {used}).face_groups();
+    Progress progress(context, "counting the thesis's boxes");
+    const LongCall call = progress.call();
+    std::vector<LiteralTrial> trials = {{"points_and_edges", {}, {}}, {"straddling", {}, {}}};
+    for (LiteralTrial& trial : trials) {
+        const bool is_second = &trial == &trials.back();
+        const LiteralForest forest(
+            mesh, used, groups,
+            is_second ? LiteralCulling::straddling : LiteralCulling::points_and_edges);
+        trial.statistics = forest.statistics();
+        std::vector<EdgeId> edges;
+        const auto points = spread_viewpoints(mesh, viewpoints);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            call.checkpoint(0.5 * is_second + 0.5 * double(i) / double(points.size()));
+            forest.extract(points[i], edges, trial.sum);
+        }
+    }
+    return trials;
+}
+
+// Of each set of origins that was tried, by culling.
+using LiteralTrials = std::vector<std::vector<LiteralTrial>>;
+
+nlohmann::ordered_json to_json(std::span<const LiteralTrial> trials, std::uint32_t viewpoints) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const LiteralTrial& trial : trials)
+        list.push_back({{"culling", trial.culling},
+                        {"tree_edges", trial.statistics.tree_edges},
+                        {"listed_edges", trial.statistics.listed_edges},
+                        {"box_checks", trial.sum.box_checks() / viewpoints},
+                        {"edge_checks", trial.sum.edge_tests / viewpoints},
+                        {"face_checks", trial.sum.face_checks / viewpoints}});
+    return list;
+}
+
+// Microseconds of an extraction from each first few of `origins`, all in turn: the least of some rounds, on
+// one thread.
+std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec3> origins,
+                                     std::span<const OriginTrial> trials, std::uint32_t viewpoints,
+                                     const Context& context) {
+    constexpr std::uint32_t k_rounds = 7;
+    Progress progress(context, "timing extractions");
+    const LongCall call = progress.call();
+    std::vector<HoughOctree> octrees;
+    for (const OriginTrial& trial : trials) {
+        const auto used = origins.first(trial.count);
+        octrees.emplace_back(mesh, HoughOctreeOptions{{used.begin(), used.end()}},
+                             LongCall{context.stop, {}});
+    }
+    const std::vector<HomogeneousPoint> points = spread_viewpoints(mesh, viewpoints);
+    std::vector<double> least_us(trials.size(), INFINITY);
+    std::vector<EdgeId> edges;
+    for (std::uint32_t round = 0; round < k_rounds; ++round)
+        for (std::size_t i = 0; i < octrees.size(); ++i) {
+            call.checkpoint(double(round) / k_rounds);
+            BlockScratch scratch = octrees[i].make_scratch();
+            TraversalCounters counters;
+            const auto start = Clock::now();
+            for (const HomogeneousPoint& point : points)
+                octrees[i].extract(point, edges, counters, scratch);
+            const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+            least_us[i] = std::min(least_us[i], took.count() / viewpoints);
+        }
+    return least_us;
+}
+
+class OriginsCommand final : public Command {
+public:
+    std::string name() const override { return "origins"; }
+    std::string summary() const override { return "Choose origins for Hough spaces"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        count_option_ = add_count(app, "-k,--count", count_, 1, 64,
+                                  "How many (default: as many as take the least work)");
+        count_option_->default_str("");
+        most_option_ = add_count(app, "--most", most_, 1, 64, "Try up to so many without -k");
+        add_number(app, "--alpha", alpha_, 0.01, 6.0,
+                   "Where the voting function ends, in radii of the model");
+        add_count(app, "--viewpoints", viewpoints_, 1, 1'000'000,
+                  "Extractions to count the work of, at 1, 2 and 3 radii");
+        app.add_flag("--literal", literal_,
+                     "Count also what the thesis's octrees cost, by both of their cullings");
+        app.add_flag("--time", time_, "Measure by the clock too what an extraction takes")
+            ->excludes(count_option_);
+        add_output(app, "-o,--output", output_, ".png", "A picture of the groups of faces");
+        add_direction(app, "--direction", direction_,
+                      "Of the picture: from the model towards the viewer");
+        add_direction(app, "--up", up_, "Of the picture (default: the file format's)");
+        app.footer(
+            "An origin is good for an index when few edges are on the silhouette from there (SFO)\n"
+            "and its distances from the planes spread. Each face belongs to one origin. "
+            "box_checks\n"
+            "and work are of one extraction, on average. Without -k the center alone is among "
+            "what\n"
+            "is tried, and often wins: see docs/field.md.\n\n"
+            "Examples:\n"
+            "  rimline origins horse.ply -k 3 --up 0,0,1 -o groups.png\n"
+            "  rimline origins igea.ply --json");
+    }
+
+    ExitStatus run(const Context& context) override {
+        if (count_option_->count() > 0 && most_option_->count() > 0)
+            throw UsageError("origins: --count and --most exclude each other");
+        std::optional<OutputFile> file;
+        if (!output_.empty()) file.emplace(output_, model_.model);
+        const Mesh mesh = model_.load_mesh(context);
+        return about_model(model_.model, [&] { return run(mesh, file, context); });
+    }
+
+private:
+    ExitStatus run(const Mesh& mesh, std::optional<OutputFile>& file, const Context& context) {
+        OriginOptions options;
+        options.alpha = alpha_;
+        const auto start = Clock::now();
+        ChosenOrigins chosen;
+        std::vector<glm::dvec3> tried;
+        double search_ms = 0.0;
+        {
+            Progress progress(context, "choosing origins of " + model_.model);
+            const LongCall call = progress.call();
+            if (count_option_->count() > 0) {
+                chosen.found = find_origins(mesh, count_, options, call);
+                search_ms = milliseconds_since(start);
+            } else {
+                chosen = choose_origins(mesh, most_, viewpoints_, options, call);
+                search_ms = milliseconds_since(start);
+                tried = chosen.found.origins;
+                chosen.found.origins.resize(chosen.best);
+                chosen.found.votes.resize(chosen.best);
+            }
+        }
+        const OriginTrial trial =
+            chosen.trials.empty()
+                ? try_origins(mesh, chosen.found.origins, viewpoints_, {context.stop, {}})
+                : chosen.trials[chosen.best];
+        if (file) {
+            const HoughOctree octree(mesh, {chosen.found.origins});
+            const bool is_z_up = mesh.up() == UpAxis::z;
+            const glm::dvec3 up = up_ ? glm::dvec3(*up_) : direction_of(mesh.up());
+            const glm::dvec3 towards =
+                direction_ ? glm::dvec3(*direction_)
+                           : (is_z_up ? glm::dvec3(0.9, -0.7, 0.4) : glm::dvec3(0.9, 0.4, 0.7));
+            write_picture(*file, draw_groups(octree, towards, up, 700));
+        }
+        // Of what was tried, or of the origins asked for.
+        LiteralTrials literal;
+        for (const OriginTrial& t : chosen.trials)
+            if (literal_)
+                literal.push_back(
+                    try_literally(mesh, std::span(tried).first(t.count), viewpoints_, context));
+        std::vector<double> times_us;
+        if (time_) times_us = time_extractions(mesh, tried, chosen.trials, viewpoints_, context);
+        if (literal_ && literal.empty())
+            literal.push_back(try_literally(mesh, chosen.found.origins, viewpoints_, context));
+        report(mesh, chosen, trial, literal, times_us, search_ms, context);
+        return ExitStatus::success;
+    }
+
+    static double milliseconds_since(Clock::time_point start) {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+
+    void report(const Mesh& mesh, const ChosenOrigins& chosen, const OriginTrial& trial,
+                const LiteralTrials& literal, std::span<const double> times_us, double search_ms,
+                const Context& context) const {
+        std::vector<glm::dvec3> origins = chosen.found.origins;
+        std::vector<double> votes = chosen.found.votes;
+        if (origins.empty()) {
+            origins.push_back(mesh.center());
+            votes.push_back(0.0);
+        }
+        if (!context.json) {
+            std::printf("%s: %zu origins in %.0f ms\n", model_.model.c_str(), origins.size(),
+                        search_ms);
+            for (std::size_t i = 0; i < origins.size(); ++i)
+                std::printf("  %.9g,%.9g,%.9g  %u faces, %.1f%% of the votes\n", origins[i].x,
+                            origins[i].y, origins[i].z, trial.statistics.group_faces[i],
+                            100.0 * votes[i]);
+            if (count_option_->count() > 0 && origins.size() < count_)
+                std::printf("  no plane has votes left for more\n");
+            std::printf("  %u SFO edges; %llu boxes, %llu edges an extraction\n",
+                        trial.statistics.sfo_edges,
+                        static_cast<unsigned long long>(trial.mean.box_checks),
+                        static_cast<unsigned long long>(trial.mean.edge_checks));
+            if (literal_)
+                for (const LiteralTrial& t : literal[chosen.best])
+                    std::printf("  thesis's octrees, %s: %u edges listed; %llu boxes, %llu edges\n",
+                                t.culling, t.statistics.listed_edges,
+                                static_cast<unsigned long long>(t.sum.box_checks() / viewpoints_),
+                                static_cast<unsigned long long>(t.sum.edge_tests / viewpoints_));
+            for (std::size_t i = 0; i < chosen.trials.size(); ++i) {
+                const OriginTrial& t = chosen.trials[i];
+                std::printf("  tried %u: %u SFO edges, %llu boxes, work %.0f", t.count,
+                            t.statistics.sfo_edges,
+                            static_cast<unsigned long long>(t.mean.box_checks), t.work);
+                if (time_) std::printf(", %.1f us", times_us[i]);
+                std::printf("%s\n", i == chosen.best ? "  least" : "");
+            }
+            return;
+        }
+        nlohmann::ordered_json list_of_origins = nlohmann::ordered_json::array();
+        for (const glm::dvec3& origin : origins) list_of_origins.push_back(list(origin));
+        nlohmann::ordered_json object{{"model", model_.model},
+                                      {"alpha", alpha_},
+                                      {"origins", std::move(list_of_origins)},
+                                      {"votes", votes},
+                                      {"sfo_edges", trial.statistics.sfo_edges},
+                                      {"groups", trial.statistics.group_faces},
+                                      {"box_checks", trial.mean.box_checks},
+                                      {"edge_checks", trial.mean.edge_checks},
+                                      {"work", trial.work},
+                                      {"ms", search_ms}};
+        if (literal_) object["literal"] = to_json(literal[chosen.best], viewpoints_);
+        if (!chosen.trials.empty()) {
+            nlohmann::ordered_json trials = nlohmann::ordered_json::array();
+            for (const OriginTrial& t : chosen.trials) {
+                trials.push_back(to_json(t));
+                if (time_) trials.back()["us"] = times_us[trials.size() - 1];
+                if (literal_)
+                    trials.back()["literal"] = to_json(literal[trials.size() - 1], viewpoints_);
+            }
+            object["trials"] = std::move(trials);
+        }
+        if (!output_.empty()) object["output"] = output_;
+        print_json(object);
+    }
+
+    ModelArgument model_;
+    std::uint32_t count_ = 3;
+    std::uint32_t most_ = 5;
+    double alpha_ = 1.72;
+    std::uint32_t viewpoints_ = 600;
+    bool literal_ = false;
+    bool time_ = false;
+    std::string output_;
+    std::optional<glm::vec3> direction_;
+    std::optional<glm::vec3> up_;
+    CLI::Option *count_option_ = nullptr, *most_option_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_origins_command() { return std::make_unique<OriginsCommand>(); }
+
+}  // namespace rimline::tools

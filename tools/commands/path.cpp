@@ -1,0 +1,153 @@
+// rimline path: a closed camera path through the views that show a model best, as places and pictures.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engine/renderer.h"
+#include "tools/options/animation.h"
+#include "tools/command.h"
+#include "tools/output/frame_sequence.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/model_octree.h"
+#include "tools/output/path_report.h"
+#include "tools/options/picture_scene.h"
+#include "tools/progress.h"
+#include "tools/options/scene_options.h"
+#include "tools/output/view_pictures.h"
+
+namespace rimline::tools {
+
+namespace {
+
+// A whole picture is this much wider than the model.
+constexpr double k_margin = 1.06;
+
+class PathCommand final : public Command {
+public:
+    std::string name() const override { return "path"; }
+    std::string summary() const override { return "Plan a camera path through the best views"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        choice_.add_to(app, 2);
+        plan_.add_to(app);
+        output_option_ = app.add_option("-o,--output", output_,
+                                        "The folder to write frame_0000.png ... into (default: no "
+                                        "pictures)")
+                             ->type_name("FOLDER")
+                             ->group("Output");
+        style_.add_to(app);
+        add_direction(app, "--up", picture_.up,
+                      "What is up in pictures (default: y, or z where the file format says so)")
+            ->group("Camera");
+        picture_.add_lights_to(app);
+        app.add_flag("--light-follow", light_follow_, "The lights move with the camera")
+            ->group("Light");
+        picture_.add_image_to(app);
+        picture_.add_machine_to(app);
+        app.footer(
+            "The path is closed and smooth, passes the best views and between each two of them a "
+            "place from\n"
+            "where much is to be seen too, and keeps 1.73 of the model's radii from its center. "
+            "The camera\n"
+            "moves along it at constant speed and looks at the center.\n\n"
+            "Examples:\n"
+            "  rimline path horse.ply --json\n"
+            "  rimline path horse.ply --up 0,0,1 --frames 240 -o path --style toon --ground");
+    }
+
+    ExitStatus run(const Context& context) override {
+        std::optional<FrameSequence> sequence;
+        if (output_option_->count() > 0) sequence.emplace(output_, plan_.frames);
+        const Mesh mesh = model_.load_mesh(context);
+        context.checkpoint();
+        const ViewDevice drawn(model_.model, mesh, picture_, !choice_.no_ratio || sequence,
+                               context);
+        about_model(model_.model, [&] {
+            const ChosenViews chosen = choose_views(choice_, model_.model, mesh, drawn, 2, context);
+            const PlannedPath planned = plan_.plan(chosen, up_of(mesh, picture_), context);
+            if (sequence) draw(*sequence, drawn, planned, context);
+            if (context.json)
+                print_result(mesh, chosen, planned, drawn);
+            else
+                print_path(sequence ? output_ : model_.model, chosen, planned);
+        });
+        return ExitStatus::success;
+    }
+
+private:
+    // Looks at the center from every place: so wide that all of the model is always seen.
+    double fitting_fov_deg(const Mesh& mesh, const PlannedPath& planned) const {
+        const double aspect = double(picture_.size.width) / picture_.size.height;
+        double tangent = 0.0;
+        for (std::size_t i = 0; i < planned.samples.size(); ++i) {
+            const glm::dvec3& eye = planned.samples[i];
+            const glm::dmat3 axes =
+                camera_from_world({.eye = eye, .target = mesh.center(), .up = planned.ups[i]});
+            for (const glm::vec3& position : mesh.positions()) {
+                const glm::dvec3 p = axes * (glm::dvec3(position) - eye);
+                tangent = std::max({tangent, std::abs(p.y) / -p.z, std::abs(p.x) / -p.z / aspect});
+            }
+        }
+        return 2.0 * glm::degrees(std::atan(k_margin * tangent));
+    }
+
+    // A frame is queued before the one before it is fetched, and written while the next is drawn.
+    void draw(FrameSequence& sequence, const ViewDevice& drawn, const PlannedPath& planned,
+              const Context& context) const {
+        const Mesh& mesh = drawn.octree->mesh();
+        const Camera camera{.eye = planned.samples[0],
+                            .target = mesh.center(),
+                            .up = planned.ups[0],
+                            .fov_y_deg = fitting_fov_deg(mesh, planned)};
+        Scene first = style_.make_scene(camera, mesh, picture_);
+        first.instances.push_back({.octree = &*drawn.octree,
+                                   .name = model_.model,
+                                   .material = style_.material(picture_),
+                                   .is_solid = check_solid(mesh, context)});
+        std::optional<Ground> ground;
+        if (style_.ground) {
+            ground.emplace(mesh, up_of(mesh, picture_), 0.0);
+            first.instances.push_back(ground->instance(first));
+        }
+        Motion motion;
+        for (const glm::dvec3& sample : planned.samples)
+            motion.eyes.push_back(HomogeneousPoint::viewpoint(glm::vec3(sample)));
+        motion.ups = planned.ups;
+        motion.distance = glm::distance(camera.eye, camera.target);
+        if (light_follow_) motion.lights = LightMotion::with_camera;
+        Animation animation(std::move(first), mesh, std::move(motion));
+        Renderer renderer(drawn.device->context());
+        Progress progress(context, "drawing frames");
+        draw_frames(animation, plan_.frames, renderer, picture_.size, sequence, progress.call());
+    }
+
+    void print_result(const Mesh& mesh, const ChosenViews& chosen, const PlannedPath& planned,
+                      const ViewDevice& drawn) const {
+        nlohmann::ordered_json result = path_json(model_.model, mesh, chosen, planned);
+        result.update(device_json(drawn.drawn()));
+        result["output"] = nullptr;
+        if (output_option_->count() > 0) result["output"] = output_;
+        print_json(result);
+    }
+
+    ModelArgument model_;
+    ViewChoice choice_;
+    PathPlan plan_;
+    SceneOptions style_;
+    PictureOptions picture_;
+    bool light_follow_ = false;
+    std::string output_;
+    CLI::Option* output_option_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_path_command() { return std::make_unique<PathCommand>(); }
+
+}  // namespace rimline::tools

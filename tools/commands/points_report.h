@@ -1,0 +1,85 @@
+#pragma once
+
+// What `rimline points` found, and how it is told: a summary, or an object for scripts.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "silhouette/points/point_cloud.h"
+#include "silhouette/points/point_silhouette.h"
+#include "silhouette/points/point_surface.h"
+#include "tools/commands/point_turn.h"
+#include "tools/output/points_picture.h"
+
+namespace rimline::tools {
+
+/// What a mesh says of its own vertices, beside what was found without its faces.
+struct BorderTruth {
+    std::size_t border = 0, missed = 0, extra = 0;
+
+    /// Of the true border points, in percent; nothing where there are none.
+    std::optional<double> percent(std::size_t count) const {
+        if (border == 0) return std::nullopt;
+        return 100.0 * static_cast<double>(count) / static_cast<double>(border);
+    }
+};
+
+struct FoundPoints {
+    explicit FoundPoints(PointCloud points, PointSurface umbrellas)
+        : cloud(std::move(points)), surface(std::move(umbrellas)) {}
+
+    PointCloud cloud;
+    PointSurface surface;
+    std::vector<float> weights;
+    std::vector<PointId> silhouette;
+    std::vector<PointEdge> consensus;
+    std::size_t arcs = 0;
+    std::optional<BorderTruth> truth;
+    std::optional<PointsPictureReport> picture;
+    std::optional<PointTurn> turn;
+    bool has_silhouette = false;  ///< One viewpoint's was asked for.
+    bool is_verified = false;     ///< Every frame of the turn was compared.
+    double umbrellas_ms = 0.0;
+    double features_ms = 0.0;
+    double index_ms = 0.0;
+    double silhouette_ms = 0.0;
+
+    double ms() const { return umbrellas_ms + features_ms + index_ms + silhouette_ms; }
+    std::uint32_t number(PointId point) const { return cloud.file_point(index(point)); }
+    std::vector<std::uint32_t> numbers(PointLabel label) const {
+        std::vector<std::uint32_t> numbers;
+        for (std::uint32_t p = 0; p < surface.size(); ++p)
+            if (surface.label(PointId{p}) == label) numbers.push_back(cloud.file_point(p));
+        return numbers;
+    }
+    /// Of each reason that occurs, how many points are undecided by it.
+    std::vector<std::pair<const char*, std::uint32_t>> reasons() const {
+        std::vector<std::pair<const char*, std::uint32_t>> counted;
+        std::array<std::uint32_t, 256> counts{};
+        for (std::uint32_t p = 0; p < surface.size(); ++p)
+            ++counts[static_cast<std::size_t>(surface.reason(PointId{p}))];
+        for (std::size_t reason = 1; reason < counts.size(); ++reason)
+            if (counts[reason] > 0)
+                counted.emplace_back(describe(static_cast<UndecidedReason>(reason)),
+                                     counts[reason]);
+        return counted;
+    }
+};
+
+/// The cloud's own faces against the labels.
+BorderTruth compare_borders(const FoundPoints& found);
+
+struct PointsReport {
+    const FoundPoints& found;
+    const std::string& cloud;               ///< Its name.
+    std::string export_file, picture_file;  ///< Empty where none was written.
+    bool without_lists = false;
+};
+void print_object(const PointsReport& report);
+void print_summary(const PointsReport& report);
+
+}  // namespace rimline::tools

@@ -1,0 +1,136 @@
+// rimline render: one picture of a model, or of the built-in scene.
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engine/renderer.h"
+#include "tools/command.h"
+#include "tools/options/drawing_device.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/model_octree.h"
+#include "tools/output/picture_file.h"
+#include "tools/options/picture_options.h"
+#include "tools/options/picture_scene.h"
+#include "tools/options/scene_options.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr const char* k_default_output = "rimline.png";
+
+class RenderCommand final : public Command {
+public:
+    std::string name() const override { return "render"; }
+    std::string summary() const override { return "Draw one picture, as a PNG"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app, ModelArgument::Presence::optional);
+        add_output(app, "-o,--output", output_, ".png", "The PNG to write")->group("Output");
+        options_.add_to(app);
+        picture_.add_camera_to(app);
+        picture_.add_lights_to(app);
+        picture_.add_image_to(app);
+        picture_.add_machine_to(app);
+        app.footer(
+            "Without a model a built-in scene is drawn. Camera and light are chosen when not "
+            "given.\n"
+            "Every light adds an equal share. A camera that is chosen looks past the model's "
+            "center where\n"
+            "that fills the picture better.\n\n"
+            "Examples:\n"
+            "  rimline render\n"
+            "  rimline render horse.ply --up 0,0,1 -o horse.png --style toon --ground --sun auto\n"
+            "  rimline render shape:knot --eye 3,2,4 --light 2,5,1 --style ink -o knot.png");
+    }
+
+    ExitStatus run(const Context& context) override {
+        OutputFile output(output_, model_.model);  // A bad path is known before the work.
+        if (model_.model.empty()) model_.model = k_default_model;
+        const Mesh mesh = model_.load_mesh(context);
+        context.checkpoint();
+        const DrawingDevice device(picture_);
+        const HoughOctree octree = build_octree(model_.model, mesh, context);
+        context.checkpoint();
+
+        Scene scene =
+            options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
+        check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
+        scene.instances.push_back(
+            {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
+        std::optional<Ground> ground;
+        if (options_.ground) {
+            ground.emplace(mesh, up_of(mesh, picture_), 0.0);
+            scene.instances.push_back(ground->instance(scene));
+        }
+        Renderer renderer(device.context());
+        const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
+        context.checkpoint();
+
+        write_png(output, picture);
+        if (context.json)
+            print_result(device, renderer);
+        else
+            print_summary(device, renderer.report());
+        return ExitStatus::success;
+    }
+
+private:
+    static nlohmann::ordered_json shadows_of(const FrameReport& report) {
+        nlohmann::ordered_json shadows = nlohmann::ordered_json::array();
+        for (const ShadowReport& shadow : report.shadows)
+            shadows.push_back({{"instance", shadow.instance},
+                               {"light", shadow.light},
+                               {"method", name_of(shadow.choice.method)},
+                               {"method_reason", shadow.choice.method_reason},
+                               {"form", name_of(shadow.choice.form)},
+                               {"form_reason", shadow.choice.form_reason},
+                               {"bound", shadow.bound},
+                               {"runs", shadow.runs},
+                               {"light_moved", shadow.light_moved}});
+        return shadows;
+    }
+
+    void print_result(const DrawingDevice& device, const Renderer& renderer) const {
+        const FrameReport& report = renderer.report();
+        nlohmann::ordered_json result{{"model", model_.model}};
+        result.update(device_json(&device));
+        result.update({{"silhouette", report.silhouette},
+                       {"creases", report.creases},
+                       {"shadow_edges", report.shadow_edges},
+                       {"shadows", shadows_of(report)},
+                       {"bytes_streamed", report.bytes_streamed},
+                       {"bytes_full", report.bytes_full},
+                       {"bytes_uploaded", report.bytes_uploaded},
+                       {"stream_memory_bytes", renderer.stream_bytes()},
+                       {"tracker_memory_bytes", renderer.tracker_bytes()},
+                       {"frame_ms", report.frame_ms},
+                       {"output", output_}});
+        print_json(result);
+    }
+
+    void print_summary(const DrawingDevice& device, const FrameReport& report) const {
+        std::printf("%s\n", output_.c_str());
+        std::printf("  lines       %u silhouette and border edges, %u creases\n", report.silhouette,
+                    report.creases);
+        std::printf("  shadows     %u edges extruded\n", report.shadow_edges);
+        std::printf("  streamed    %llu bytes\n",
+                    static_cast<unsigned long long>(report.bytes_streamed));
+        std::printf("  time        %.1f ms on %s\n", report.frame_ms,
+                    device.device.facts().name.c_str());
+        print_validation(device);
+    }
+
+    ModelArgument model_;
+    PictureOptions picture_;
+    std::string output_ = k_default_output;
+    SceneOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_render_command() { return std::make_unique<RenderCommand>(); }
+
+}  // namespace rimline::tools

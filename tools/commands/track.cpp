@@ -1,0 +1,214 @@
+// rimline track: follows a point and tells what changed in every frame.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "silhouette/hough/hough_octree.h"
+#include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/mesh/mesh.h"
+#include "tools/command.h"
+#include "tools/commands/frame_check.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/model_octree.h"
+#include "tools/options/option_types.h"
+#include "tools/options/path_options.h"
+#include "tools/progress.h"
+#include "tools/commands/stream_bytes.h"
+
+namespace rimline::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double k_orbit_radius = 2.0;  // Of the model's; as the help says.
+
+double microseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+struct Frame {
+    std::uint64_t flips = 0, added = 0, removed = 0, silhouette = 0;
+    TraversalCounters counters;
+    StreamBytes bytes;
+    double us = 0.0;
+
+    Frame& operator+=(const Frame& other) noexcept {
+        flips += other.flips;
+        added += other.added;
+        removed += other.removed;
+        silhouette += other.silhouette;
+        counters += other.counters;
+        bytes += other.bytes;
+        us += other.us;
+        return *this;
+    }
+};
+
+Frame frame_of(const ChangeSet& change, std::size_t face_words, double us) {
+    return {.flips = change.flipped.size(),
+            .added = change.added.size(),
+            .removed = change.removed.size(),
+            .silhouette = change.silhouette_size,
+            .counters = change.counters,
+            .bytes = stream_bytes(change, face_words),
+            .us = us};
+}
+
+nlohmann::ordered_json to_json(const Frame& frame) {
+    return {{"flips", frame.flips},
+            {"added", frame.added},
+            {"removed", frame.removed},
+            {"silhouette", frame.silhouette},
+            {"box_checks", frame.counters.box_checks},
+            {"face_checks", frame.counters.face_checks},
+            {"edge_checks", frame.counters.edge_checks},
+            {"bytes_streamed", frame.bytes.streamed},
+            {"bytes_full", frame.bytes.full},
+            {"us", frame.us}};
+}
+
+struct Track {
+    double build_ms = 0.0;       // The octree.
+    double extraction_us = 0.0;  // The tracker, at the first point.
+    std::vector<Frame> frames;
+    Frame totals;
+    double max_us = 0.0;
+    std::string difference;  // The first one that --verify found, with its frame.
+};
+
+Track follow(const std::string& model, const Mesh& mesh, const std::vector<glm::vec3>& origins,
+             const std::vector<HomogeneousPoint>& points, bool verify, const Context& context) {
+    Track track;
+    Clock::time_point start = Clock::now();
+    const HoughOctree octree =
+        build_octree(model, mesh, context, {{origins.begin(), origins.end()}});
+    track.build_ms = 1e-3 * microseconds_since(start);
+    start = Clock::now();
+    SilhouetteTracker tracker(octree, points.front());
+    track.extraction_us = microseconds_since(start);
+
+    std::optional<FrameCheck> check;
+    if (verify) check.emplace(tracker);
+    track.frames.reserve(points.size());
+    Progress progress(context, "tracking");
+    const LongCall call = progress.call();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        call.checkpoint(static_cast<double>(i) / static_cast<double>(points.size()));
+        start = Clock::now();
+        const ChangeSet& change = tracker.move_to(points[i]);
+        const Frame frame =
+            frame_of(change, tracker.face_words().size(), microseconds_since(start));
+        track.frames.push_back(frame);
+        track.totals += frame;
+        track.max_us = std::max(track.max_us, frame.us);
+        if (!check) continue;
+        if (const std::optional<std::string> difference = check->difference(change)) {
+            track.difference = "frame " + std::to_string(i) + ": " + *difference;
+            break;
+        }
+    }
+    return track;
+}
+
+class TrackCommand final : public Command {
+public:
+    std::string name() const override { return "track"; }
+    std::string summary() const override { return "Follow a moving point, frame by frame"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        path_.add_to(app, "2");
+        up_option_ =
+            add_direction(app, "--up", up_,
+                          "The orbit's axis (default: y, or z where the file format says so)")
+                ->group("Path");
+        add_points(app, "--origin", origins_,
+                   "Origin of Hough space, one or several (default: the model's center)")
+            ->group("Method");
+        app.add_flag("--verify", verify_,
+                     "Compare every frame with brute force; exit 3 where one differs")
+            ->group("Check");
+        app.footer(
+            "Frame 0 stands at the path's first point, where the silhouette is extracted before "
+            "it, so\n"
+            "nothing changes there. us is the time of the update alone. verified is true when "
+            "--verify\n"
+            "was given and held.\n\n"
+            "Examples:\n"
+            "  rimline track igea.ply --step 0.5 --frames 720 --verify --json\n"
+            "  rimline track shape:knot:20000 --path random --seed 7 --frames 1000 --verify");
+    }
+
+    ExitStatus run(const Context& context) override {
+        path_.refuse(up_option_, "orbit");
+        path_.read(context);  // A bad file is known before a long load.
+        const Mesh mesh = model_.load_mesh(context);
+        const glm::vec3 own_up = glm::vec3(direction_of(mesh.up()));
+        const std::vector<HomogeneousPoint> points =
+            path_.points(mesh, up_.value_or(own_up), k_orbit_radius);
+
+        const Track track = about_model(model_.model, [&] {
+            return follow(model_.model, mesh, origins_, points, verify_, context);
+        });
+        if (context.json)
+            print_result(track);
+        else
+            print_summary(track);
+        return report_check(track.difference.empty() ? "" : model_.model + ": " + track.difference);
+    }
+
+private:
+    bool verified(const Track& track) const { return verify_ && track.difference.empty(); }
+
+    void print_result(const Track& track) const {
+        nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+        for (const Frame& frame : track.frames) frames.push_back(to_json(frame));
+        nlohmann::ordered_json totals = to_json(track.totals);
+        totals["max_us"] = track.max_us;
+        print_json({{"model", model_.model},
+                    {"path", path_.path},
+                    {"build_ms", track.build_ms},
+                    {"extraction_us", track.extraction_us},
+                    {"frames", std::move(frames)},
+                    {"totals", std::move(totals)},
+                    {"verified", verified(track)}});
+    }
+
+    void print_summary(const Track& track) const {
+        const double n = static_cast<double>(track.frames.size());
+        const auto mean = [n](std::uint64_t sum) { return static_cast<double>(sum) / n; };
+        const Frame& sum = track.totals;
+        std::printf("%zu frames%s\n", track.frames.size(),
+                    verified(track) ? ", every one equal to brute force" : "");
+        std::printf("  a frame     %.1f faces turn, %.1f edges join, %.1f leave, of %.1f\n",
+                    mean(sum.flips), mean(sum.added), mean(sum.removed), mean(sum.silhouette));
+        std::printf("  work        %.1f box, %.1f face and %.1f edge checks\n",
+                    mean(sum.counters.box_checks), mean(sum.counters.face_checks),
+                    mean(sum.counters.edge_checks));
+        std::printf("  to send     %.1f bytes, of %.1f for all\n", mean(sum.bytes.streamed),
+                    mean(sum.bytes.full));
+        std::printf("  time        %.2f us, at most %.2f us\n", sum.us / n, track.max_us);
+        std::printf("  before it   octree %.1f ms, first silhouette %.1f us\n", track.build_ms,
+                    track.extraction_us);
+    }
+
+    ModelArgument model_;
+    PathOptions path_;
+    CLI::Option* up_option_ = nullptr;
+    std::optional<glm::vec3> up_;
+    bool verify_ = false;
+    std::vector<glm::vec3> origins_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_track_command() { return std::make_unique<TrackCommand>(); }
+
+}  // namespace rimline::tools

@@ -1,0 +1,142 @@
+// rimline views: the viewpoints that together show a model best, and pictures from there.
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "tools/command.h"
+#include "tools/output/contact_sheet.h"
+#include "tools/options/model_argument.h"
+#include "tools/output/output_folder.h"
+#include "tools/output/picture_file.h"
+#include "tools/options/picture_scene.h"
+#include "tools/output/view_pictures.h"
+
+namespace rimline::tools {
+
+namespace {
+
+// A contact sheet is about so wide.
+constexpr std::uint32_t k_sheet_width = 1600;
+constexpr std::uint32_t k_sheet_gap = 8;
+
+class ViewsCommand final : public Command {
+public:
+    std::string name() const override { return "views"; }
+    std::string summary() const override { return "Choose the views that show a model best"; }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        choice_.add_to(app, 1);
+        output_option_ =
+            app.add_option("-o,--output", output_,
+                           "The folder to write view_1.png ... and contact_sheet.png into "
+                           "(default: no pictures)")
+                ->type_name("FOLDER")
+                ->group("Output");
+        style_.add_to(app);
+        add_direction(app, "--up", picture_.up,
+                      "What is up in pictures (default: y, or z where the file format says so)")
+            ->group("Camera");
+        picture_.add_lights_to(app);
+        picture_.add_image_to(app);
+        picture_.add_machine_to(app);
+        app.footer(
+            "Views lie 1.73 to 2 of the model's radii from its center. The first has the most "
+            "votes of the\n"
+            "faces' planes, for silhouettes and for being seen head-on, times the share of its "
+            "silhouette\n"
+            "that is visible; each next one counts only what those before it do not show. "
+            "--no-ratio needs\n"
+            "no device. Pictures are taken from the views themselves and show the whole model. "
+            "All of them\n"
+            "are written when all are drawn.\n\n"
+            "Examples:\n"
+            "  rimline views bunny.obj -k 4 -o views\n"
+            "  rimline views horse.ply --up 0,0,1 -o views --style toon --sun auto --ground\n"
+            "  rimline views fandisk.obj -k 6 --no-ratio --json");
+    }
+
+    ExitStatus run(const Context& context) override {
+        std::optional<OutputFolder> folder;
+        if (output_option_->count() > 0) folder.emplace(output_, "pictures");
+        const Mesh mesh = model_.load_mesh(context);
+        context.checkpoint();
+        const ViewDevice drawn(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
+        const ChosenViews chosen = about_model(model_.model, [&] {
+            return choose_views(choice_, model_.model, mesh, drawn, 1, context);
+        });
+        if (folder) draw(*folder, drawn, chosen, context);
+        if (context.json)
+            print_result(mesh, chosen, drawn);
+        else
+            print_summary(chosen);
+        return ExitStatus::success;
+    }
+
+private:
+    // Nothing is written before everything is drawn.
+    void draw(const OutputFolder& folder, const ViewDevice& drawn, const ChosenViews& chosen,
+              const Context& context) const {
+        std::vector<glm::dvec3> eyes;
+        for (const BestView& view : chosen.best.views) eyes.push_back(view.eye);
+        const std::uint32_t columns = contact_sheet_columns(eyes.size());
+        const ViewScene scene{model_.model, *drawn.octree, style_, picture_};
+        about_model(model_.model, [&] {
+            Renderer renderer(drawn.device->context());
+            const std::vector<Picture> pictures =
+                draw_views(renderer, scene, eyes, picture_.size, context);
+            const std::vector<Picture> cells =
+                draw_views(renderer, scene, eyes, cell_size(columns), context);
+            context.checkpoint();
+            for (std::size_t i = 0; i < pictures.size(); ++i)
+                write(folder, "view_" + std::to_string(i + 1) + ".png", pictures[i]);
+            write(folder, "contact_sheet.png",
+                  make_contact_sheet(cells, columns, k_sheet_gap, {255, 255, 255}));
+        });
+    }
+
+    static void write(const OutputFolder& folder, const std::string& name, const Picture& picture) {
+        OutputFile file(folder.path() / name);
+        write_png(file, picture);
+    }
+
+    // Drawn anew, so that lines are as wide as anywhere.
+    ImageSize cell_size(std::uint32_t columns) const {
+        const std::uint32_t width = std::min(picture_.size.width, k_sheet_width / columns);
+        const std::uint64_t height =
+            std::uint64_t{picture_.size.height} * width / picture_.size.width;
+        return {width, std::max(1u, static_cast<std::uint32_t>(height))};
+    }
+
+    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& drawn) const {
+        nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
+        result.update(device_json(drawn.drawn()));
+        result["output"] = nullptr;
+        if (output_option_->count() > 0) result["output"] = output_;
+        print_json(result);
+    }
+
+    void print_summary(const ChosenViews& chosen) const {
+        if (output_option_->count() > 0)
+            std::printf("%s: %zu pictures and contact_sheet.png\n", output_.c_str(),
+                        chosen.best.views.size());
+        else
+            std::printf("%s\n", model_.model.c_str());
+        print_views(chosen);
+    }
+
+    ModelArgument model_;
+    ViewChoice choice_;
+    SceneOptions style_;
+    PictureOptions picture_;
+    std::string output_;
+    CLI::Option* output_option_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_views_command() { return std::make_unique<ViewsCommand>(); }
+
+}  // namespace rimline::tools

@@ -1,0 +1,80 @@
+// rimline views and rimline path in a build without Vulkan: votes alone, no pictures.
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "tools/command.h"
+#include "tools/options/model_argument.h"
+#include "tools/output/path_report.h"
+#include "tools/options/view_choice.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr const char* k_footer =
+    "This rimline was built without the engine: it draws nothing, and views are chosen by votes "
+    "alone.";
+
+class ViewsCommand final : public Command {
+public:
+    std::string name() const override { return "views"; }
+    std::string summary() const override { return "Choose the views that show a model best"; }
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        choice_.add_to(app, 1);
+        app.footer(k_footer);
+    }
+    ExitStatus run(const Context& context) override {
+        const Mesh mesh = model_.load_mesh(context);
+        const ChosenViews chosen = about_model(
+            model_.model, [&] { return choice_.choose(model_.model, mesh, {}, 1, context); });
+        if (context.json) {
+            print_json(views_json(model_.model, mesh, chosen));
+        } else {
+            std::printf("%s\n", model_.model.c_str());
+            print_views(chosen);
+        }
+        return ExitStatus::success;
+    }
+
+private:
+    ModelArgument model_;
+    ViewChoice choice_;
+};
+
+class PathCommand final : public Command {
+public:
+    std::string name() const override { return "path"; }
+    std::string summary() const override { return "Plan a camera path through the best views"; }
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        choice_.add_to(app, 2);
+        plan_.add_to(app);
+        app.footer(k_footer);
+    }
+    ExitStatus run(const Context& context) override {
+        const Mesh mesh = model_.load_mesh(context);
+        about_model(model_.model, [&] {
+            const ChosenViews chosen = choice_.choose(model_.model, mesh, {}, 2, context);
+            const PlannedPath planned = plan_.plan(chosen, direction_of(mesh.up()), context);
+            if (context.json)
+                print_json(path_json(model_.model, mesh, chosen, planned));
+            else
+                print_path(model_.model, chosen, planned);
+        });
+        return ExitStatus::success;
+    }
+
+private:
+    ModelArgument model_;
+    ViewChoice choice_;
+    PathPlan plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_views_command() { return std::make_unique<ViewsCommand>(); }
+std::unique_ptr<Command> make_path_command() { return std::make_unique<PathCommand>(); }
+
+}  // namespace rimline::tools

@@ -1,0 +1,95 @@
+#include "tools/options/animation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "silhouette/error.h"
+
+namespace rimline::tools {
+
+namespace {
+
+void check_range(const glm::dvec3& place, const char* what) {
+    const glm::dvec3 reach = glm::abs(place);
+    if (!(std::max({reach.x, reach.y, reach.z}) <= double{k_max_coordinate}))
+        throw Error(
+            ErrorCode::too_large,
+            std::string(what) +
+                " leaves the range of coordinates, which end at 2^60: scale the model down");
+}
+
+// About a unit axis, counter-clockwise as seen from its tip (Rodrigues).
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle_rad) {
+    return std::cos(angle_rad) * v + std::sin(angle_rad) * glm::cross(axis, v) +
+           (1.0 - std::cos(angle_rad)) * glm::dot(axis, v) * axis;
+}
+
+}  // namespace
+
+Animation::Animation(Scene first, const Mesh& mesh, Motion motion)
+    : scene_(std::move(first)),
+      mesh_(mesh),
+      motion_(std::move(motion)),
+      first_camera_(scene_.camera),
+      first_lights_(scene_.lights),
+      back_(glm::normalize(scene_.camera.eye - scene_.camera.target)) {
+    if (!motion_.wave) return;
+    scene_.instances[0].octree = nullptr;
+    scene_.instances[0].deforming = &mesh;
+}
+
+const Scene& Animation::at(std::uint32_t frame) {
+    place_camera(frame);
+    place_lights(frame);
+    if (motion_.wave) {
+        Wave wave = *motion_.wave;
+        wave.turns += frame * motion_.wave_turns;
+        scene_.instances[0].deformation = wave;
+    }
+    return scene_;
+}
+
+void Animation::place_camera(std::uint32_t frame) {
+    if (motion_.eyes.empty()) return;
+    Camera& camera = scene_.camera;
+    const HomogeneousPoint& point = motion_.eyes[frame];
+    const glm::dvec3 place(point.xyz());
+    camera.eye = point.is_direction()
+                     ? first_camera_.target + motion_.distance * glm::normalize(place)
+                     : place;
+    if (!motion_.ups.empty()) camera.up = motion_.ups[frame];
+    camera.target = first_camera_.target;
+    const glm::dvec3 away = camera.eye - camera.target;
+    const double distance = glm::length(away);
+    // Nearer than this, where it looks is rounding.
+    if (distance > 1e-9 * motion_.distance)
+        back_ = away / distance;
+    else
+        camera.target = camera.eye - motion_.distance * back_;
+    check_range(camera.eye, "the camera");
+}
+
+void Animation::place_lights(std::uint32_t frame) {
+    if (motion_.lights == LightMotion::still) return;
+    const bool turning = motion_.lights == LightMotion::turning;
+    const glm::dvec3 axis = glm::normalize(first_camera_.up);
+    const double angle_rad = glm::radians(frame * motion_.light_step_degrees);
+    const glm::dmat3 with_camera =
+        glm::transpose(camera_from_world(scene_.camera)) * camera_from_world(first_camera_);
+    const auto moved = [&](const glm::dvec3& v) {
+        return turning ? turned(v, axis, angle_rad) : with_camera * v;
+    };
+    const glm::dvec3 from = turning ? mesh_.center() : first_camera_.eye;
+    const glm::dvec3 to = turning ? mesh_.center() : scene_.camera.eye;
+    for (std::size_t l = 0; l < first_lights_.size(); ++l) {
+        const glm::dvec3& first = first_lights_[l].vector;
+        const bool directional = first_lights_[l].directional;
+        scene_.lights[l].vector = directional ? moved(first) : to + moved(first - from);
+        check_range(scene_.lights[l].vector, "a light");
+    }
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,57 @@
+#include "tools/options/cloud_argument.h"
+
+#include <optional>
+#include <utility>
+
+#include "silhouette/mesh/formats/point_file.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+void CloudArgument::add_to(CLI::App& app) {
+    app.add_option_function<std::string>(
+           "CLOUD",
+           [this](const std::string& text) {
+               check_model_name(text);
+               model = text;
+           },
+           "File of points (PLY, OBJ, XYZ, PTS); with --as-points any model")
+        ->type_name("")
+        ->required();
+    add_flags_to(app);
+    add_subdivide(app, subdivide)->group("Cloud");
+}
+
+void CloudArgument::add_flags_to(CLI::App& app) {
+    app.add_flag("--as-points", as_points,
+                 "Take the vertices of a model, and its borders as what is true of them")
+        ->group("Cloud");
+    app.add_flag("--drop-bad", drop_bad, "Leave out points that are not finite, and count them")
+        ->group("Cloud");
+}
+
+PointCloud CloudArgument::load(const Context& context) const {
+    std::optional<Progress> progress;
+    PointCloud cloud = load([&](const std::string& doing) {
+        progress.emplace(context, doing);
+        return progress->call();
+    });
+    context.checkpoint();
+    return cloud;
+}
+
+PointCloud CloudArgument::load(const BeginCall& begin) const {
+    PointSource source;
+    if (is_built_in_shape(model) || subdivide > 0)
+        source = points_of(load_model(model, subdivide, FaceRequirement::faces_or_points, begin));
+    else
+        source = read_point_file(model, drop_bad ? BadPoints::keep : BadPoints::refuse,
+                                 begin("reading " + model));
+    if (!as_points && !source.triangles.empty())
+        throw Error(ErrorCode::bad_input, model + ": it has " +
+                                              std::to_string(source.triangles.size()) +
+                                              " faces; --as-points takes its vertices for a cloud");
+    return about_model(model, [&] { return PointCloud(std::move(source)); });
+}
+
+}  // namespace rimline::tools

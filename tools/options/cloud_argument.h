@@ -1,0 +1,31 @@
+#pragma once
+
+// The CLOUD argument: a file of points, or with --as-points any model whose faces are dropped.
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <string>
+
+#include "silhouette/points/point_cloud.h"
+#include "tools/command.h"
+#include "tools/options/model_argument.h"
+
+namespace rimline::tools {
+
+struct CloudArgument {
+    std::string model;
+    std::uint32_t subdivide = 0;
+    bool as_points = false;
+    bool drop_bad = false;
+
+    void add_to(CLI::App& app);
+    /// The flags alone, for a command whose argument may be either.
+    void add_flags_to(CLI::App& app);
+
+    /// Reads it, with progress. Throws Error: also for a model with faces without --as-points.
+    PointCloud load(const Context& context) const;
+    /// The same for a caller who shows progress in another way (model_argument.h).
+    PointCloud load(const BeginCall& begin) const;
+};
+
+}  // namespace rimline::tools

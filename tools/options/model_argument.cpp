@@ -1,0 +1,160 @@
+#include "tools/options/model_argument.h"
+
+#include <algorithm>
+#include <charconv>
+#include <glm/common.hpp>
+#include <new>
+#include <optional>
+#include <string_view>
+
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/shapes/loop_subdivision.h"
+#include "tools/options/option_types.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr std::string_view k_shape_prefix = "shape:";
+constexpr std::uint32_t k_max_shape_faces = 1u << 28;
+// Where a silhouette is seen from, less than 2^-60 counts as zero.
+constexpr double k_least_radius = 0x1p-50;
+constexpr const char* k_take_fewer = "; take fewer faces or fewer steps of --subdivide";
+
+std::string shape_names() {
+    std::string names;
+    for (const std::string_view name : k_built_in_shapes)
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+}
+
+struct ShapeName {
+    std::string_view name;
+    std::uint32_t faces;  // 0: the shape's own default.
+};
+
+// Nothing when `text` is a file's name.
+std::optional<ShapeName> parse_shape(std::string_view text) {
+    if (!text.starts_with(k_shape_prefix)) return std::nullopt;
+    const std::string_view rest = text.substr(k_shape_prefix.size());
+    const std::size_t colon = rest.find(':');
+    ShapeName shape{rest.substr(0, colon), 0};
+    if (std::find(k_built_in_shapes.begin(), k_built_in_shapes.end(), shape.name) ==
+        k_built_in_shapes.end())
+        throw CLI::ValidationError("MODEL", "no built-in shape is called '" +
+                                                std::string(shape.name) + "'; there are " +
+                                                shape_names());
+    if (colon == std::string_view::npos) return shape;
+    const std::string_view faces = rest.substr(colon + 1);
+    const char* end = faces.data() + faces.size();
+    const auto parsed = std::from_chars(faces.data(), end, shape.faces);
+    if (parsed.ec != std::errc() || parsed.ptr != end || shape.faces < 1 ||
+        shape.faces > k_max_shape_faces)
+        throw CLI::ValidationError(
+            "MODEL", "expected a number of faces from 1 to 2^28 in '" + std::string(text) + "'");
+    return shape;
+}
+
+}  // namespace
+
+std::string model_description() {
+    return "File (OBJ, PLY, STL, OFF, glTF, GLB) or shape:NAME[:FACES] with NAME one of " +
+           shape_names();
+}
+
+bool is_built_in_shape(const std::string& model) { return model.starts_with(k_shape_prefix); }
+
+void check_model_name(const std::string& text) {
+    if (text.empty())
+        throw CLI::ValidationError("MODEL", "expected a file or shape:NAME[:FACES], not ''");
+    parse_shape(text);
+}
+
+MeshSource load_model(const std::string& model, std::uint32_t subdivide,
+                      FaceRequirement requirement, const BeginCall& begin) {
+    MeshSource source;
+    if (const std::optional<ShapeName> shape = parse_shape(model))
+        source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });
+    else
+        source = read_mesh_file(model, requirement, begin("reading " + model));
+    if (subdivide > 0 && !source.triangles.empty()) {
+        const LongCall call = begin("subdividing " + model);
+        source = about_model(model, [&] { return subdivide_loop(source, subdivide, call); });
+    }
+    return source;
+}
+
+MeshSource load_model(const std::string& model, std::uint32_t subdivide,
+                      FaceRequirement requirement, const Context& context) {
+    std::optional<Progress> progress;
+    MeshSource source = load_model(model, subdivide, requirement, [&](const std::string& doing) {
+        progress.emplace(context, doing);
+        return progress->call();
+    });
+    context.checkpoint();
+    return source;
+}
+
+Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context) {
+    return make_mesh(model, load_model(model, subdivide, FaceRequirement::faces, context), context);
+}
+
+Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context) {
+    Progress progress(context, "joining the faces of " + model);
+    return about_model(model, [&] {
+        Mesh mesh(source, Welding::equal_positions, progress.call());
+        if (mesh.radius() > 0.0 && mesh.radius() < k_least_radius)
+            throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
+        return mesh;
+    });
+}
+
+void check_room_around(const std::string& model, const Mesh& mesh) {
+    const glm::dvec3 reach = glm::abs(mesh.center()) + 3.0 * mesh.radius();
+    if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
+        throw Error(ErrorCode::too_large, model +
+                                              ": too large to be seen from around: scale it "
+                                              "down, coordinates end at 2^60");
+}
+
+void check_has_extent(const std::string& model, const Mesh& mesh) {
+    check_room_around(model, mesh);
+    if (mesh.radius() == 0.0)
+        throw Error(ErrorCode::bad_input,
+                    model + ": its radius is 0: take a model whose vertices are not all one point");
+}
+
+void throw_about_model(const std::string& model) {
+    try {
+        throw;
+    } catch (const Error& e) {
+        const std::string message = e.what();
+        if (e.code() == ErrorCode::cancelled || message.starts_with(model + ":")) throw;
+        const char* what_to_do = e.code() == ErrorCode::too_large ? k_take_fewer : "";
+        throw Error(e.code(), model + ": " + message + what_to_do);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::too_large,
+                    model + ": there is not enough memory for it" + k_take_fewer);
+    }
+}
+
+void ModelArgument::add_to(CLI::App& app, Presence presence) {
+    CLI::Option* option = app.add_option_function<std::string>(
+                                 "MODEL",
+                                 [this](const std::string& text) {
+                                     check_model_name(text);
+                                     model = text;
+                                 },
+                                 model_description())
+                              ->type_name("");
+    if (presence == Presence::required) option->required();
+    add_subdivide(app, subdivide)->group("Model");
+}
+
+CLI::Option* add_subdivide(CLI::App& app, std::uint32_t& steps) {
+    return add_count(app, "--subdivide", steps, 0, 14,
+                     "Refine the model this many times by Loop subdivision, four faces for one");
+}
+
+}  // namespace rimline::tools

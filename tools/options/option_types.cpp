@@ -1,0 +1,277 @@
+#include "tools/options/option_types.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <system_error>
+
+#include "silhouette/mesh/homogeneous_point.h"
+
+namespace rimline::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view k_blanks = " \t";
+    const std::size_t first = text.find_first_not_of(k_blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(k_blanks) - first + 1);
+}
+
+// All of `text` is one number, finite in its type.
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+    // std::from_chars knows no leading plus.
+    if constexpr (std::is_floating_point_v<Number>)
+        if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    if constexpr (std::is_floating_point_v<Number>)
+        if (!std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+[[noreturn]] void reject(const std::string& option, const std::string& expected,
+                         std::string_view text) {
+    throw CLI::ValidationError(option,
+                               "expected " + expected + ", not '" + std::string(text) + "'");
+}
+
+std::string plain(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.15g", value);
+    return text.data();
+}
+
+// An option read by `read` from its text.
+CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& type,
+                      const std::string& description,
+                      const std::function<void(const std::string&)>& read) {
+    return app.add_option_function<std::string>(name, read, description)->type_name(type);
+}
+
+CLI::Option* add_repeatable(CLI::App& app, const std::string& name, const std::string& type,
+                            const std::string& description,
+                            const std::function<void(const std::string&)>& read) {
+    return app
+        .add_option_function<std::vector<std::string>>(
+            name,
+            [read](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) read(text);
+            },
+            description)
+        ->type_name(type)
+        // Else an option would take a following MODEL for another value of its own.
+        ->allow_extra_args(false);
+}
+
+// `ending` has small letters.
+bool ends_in(std::string_view text, std::string_view ending) {
+    return text.size() >= ending.size() &&
+           std::ranges::equal(text.substr(text.size() - ending.size()), ending, {},
+                              [](char c) { return std::tolower(static_cast<unsigned char>(c)); });
+}
+
+// Links in /dev too: what standard output is redirected to, the shell has named.
+bool is_device_or_pipe(const std::string& file_name) {
+    std::error_code ignored;
+    if (file_name.starts_with("/dev/") && fs::is_symlink(file_name, ignored)) return true;
+    return fs::exists(file_name, ignored) && !fs::is_regular_file(file_name, ignored);
+}
+
+struct NamedColor {
+    std::string_view name;
+    Color color;
+};
+constexpr std::array<NamedColor, 8> k_named_colors{{{"white", {255, 255, 255}},
+                                                    {"black", {0, 0, 0}},
+                                                    {"gray", {128, 128, 128}},
+                                                    {"paper", {248, 244, 236}},
+                                                    {"red", {200, 40, 40}},
+                                                    {"green", {40, 140, 60}},
+                                                    {"blue", {40, 80, 180}},
+                                                    {"sky", {205, 222, 240}}}};
+
+std::string color_names() {
+    std::string names;
+    for (const NamedColor& named : k_named_colors)
+        names += (names.empty() ? "" : ", ") + std::string(named.name);
+    return names;
+}
+
+Color parse_color(const std::string& option, std::string_view text) {
+    for (const NamedColor& named : k_named_colors)
+        if (text == named.name) return named.color;
+    std::uint32_t rgb = 0;
+    const char* end = text.data() + text.size();
+    if (text.size() != 7 || text[0] != '#' || text[1] == '-' ||
+        std::from_chars(text.data() + 1, end, rgb, 16).ptr != end)
+        reject(option, "#rrggbb or one of " + color_names(), text);
+    return {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
+            static_cast<std::uint8_t>(rgb)};
+}
+
+ImageSize parse_image_size(const std::string& option, std::string_view text) {
+    const std::size_t cross = text.find('x');
+    if (cross != std::string_view::npos) {
+        const auto width = parse_number<std::uint32_t>(text.substr(0, cross));
+        const auto height = parse_number<std::uint32_t>(text.substr(cross + 1));
+        const auto fits = [](const auto& side) {
+            return side && *side >= 1 && *side <= k_max_image_side;
+        };
+        if (fits(width) && fits(height)) return {*width, *height};
+    }
+    reject(option, "WxH with both from 1 to " + std::to_string(k_max_image_side), text);
+}
+
+double parse_in_range(const std::string& option, const std::string& text, double low, double high) {
+    const std::optional<double> number = parse_number<double>(text);
+    if (!number || *number < low || *number > high)
+        reject(option, "a number from " + plain(low) + " to " + plain(high), text);
+    return *number;
+}
+
+}  // namespace
+
+glm::dvec3 parse_exact_point(const std::string& option, std::string_view text) {
+    glm::dvec3 point{};
+    std::string_view rest = text;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t comma = rest.find(',');
+        if ((comma == std::string_view::npos) != (axis == 2))
+            reject(option, "three numbers x,y,z", text);
+        const std::optional<double> number =
+            parse_number<double>(without_blanks(rest.substr(0, comma)));
+        if (!number) reject(option, "three finite numbers x,y,z", text);
+        if (std::abs(*number) > double{k_max_coordinate})
+            reject(option, "coordinates of at most 2^60, about 1.15e18", text);
+        point[axis] = *number;
+        if (axis < 2) rest.remove_prefix(comma + 1);
+    }
+    return point;
+}
+
+glm::vec3 parse_point(const std::string& option, std::string_view text) {
+    return glm::vec3(parse_exact_point(option, text));
+}
+
+glm::vec3 parse_direction(const std::string& option, std::string_view text) {
+    const glm::vec3 direction = parse_point(option, text);
+    if (HomogeneousPoint::direction(direction).xyz() == glm::vec3(0.0f))
+        reject(option, "a direction that is not zero (components below 2^-60 count as zero)", text);
+    return direction;
+}
+
+CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& value,
+                       const std::string& description) {
+    return add_text(app, name, "X,Y,Z", description,
+                    [name, &value](const std::string& text) { value = parse_point(name, text); });
+}
+
+CLI::Option* add_exact_point(CLI::App& app, const std::string& name,
+                             std::optional<glm::dvec3>& value, const std::string& description) {
+    return add_text(app, name, "X,Y,Z", description, [name, &value](const std::string& text) {
+        value = parse_exact_point(name, text);
+    });
+}
+
+CLI::Option* add_direction(CLI::App& app, const std::string& name, std::optional<glm::vec3>& value,
+                           const std::string& description) {
+    return add_text(app, name, "X,Y,Z", description, [name, &value](const std::string& text) {
+        value = parse_direction(name, text);
+    });
+}
+
+CLI::Option* add_points(CLI::App& app, const std::string& name, std::vector<glm::vec3>& values,
+                        const std::string& description) {
+    return add_repeatable(
+        app, name, "X,Y,Z", description,
+        [name, &values](const std::string& text) { values.push_back(parse_point(name, text)); });
+}
+
+CLI::Option* add_directions(CLI::App& app, const std::string& name, std::vector<glm::vec3>& values,
+                            const std::string& description) {
+    return add_repeatable(app, name, "X,Y,Z", description,
+                          [name, &values](const std::string& text) {
+                              values.push_back(parse_direction(name, text));
+                          });
+}
+
+CLI::Option* add_directions_or_auto(CLI::App& app, const std::string& name,
+                                    std::vector<glm::vec3>& values, bool& is_auto,
+                                    const std::string& description) {
+    return add_repeatable(app, name, "X,Y,Z|auto", description,
+                          [name, &values, &is_auto](const std::string& text) {
+                              if (text == "auto")
+                                  is_auto = true;
+                              else
+                                  values.push_back(parse_direction(name, text));
+                          });
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, double low,
+                        double high, const std::string& description) {
+    return add_text(app, name, "NUMBER", description,
+                    [=, &value](const std::string& text) {
+                        value = parse_in_range(name, text, low, high);
+                    })
+        ->default_str(plain(value));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value,
+                        double low, double high, const std::string& description) {
+    return add_text(app, name, "NUMBER", description, [=, &value](const std::string& text) {
+        value = parse_in_range(name, text, low, high);
+    });
+}
+
+CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& value,
+                       std::uint32_t low, std::uint32_t high, const std::string& description) {
+    return add_text(app, name, "N", description,
+                    [=, &value](const std::string& text) {
+                        const auto number = parse_number<std::uint32_t>(text);
+                        if (!number || *number < low || *number > high)
+                            reject(name,
+                                   "a whole number from " + std::to_string(low) + " to " +
+                                       std::to_string(high),
+                                   text);
+                        value = *number;
+                    })
+        ->default_str(std::to_string(value));
+}
+
+CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& value,
+                        const std::string& ending, const std::string& description) {
+    const std::string type = "FILE" + ending;
+    return add_text(app, name, type, description,
+                    [=, &value](const std::string& text) {
+                        if (!ends_in(text, ending) && !is_device_or_pipe(text))
+                            reject(name.substr(0, name.find(',')), type, text);
+                        value = text;
+                    })
+        ->default_str(value);
+}
+
+CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,
+                       const std::string& description) {
+    return add_text(app, name, "COLOR", description + " (#rrggbb, " + color_names() + ")",
+                    [name, &value](const std::string& text) { value = parse_color(name, text); });
+}
+
+CLI::Option* add_image_size(CLI::App& app, const std::string& name, ImageSize& value,
+                            const std::string& description) {
+    return add_text(
+               app, name, "WxH", description,
+               [name, &value](const std::string& text) { value = parse_image_size(name, text); })
+        ->default_str(std::to_string(value.width) + "x" + std::to_string(value.height));
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,67 @@
+#include "tools/options/path_options.h"
+
+#include <algorithm>
+
+#include "tools/options/option_types.h"
+#include "tools/progress.h"
+#include "tools/options/track_path.h"
+
+namespace rimline::tools {
+
+void PathOptions::add_to(CLI::App& app, const std::string& radius_default) {
+    constexpr const char* k_group = "Path";
+    path_option_ = app.add_option("--path", path,
+                                  "orbit, random, or a file of points, x y z or x y z w a line")
+                       ->type_name("PATH")
+                       ->capture_default_str()
+                       ->group(k_group);
+    frames_option_ = add_count(app, "--frames", frames, 1, 10'000'000,
+                               "Number of frames; of a file the first so many, by default all")
+                         ->group(k_group);
+    orbit_options_ = {
+        add_number(app, "--radius", radius, 0.0, 1e9,
+                   "Of the orbit, in the model's radii (default: " + radius_default + ")"),
+        add_number(app, "--step", step_degrees, -360.0, 360.0,
+                   "Degrees a frame on the orbit (default: a whole turn in all frames)")};
+    for (CLI::Option* option : orbit_options_) option->group(k_group);
+    seed_option_ =
+        add_count(app, "--seed", seed, 0, 0xffffffffu, "Of the random path")->group(k_group);
+}
+
+void PathOptions::refuse(const CLI::Option* option, const std::string& owner) const {
+    if (option->count() > 0 && path != owner)
+        throw UsageError(option->get_name() + ": belongs to --path " + owner + ", not to --path " +
+                         path);
+}
+
+bool PathOptions::is_moving() const {
+    return path_option_->count() + seed_option_->count() > 0 ||
+           std::ranges::any_of(orbit_options_,
+                               [](const CLI::Option* option) { return option->count() > 0; });
+}
+
+void PathOptions::read(const Context& context) {
+    if (path.empty())
+        throw UsageError("--path: expected orbit, random or a file of points, not ''");
+    for (const CLI::Option* option : orbit_options_) refuse(option, "orbit");
+    refuse(seed_option_, "random");
+    if (!is_file()) return;
+    Progress progress(context, "reading " + path);
+    file_points_ = read_path(path, progress.call());
+    if (frames_option_->count() > 0) {
+        if (frames > file_points_.size())
+            throw UsageError("--frames: " + path + " holds " + std::to_string(file_points_.size()) +
+                             " points, fewer than the " + std::to_string(frames) + " asked for");
+        file_points_.resize(frames);
+    }
+}
+
+std::vector<HomogeneousPoint> PathOptions::points(const Mesh& mesh, glm::vec3 up,
+                                                  double default_radius) const {
+    if (is_file()) return file_points_;
+    if (path == "random") return random_path(mesh, seed, frames);
+    return orbit_path(mesh, up, radius.value_or(default_radius),
+                      step_degrees.value_or(360.0 / frames), frames);
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,77 @@
+#include "tools/options/picture_scene.h"
+
+#include <cmath>
+
+#include "tools/command.h"
+
+namespace rimline::tools {
+
+namespace {
+
+// From where the built-in scene looks best.
+constexpr glm::dvec3 k_scene_view(0.22, 0.45, 1.0);
+
+}  // namespace
+
+glm::vec3 linear_from_srgb(const glm::vec3& srgb) {
+    const auto linear = [](float c) {
+        return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+    };
+    return {linear(srgb.x), linear(srgb.y), linear(srgb.z)};
+}
+
+glm::vec3 linear_from_srgb(const Color& color) {
+    return linear_from_srgb(glm::vec3(float(color.red) / 255.0f, float(color.green) / 255.0f,
+                                      float(color.blue) / 255.0f));
+}
+
+glm::vec3 srgb_from_linear(const glm::vec3& linear) {
+    const auto encoded = [](float c) {
+        return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
+    };
+    return {encoded(linear.x), encoded(linear.y), encoded(linear.z)};
+}
+
+glm::dvec3 up_of(const Subject& subject, const PictureOptions& options) {
+    if (options.up) return glm::dvec3(*options.up);
+    return direction_of(subject.up);
+}
+
+Camera make_camera(const Subject& subject, const std::string& model,
+                   const PictureOptions& options) {
+    const glm::dvec3 up = up_of(subject, options);
+    const double aspect = double(options.size.width) / options.size.height;
+    Camera camera{.eye = {},
+                  .target = {},
+                  .up = up,
+                  .fov_y_deg = options.fov_degrees,
+                  .ortho_height = options.ortho_height.value_or(0.0)};
+    if (options.eye) {
+        camera.eye = glm::dvec3(*options.eye);
+        camera.target = options.target ? glm::dvec3(*options.target) : subject.center;
+        if (camera.eye == camera.target)
+            throw UsageError(options.target ? "--eye and --target are the same point"
+                                            : "--eye is the model's center, where it looks");
+        return camera;
+    }
+    const bool own_scene = model == k_default_model;
+    camera =
+        fit_camera(camera, subject, own_scene ? k_scene_view : default_view_direction(up), aspect);
+    if (options.target) {
+        camera.eye += glm::dvec3(*options.target) - camera.target;
+        camera.target = glm::dvec3(*options.target);
+    }
+    return camera;
+}
+
+SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree) {
+    return {.octree = &octree,
+            .material = {.color = scene.style == Style::mask ? glm::vec3(1.0f)
+                                                             : scene.palette.background},
+            .has_lines = false,
+            .casts_shadows = false,
+            .fade_radius = k_ground_fade * mesh.radius(),
+            .fade_center = mesh.center()};
+}
+
+}  // namespace rimline::tools

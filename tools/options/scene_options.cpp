@@ -1,0 +1,134 @@
+#include "tools/options/scene_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "engine/view_defaults.h"
+#include "silhouette/field/sun_choice.h"
+#include "silhouette/mesh/any_perpendicular.h"
+#include "tools/options/option_types.h"
+#include "tools/options/picture_scene.h"
+
+namespace rimline::tools {
+
+void SceneOptions::add_to(CLI::App& app) {
+    constexpr const char* k_group = "Style";
+    app.add_option("--style", style,
+                   "ink, toon, blueprint, hatch (pen strokes), or mask (where light arrives)")
+        ->check(CLI::IsMember({"ink", "toon", "blueprint", "hatch", "mask"}))
+        ->capture_default_str()
+        ->group(k_group);
+    add_color(app, "--color", color, "Of surfaces (default: the style's own)")->group(k_group);
+    add_color(app, "--line-color", line_color, "Of lines (default: the style's own)")
+        ->group(k_group);
+    app.add_option("--lines", lines, "Silhouettes and borders: on or off")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str()
+        ->group(k_group);
+    add_number(app, "--line-width", line_width, 0.1, 100.0, "In pixels (default: the style's own)")
+        ->group(k_group);
+    add_number(app, "--crease", crease_degrees, 10.0, 180.0,
+               "Edges that bend by so many degrees are lines too (default: 40 in blueprint)")
+        ->group(k_group);
+    app.add_flag("--hidden", hidden, "Draw hidden lines too, dashed and fainter")->group(k_group);
+    app.add_option("--shadows", shadows,
+                   "Volumes by depth fail, by depth pass where that is shown to be right, by the "
+                   "cheaper\n(auto), or off; the picture is the same")
+        ->check(CLI::IsMember({"auto", "fail", "pass", "off"}))
+        ->capture_default_str()
+        ->group(k_group);
+    app.add_flag("--ground", ground,
+                 "A ground that catches the shadow; a sun of --sun auto stands at least 15 degrees "
+                 "above it")
+        ->group(k_group);
+}
+
+Style SceneOptions::style_value() const {
+    if (style == "toon") return Style::toon;
+    if (style == "blueprint") return Style::blueprint;
+    if (style == "hatch") return Style::hatch;
+    return style == "mask" ? Style::mask : Style::ink;
+}
+
+glm::vec3 SceneOptions::background(const PictureOptions& picture) const {
+    return picture.background ? linear_from_srgb(*picture.background)
+                              : style_defaults(style_value()).background;
+}
+
+Material SceneOptions::material(const PictureOptions& picture) const {
+    Material material{.color = color ? linear_from_srgb(*color)
+                                     : default_surface_color(style_value(), background(picture))};
+    if (line_color) material.line_color = linear_from_srgb(*line_color);
+    return material;
+}
+
+glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up) {
+    constexpr double k_least_height_rad = 15.0 * std::numbers::pi / 180.0;
+    const glm::dvec3 upwards = glm::normalize(up);
+    const glm::dvec3 direction = glm::normalize(sun);
+    const double height = glm::dot(direction, upwards);
+    if (height >= std::sin(k_least_height_rad)) return sun;
+    const glm::dvec3 level = direction - height * upwards;
+    const glm::dvec3 towards =
+        glm::length(level) > 1e-6 ? glm::normalize(level) : any_perpendicular(upwards);
+    return std::cos(k_least_height_rad) * towards + std::sin(k_least_height_rad) * upwards;
+}
+
+Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
+                               const PictureOptions& picture) const {
+    const StyleDefaults defaults = style_defaults(style_value());
+    Scene scene{.camera = camera,
+                .style = style_value(),
+                .palette = default_palette(style_value(), background(picture)),
+                .shadows = shadows != "off",
+                .shadow_method = shadows == "fail"   ? ShadowMethod::fail
+                                 : shadows == "pass" ? ShadowMethod::pass
+                                                     : ShadowMethod::automatic,
+                .lines = lines == "on",
+                .line_width_px = float(line_width.value_or(defaults.line_width_px)),
+                .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,
+                .crease_angle_deg = float(crease_degrees.value_or(defaults.crease_angle_deg))};
+    for (const glm::vec3& light : picture.lights)
+        scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
+    for (const glm::vec3& sun : picture.suns)
+        scene.lights.push_back({.vector = glm::dvec3(sun), .directional = true});
+    if (picture.has_chosen_sun)
+        if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye)) {
+            const glm::dvec3 up = up_of(mesh, picture);
+            const glm::dvec3 lit = ground ? above_ground(sun->direction, up) : sun->direction;
+            // Rounded as --sun is read, so that what `light` prints gives the same picture, but for a low one
+            // over a ground.
+            scene.lights.push_back({.vector = glm::dvec3(glm::vec3(lit)), .directional = true});
+        }
+    if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));
+    return scene;
+}
+
+Ground::Ground(const Mesh& mesh, const glm::dvec3& up, double drop)
+    : model_(mesh),
+      translation_(-drop * glm::normalize(up)),
+      mesh_(make_ground(mesh, up, k_ground_end * mesh.radius())),
+      octree_(mesh_) {}
+
+SceneInstance Ground::instance(const Scene& scene) const {
+    SceneInstance instance = ground_instance(scene, model_, octree_);
+    instance.translation = translation_;
+    return instance;
+}
+
+void check_scene_reach(const std::string& model, const Mesh& mesh, std::span<const glm::dvec3> eyes,
+                       bool ground) {
+    // A ground is square.
+    const double radius = (ground ? 1.5 * k_ground_end : 1.0) * mesh.radius();
+    glm::dvec3 reach = glm::abs(mesh.center()) + radius;
+    for (const glm::dvec3& eye : eyes) reach = glm::max(reach, glm::abs(eye));
+    if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
+        throw Error(ErrorCode::too_large, model + ": too large to stand before" +
+                                              (ground ? " or to lay a ground under" : "") +
+                                              ": scale it down, coordinates end at 2^60");
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,71 @@
+#include "tools/options/surface_options.h"
+
+#include <numbers>
+
+#include "tools/command.h"
+#include "tools/options/option_types.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr double k_radians = std::numbers::pi / 180.0;
+
+}  // namespace
+
+void SurfaceOptions::add_to(CLI::App& app) {
+    const char* group = "Umbrellas";
+    add_count(app, "-k", k_, 4, 32, "Nearest neighbours looked at")->group(group);
+    app.add_option_function<std::string>(
+           "--method",
+           [this](const std::string& text) {
+               if (text != "robust" && text != "thesis")
+                   throw CLI::ValidationError("--method",
+                                              "expected robust or thesis, not '" + text + "'");
+               method_ = text;
+           },
+           "robust, or thesis: as chapter 5 has it")
+        ->type_name("NAME")
+        ->default_str("robust")
+        ->group(group);
+    add_number(app, "--gap-ratio", gap_ratio_, 1.001, 1000.0,
+               "robust: a gap's circumradius over its corners' scale (2.75)")
+        ->group(group);
+    add_number(app, "--omega", omega_, 0.001, 89.999,
+               "thesis: degrees between a neighbour and the plane (30)")
+        ->group(group);
+    add_number(app, "--omega-t", omega_t_, 0.0, 89.999,
+               "thesis: degrees of the marginal band about omega (a third of it)")
+        ->group(group);
+    add_number(app, "--phi", phi_, 0.001, 180.0,
+               "thesis: degrees of the widest sector that is no gap (180 less omega)")
+        ->group(group);
+    add_number(app, "--gamma", gamma_, 1.001, 1000.0,
+               "thesis: a gap's circumradius over the Gabriel triangle's (2)")
+        ->group(group);
+}
+
+PointSurfaceOptions SurfaceOptions::options() const {
+    const bool is_of_thesis = omega_ || omega_t_ || phi_ || gamma_;
+    if (is_of_thesis && (method_ == "robust" || gap_ratio_))
+        throw UsageError("--omega, --omega-t, --phi and --gamma belong to --method thesis");
+    if (gap_ratio_ && method_ == "thesis")
+        throw UsageError("--gap-ratio belongs to --method robust");
+    PointSurfaceOptions options;
+    options.k = k_;
+    if (gap_ratio_) options.gap_ratio = *gap_ratio_;
+    if (method_ != "thesis" && !is_of_thesis) return options;
+    options.method = PointSurfaceOptions::Method::thesis;
+    if (omega_) {
+        options.omega = *omega_ * k_radians;
+        options.omega_t = options.omega / 3.0;
+        options.phi = std::numbers::pi - options.omega;
+    }
+    if (omega_t_) options.omega_t = *omega_t_ * k_radians;
+    if (phi_) options.phi = *phi_ * k_radians;
+    if (gamma_) options.gamma = *gamma_;
+    if (options.omega_t > options.omega) throw UsageError("--omega-t: is above --omega");
+    return options;
+}
+
+}  // namespace rimline::tools

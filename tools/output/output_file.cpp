@@ -1,0 +1,124 @@
+#include "tools/output/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "silhouette/error.h"
+#include "tools/command.h"
+
+namespace rimline::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// All that have a temporary, and that temporary's coming and going.
+std::mutex g_mutex;
+OutputFile* g_first = nullptr;
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path, const fs::path& model)
+    : path_(std::move(path)), target_(path_) {
+    if (path_.empty()) throw Error(ErrorCode::io, "the output file's name is empty");
+    if (is_same_file(path_, model))
+        throw UsageError(path_.string() + ": this is the model itself; name another file to write");
+    struct stat existing {};
+    const bool exists = stat(path_.c_str(), &existing) == 0;
+    if (!exists && errno == ELOOP) fail("cannot follow the link", ELOOP);
+    if (exists && S_ISDIR(existing.st_mode))
+        throw Error(ErrorCode::io,
+                    path_.string() + ": cannot write: it is a folder; name a file in it");
+    if (exists && !S_ISREG(existing.st_mode)) {
+        // By its own name: what /dev/stdout links to may have none.
+        descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0) fail("cannot write", errno);
+        return;
+    }
+
+    std::error_code error;
+    while (fs::is_symlink(target_, error)) {
+        target_ = target_.parent_path() / fs::read_symlink(target_, error);
+        if (error) fail("cannot follow the link", error.value());
+    }
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error))
+        throw Error(ErrorCode::io, path_.string() + ": cannot write: there is no folder " +
+                                       folder.string() + "; create it first");
+    if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
+    const std::lock_guard lock(g_mutex);
+    // Not mkstemp: its files are private whatever the user's mask says.
+    for (int attempt = 0; descriptor_ < 0; ++attempt) {
+        std::string name(".");
+        name.append(target_.filename().string()).append(".").append(std::to_string(getpid()));
+        name.append(".").append(std::to_string(attempt)).append(".part");
+        temporary_ = folder / name;
+        descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0 || (errno == EEXIST && attempt < 1000)) continue;
+        const int error_number = errno;
+        temporary_.clear();
+        fail("cannot write", error_number);
+    }
+    if (exists) fchmod(descriptor_, existing.st_mode & 07777);
+    next_ = std::exchange(g_first, this);
+}
+
+OutputFile::~OutputFile() {
+    close_descriptor();
+    const std::lock_guard lock(g_mutex);
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+    for (OutputFile** link = &g_first; *link != nullptr; link = &(*link)->next_)
+        if (*link == this) {
+            *link = next_;
+            break;
+        }
+}
+
+void OutputFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("cannot write", errno);
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void OutputFile::commit() {
+    // Some file systems report a full disk only here.
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (close(descriptor) != 0 && errno != EINTR) fail("cannot write", errno);
+    const std::lock_guard lock(g_mutex);
+    if (temporary_.empty()) return;
+    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write", errno);
+    temporary_.clear();
+}
+
+void OutputFile::fail(const std::string& doing, int error_number) const {
+    throw Error(ErrorCode::io, path_.string() + ": " + doing + ": " +
+                                   std::generic_category().message(error_number));
+}
+
+void OutputFile::close_descriptor() noexcept {
+    if (descriptor_ >= 0) close(descriptor_);
+    descriptor_ = -1;
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    return fs::equivalent(a, b, ignored);
+}
+
+void remove_temporary_files() noexcept {
+    const std::lock_guard lock(g_mutex);
+    for (const OutputFile* file = g_first; file != nullptr; file = file->next_)
+        if (!file->temporary_.empty()) unlink(file->temporary_.c_str());
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,167 @@
+#include "tools/output/points_picture.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "silhouette/points/pca_normals.h"
+#include "tools/output/cloud_drawing.h"
+#include "tools/output/contact_sheet.h"
+#include "tools/options/drawing_device.h"
+#include "tools/output/hidden_points.h"
+#include "tools/output/picture_file.h"
+
+namespace rimline::tools {
+
+namespace {
+
+// Of points that are drawn by themselves, in radii of the discs that would close the surface.
+constexpr float k_dot = 0.35f;
+constexpr float k_mark = 0.5f;
+
+class PointsDrawing {
+public:
+    explicit PointsDrawing(const PointsPicture& picture)
+        : picture_(picture),
+          drawing_(picture.cloud, picture.surface, picture.umbrellas, picture.weights) {
+        scene_.camera = make_cloud_camera(picture.umbrellas, picture.cloud.up(), picture.name,
+                                          picture.eye, picture.target, picture.options);
+        scene_.background = linear_from_srgb(picture.options.background.value_or(k_cloud_paper));
+        scene_.center = picture.umbrellas.center();
+        scene_.radius = picture.umbrellas.radius();
+        point_ = picture.silhouette_point.value_or(silhouette_point_of(scene_.camera));
+        const PointSilhouette silhouette(picture.umbrellas, point_);
+        silhouette_ = silhouette.points();
+        consensus_ = silhouette.consensus_edges();
+    }
+
+    const HomogeneousPoint& silhouette_point() const { return point_; }
+    /// Of a cloud that drawn() or compared() gave.
+    SplatScene scene_of(const SplatCloud& cloud) const {
+        SplatScene scene = scene_;
+        scene.cloud = &cloud;
+        return scene;
+    }
+
+    SplatCloud drawn() const {
+        SplatCloud cloud = drawing_.drawn();
+        const std::vector<gpu::StrokeRecord> ink = drawing_.strokes(consensus_, k_cloud_ink);
+        cloud.strokes.insert(cloud.strokes.end(), ink.begin(), ink.end());
+        return cloud;
+    }
+
+    std::vector<SplatCloud> compared() const {
+        const std::vector<glm::dvec3> pca = pca_normals(picture_.surface.positions(), picture_.k);
+        return {
+            dots(),          drawn(), marked(thresholded()), marked(silhouette_), with_normals(pca),
+            with_umbrellas()};
+    }
+
+private:
+    SplatCloud with_normals(std::span<const glm::dvec3> normals) const {
+        SplatCloud cloud;
+        for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
+            cloud.splats.push_back(drawing_.disc(p, normals[p], drawing_.own_color(p)));
+        return cloud;
+    }
+
+    SplatCloud with_umbrellas() const {
+        SplatCloud cloud;
+        for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
+            drawing_.add_discs(p, drawing_.own_color(p), cloud.splats);
+        return cloud;
+    }
+
+    // The points that the hull says are seen, and nothing of the surface.
+    SplatCloud dots() const {
+        SplatCloud cloud;
+        std::vector<glm::dvec3> places;
+        for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
+            places.push_back(drawing_.place(p));
+        for (const std::uint32_t p : visible_points(places, scene_.camera.eye)) {
+            cloud.splats.push_back(drawing_.disc(p, glm::dvec3(0.0), k_cloud_ink, false));
+            cloud.splats.back().radius *= k_dot;
+        }
+        return cloud;
+    }
+
+    SplatCloud marked(const std::vector<PointId>& points) const {
+        SplatCloud cloud = with_umbrellas();
+        for (const PointId point : points) {
+            const std::uint32_t p = index(point);
+            gpu::SplatRecord dot = drawing_.disc(p, glm::dvec3(0.0), k_cloud_ink, false);
+            dot.radius *= k_mark;
+            dot.position = glm::vec3(lifted(p));
+            cloud.splats.push_back(dot);
+        }
+        return cloud;
+    }
+
+    // The points whose normals are nearest to perpendicular to the view, as many as the silhouette has.
+    std::vector<PointId> thresholded() const {
+        std::vector<std::pair<double, PointId>> order;
+        for (std::uint32_t p = 0; p < picture_.surface.size(); ++p) {
+            const glm::dvec3 normal = picture_.surface.normal(PointId{p});
+            if (normal == glm::dvec3(0.0)) continue;
+            const glm::dvec3 to = glm::dvec3(point_.xyz()) - double{point_.w} * drawing_.place(p);
+            order.emplace_back(std::abs(glm::dot(normal, glm::normalize(to))), PointId{p});
+        }
+        const std::size_t count = std::min(silhouette_.size(), order.size());
+        std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+                         order.end());
+        std::vector<PointId> points;
+        for (std::size_t i = 0; i < count; ++i) points.push_back(order[i].second);
+        return points;
+    }
+
+    // As lines' ends are.
+    glm::dvec3 lifted(std::uint32_t p) const {
+        const Camera& camera = scene_.camera;
+        const glm::dvec3 place = drawing_.place(p);
+        const glm::dvec3 back =
+            camera.is_orthographic() ? camera.eye - camera.target : camera.eye - place;
+        const double length = glm::length(back);
+        const double lift = std::min(drawing_.lift(p), 0.5 * length);
+        return length > 0.0 ? place + back * (lift / length) : place;
+    }
+
+    const PointsPicture& picture_;
+    CloudDrawing drawing_;
+    SplatScene scene_;  // Without points.
+    HomogeneousPoint point_{};
+    std::vector<PointId> silhouette_;
+    std::vector<PointEdge> consensus_;
+};
+
+}  // namespace
+
+PointsPictureReport draw_points(const PointsPicture& picture, OutputFile& file) {
+    const DrawingDevice device(picture.options);
+    const PointsDrawing drawing(picture);
+    SplatRenderer renderer(device.context());
+    const ImageSize size = picture.options.size;
+    const auto start = std::chrono::steady_clock::now();
+    if (picture.mode == PointsMode::drawn) {
+        const SplatCloud cloud = drawing.drawn();
+        write_png(file, renderer.render(drawing.scene_of(cloud), size.width, size.height));
+    } else {
+        std::vector<Picture> pictures;
+        for (const SplatCloud& cloud : drawing.compared())
+            pictures.push_back(renderer.render(drawing.scene_of(cloud), size.width, size.height));
+        constexpr std::uint32_t k_columns = 2;
+        constexpr std::uint32_t k_gap = 8;
+        write_png(file, make_contact_sheet(pictures, k_columns, k_gap,
+                                           picture.options.background.value_or(k_cloud_paper)));
+    }
+    return {
+        .silhouette_point = drawing.silhouette_point(),
+        .device = device.device.facts().name,
+        .driver = device.device.facts().driver,
+        .validation_messages = device.instance.validation_message_count(),
+        .ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                  .count()};
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,63 @@
+#include "tools/output/view_pictures.h"
+
+#include <optional>
+
+#include "engine/view_defaults.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/model_octree.h"
+#include "tools/options/picture_scene.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context) {
+    return [&pass, stop = context.stop](std::span<const glm::dvec3> eyes) {
+        std::vector<double> ratios;
+        ratios.reserve(eyes.size());
+        for (const VisibleRatio& ratio : pass.measure(eyes, {stop, {}}))
+            ratios.push_back(ratio.ratio());
+        return ratios;
+    };
+}
+
+ViewDevice::ViewDevice(const std::string& model, const Mesh& mesh, const PictureOptions& options,
+                       bool draws, const Context& context) {
+    if (!draws) return;
+    device.emplace(options);
+    octree.emplace(build_octree(model, mesh, context));
+}
+
+std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
+                                std::span<const glm::dvec3> eyes, ImageSize size,
+                                const Context& context) {
+    const Mesh& mesh = scene.octree.mesh();
+    check_scene_reach(scene.model, mesh, eyes, scene.style.ground);
+    const glm::dvec3 up = up_of(mesh, scene.picture);
+    std::optional<Ground> ground;
+    if (scene.style.ground) ground.emplace(mesh, up, 0.0);
+    Progress progress(context, "drawing views");
+    const LongCall call = progress.call();
+    std::vector<Picture> pictures;
+    for (const glm::dvec3& eye : eyes) {
+        call.checkpoint(double(pictures.size()) / double(eyes.size()));
+        Camera camera{.eye = eye, .target = mesh.center(), .up = up};
+        camera = zoom_camera(camera, mesh, double(size.width) / size.height);
+        Scene drawn = scene.style.make_scene(camera, mesh, scene.picture);
+        drawn.instances.push_back({.octree = &scene.octree,
+                                   .name = scene.model,
+                                   .material = scene.style.material(scene.picture)});
+        if (ground) drawn.instances.push_back(ground->instance(drawn));
+        pictures.push_back(renderer.render(drawn, size.width, size.height));
+    }
+    return pictures;
+}
+
+ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
+                         const ViewDevice& drawn, std::uint32_t least, const Context& context) {
+    check_room_around(model, mesh);
+    if (choice.no_ratio) return choice.choose(model, mesh, {}, least, context);
+    VisibleRatioPass pass(drawn.device->context(), *drawn.octree, {}, context.stop);
+    return choice.choose(model, mesh, visible_ratios_of(pass, context), least, context);
+}
+
+}  // namespace rimline::tools
