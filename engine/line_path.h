@@ -14,7 +14,7 @@ enum class LinePath : std::uint8_t {
     pulling,    ///< A vertex shader on the slots, an instance of four vertices each.
     all_edges,  ///< A geometry shader on every edge, which tests it by the planes of its faces.
     quads,      ///< A vertex shader on every edge, likewise (Card and Mitchell 2002).
-    adjacency,  ///< A geometry shader on every face with its neighbours, which tests their corners.
+    adjacency,  ///< A geometry shader on every face with its neighbors, which tests their corners.
 };
 
 constexpr bool draws_slots(LinePath path) noexcept {

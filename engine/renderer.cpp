@@ -7,9 +7,9 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "engine/vulkan/barrier.h"
-#include "engine/picture_readback.h"
 #include "engine/frame/scene_data.h"
+#include "engine/picture_readback.h"
+#include "engine/vulkan/barrier.h"
 #include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
@@ -199,15 +199,15 @@ DrawList Renderer::build_draw_list(const Scene& scene, Frame& frame) {
                 .casts_shadow = casts,
                 .ends_in_one_point = point.is_direction() && light.extrusion == 0.0f};
             if (casts) {
-                const ShadowChoice choice = choose_shadow(
-                    scene.shadow_method, scene.shadow_form, view,
-                    {.low = box.low,
-                     .high = box.high,
-                     .is_closed_chain = state.is_closed_chain,
-                     .light = point,
-                     .extrusion = light.extrusion,
-                     .reaches_far_enough =
-                         point.is_direction() || light.extrusion < k_greatest_extrusion_times});
+                const ShadowChoice choice =
+                    choose_shadow(scene.shadow_method, scene.shadow_form, view,
+                                  {.low = box.low,
+                                   .high = box.high,
+                                   .is_closed_chain = state.is_closed_chain,
+                                   .light = point,
+                                   .extrusion = light.extrusion,
+                                   .reaches_far_enough = point.is_direction() ||
+                                                         light.extrusion < k_max_extrusion_times});
                 drawn_light.method = choice.method;
                 drawn_light.form = choice.form;
                 frame.report.shadows.push_back(

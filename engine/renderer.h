@@ -20,21 +20,21 @@
 #include <optional>
 #include <vector>
 
-#include "engine/passes/composite_pass.h"
-#include "engine/stream/consistency_check.h"
 #include "engine/frame/draw_data.h"
 #include "engine/frame/draw_list.h"
-#include "engine/vulkan/frame_marks.h"
-#include "engine/passes/ink_pass.h"
 #include "engine/frame/instance_states.h"
-#include "engine/passes/line_pass.h"
-#include "engine/vulkan/picture_target.h"
-#include "silhouette/picture.h"
 #include "engine/frame/render_targets.h"
-#include "engine/scene.h"
 #include "engine/frame/shadow_batches.h"
+#include "engine/passes/composite_pass.h"
+#include "engine/passes/ink_pass.h"
+#include "engine/passes/line_pass.h"
 #include "engine/passes/shadow_volume_pass.h"
 #include "engine/passes/surface_pass.h"
+#include "engine/scene.h"
+#include "engine/stream/consistency_check.h"
+#include "engine/vulkan/frame_marks.h"
+#include "engine/vulkan/picture_target.h"
+#include "silhouette/picture.h"
 
 namespace rimline {
 

@@ -106,7 +106,7 @@ struct Scene {
     float dash_px = 7.0f;
     float dash_gap_px = 4.5f;
     /// Over 0: edges that bend by at least this are lines too, where seen. No edge that bends by less
-    /// than 10 degrees is one (k_least_crease_rad).
+    /// than 10 degrees is one (k_min_crease_rad).
     float crease_angle_deg = 0.0f;
     float hatch_spacing_px = 5.0f;  ///< Between strokes of Style::hatch; over 0.
 };

@@ -11,7 +11,7 @@
 // camera, and the mesh itself is drawn: no triangle of it lies between, so its winding number around
 // them is that around the eye. So where neither the light nor the eye is within the mesh's bounds,
 // F + B = 2F, whatever the mesh does to itself: self-intersection, inside-out parts and negative winding
-// included. It holds for what is rasterised too, sample by sample and whatever the bits: the same caps,
+// included. It holds for what is rasterized too, sample by sample and whatever the bits: the same caps,
 // each at its own depth, are what cancels.
 //
 // Depth pass. A closed volume that is not cut by the near plane covers each sample as often from the

@@ -32,7 +32,7 @@ GroundAxes ground_axes(const glm::dvec3& up) {
 Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
     // The middle of what is seen depends on where the camera looks, but less each time.
     constexpr int k_turns = 8;
-    constexpr double k_least_fov_deg = 1.0;
+    constexpr double k_min_fov_deg = 1.0;
     camera.ortho_height = 0.0;
     camera.target = mesh.center();
     // Seen along the up axis, the least turn would spin the picture.
@@ -60,7 +60,7 @@ Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
         camera.target = camera.eye + distance * (glm::dvec3(middle, -1.0) * axes);
     }
     const double tangent = k_margin * std::max(reach.y, reach.x / aspect);
-    camera.fov_y_deg = std::max(2.0 * glm::degrees(std::atan(tangent)), k_least_fov_deg);
+    camera.fov_y_deg = std::max(2.0 * glm::degrees(std::atan(tangent)), k_min_fov_deg);
     return camera;
 }
 

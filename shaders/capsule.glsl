@@ -3,7 +3,7 @@
 
 // An edge becomes a capsule on the screen: the segment it projects to, widened by the line's radius.
 // Every line path makes its capsules here, and line.frag inks them from these values alone, so all
-// paths give the same pixels: the quads of different stages may be rasterised with other roundings,
+// paths give the same pixels: the quads of different stages may be rasterized with other roundings,
 // but ink ends an eighth of a pixel inside them. `precise`, for the same reason, all the way.
 
 #include "draw.glsl"

@@ -23,7 +23,7 @@ float random_of(float value) {
 }
 
 // How far the surface goes on for each pixel to the right and up, in the mesh's coordinates. From its
-// smooth normal, not by differences of neighbouring pixels: strokes must not show the triangles.
+// smooth normal, not by differences of neighboring pixels: strokes must not show the triangles.
 void surface_steps(vec3 position, vec3 normal, out vec3 right_step, out vec3 up_step) {
     const mat3 axes = transpose(instance.eye_from_object);
     const vec3 from_camera = position - instance.camera;

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "draw.glsl"
 
-// The ink of one capsule: how much of this pixel it covers, in alpha, which keeps its maximum, so neighbours
+// The ink of one capsule: how much of this pixel it covers, in alpha, which keeps its maximum, so neighbors
 // join without seams. Where its spine is hidden that is as much less as hidden lines are fainter.
 //
 // Whether a line is seen is asked of its spine, not of the pixel it inks, for a line lies half over the

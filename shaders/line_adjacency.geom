@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "capsule.glsl"
 
-// What a renderer does that has no list of silhouette edges: every face with its three neighbours, in
+// What a renderer does that has no list of silhouette edges: every face with its three neighbors, in
 // every frame. A face that is front by its corners makes a capsule of each edge across which the
-// neighbour is not. Sides are computed from positions, so they can part from the tracker's face bits
+// neighbor is not. Sides are computed from positions, so they can part from the tracker's face bits
 // where the viewpoint lies within rounding of a plane.
 
 layout(triangles_adjacency) in;
@@ -22,14 +22,14 @@ bool is_front_triangle(uint a, uint b, uint c) {
 }
 
 void main() {
-    // Corners 0, 2, 4 are the face's; 1, 3, 5 the neighbours' across the edge before them.
+    // Corners 0, 2, 4 are the face's; 1, 3, 5 the neighbors' across the edge before them.
     if (!is_front_triangle(corner[0], corner[2], corner[4])) return;
     for (int side = 0; side < 3; ++side) {
         const uint a = corner[2 * side];
         const uint b = corner[(2 * side + 2) % 6];
         const uint own = corner[(2 * side + 4) % 6];
         const uint across = corner[2 * side + 1];
-        // An edge without one regular neighbour is drawn otherwise.
+        // An edge without one regular neighbor is drawn otherwise.
         if (across == a || is_front_triangle(b, a, across)) continue;
         Capsule capsule;
         if (!make_capsule(LineEdge(a, b, own, across), capsule)) continue;

@@ -15,12 +15,12 @@
 namespace rimline {
 
 enum class ErrorCode {
-    bad_input,    ///< A file or value from outside is wrong; the message names the file and place.
-    no_device,    ///< The machine lacks what is needed; the message lists what each device lacks.
+    bad_input,  ///< A file or value from outside is wrong; the message names the file and place.
+    no_device,  ///< The machine lacks what is needed; the message lists what each device lacks.
     device_lost,  ///< The GPU gave up; everything on its device is gone (engine/vulkan/device_loss.h).
     io,           ///< The system refused to read or write; the message names the path.
-    too_large,    ///< A limit of the machine or of the formats is exceeded; the message names it.
-    cancelled,    ///< The caller asked a long call to stop.
+    too_large,  ///< A limit of the machine or of the formats is exceeded; the message names it.
+    cancelled,  ///< The caller asked a long call to stop.
 };
 
 class Error : public std::runtime_error {

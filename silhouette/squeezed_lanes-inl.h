@@ -13,15 +13,15 @@
 
 namespace rimline::kernels {
 
-constexpr std::size_t k_most_lanes = 8;
+constexpr std::size_t k_max_lanes = 8;
 
 // The numbers of the set bits, in order, then zeros.
-using SetBits = std::array<std::array<std::uint8_t, k_most_lanes>, 1u << k_most_lanes>;
+using SetBits = std::array<std::array<std::uint8_t, k_max_lanes>, 1u << k_max_lanes>;
 constexpr SetBits make_set_bits() {
     SetBits table{};
     for (std::size_t bits = 0; bits < table.size(); ++bits) {
         std::size_t count = 0;
-        for (std::uint8_t i = 0; i < k_most_lanes; ++i)
+        for (std::uint8_t i = 0; i < k_max_lanes; ++i)
             if (bits >> i & 1u) table[bits][count++] = i;
     }
     return table;

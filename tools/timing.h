@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "silhouette/methods/silhouette_method.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/mesh/homogeneous_point.h"
+#include "silhouette/methods/silhouette_method.h"
 #include "tools/command.h"
 
 namespace rimline::tools {

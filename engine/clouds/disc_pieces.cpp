@@ -11,7 +11,7 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::size_t k_most_faces = 3;
+constexpr std::size_t k_max_faces = 3;
 const double k_flat_cosine = std::cos(25.0 * std::numbers::pi / 180.0);
 // Between the sides of a gap of 135 degrees.
 const double k_bent_cosine = std::cos(45.0 * std::numbers::pi / 180.0);
@@ -56,7 +56,7 @@ std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
                 nearest = s;
         return nearest;
     };
-    while (seeds.size() < k_most_faces) {
+    while (seeds.size() < k_max_faces) {
         const PieceTriangle* farthest = nullptr;
         double least = k_flat_cosine;
         for (const PieceTriangle& triangle : triangles) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double k_widest = 2.0;  // In medians of a point's triangles.
 // Of 25 degrees: what leans more has a disc of its own (disc_pieces.h).
-constexpr double k_greatest_lean = 0.4226;
+constexpr double k_max_lean = 0.4226;
 
 // The upper one of two. Reorders them; zero for none.
 double median(std::vector<double>& values) {
@@ -47,7 +47,7 @@ std::vector<double> disc_radii(const PointSurface& surface) {
             const glm::dvec3 v = positions[index(b)] - positions[p];
             const double lean =
                 std::sin(angle_between(glm::cross(u, v), surface.umbrella(umbrella).normal));
-            own.push_back(covering_radius(u, v) * (1.0 + std::min(lean, k_greatest_lean)));
+            own.push_back(covering_radius(u, v) * (1.0 + std::min(lean, k_max_lean)));
         });
         if (own.empty()) continue;
         const double widest = *std::ranges::max_element(own);

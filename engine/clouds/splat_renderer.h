@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "engine/camera.h"
+#include "engine/clouds/splat_pass.h"
+#include "engine/frame/render_targets.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/vulkan/picture_target.h"
 #include "silhouette/picture.h"
-#include "engine/frame/render_targets.h"
-#include "engine/clouds/splat_pass.h"
 
 namespace rimline {
 

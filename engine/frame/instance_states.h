@@ -10,10 +10,10 @@
 #include <memory>
 #include <vector>
 
-#include "engine/stream/deforming_instance.h"
-#include "engine/stream/gpu_mesh.h"
 #include "engine/line_path.h"
 #include "engine/scene.h"
+#include "engine/stream/deforming_instance.h"
+#include "engine/stream/gpu_mesh.h"
 #include "engine/stream/tracked_silhouette.h"
 #include "engine/vulkan/uploads.h"
 

@@ -117,7 +117,7 @@ float finite_extrusion(const Light& light, const SceneInstance& instance,
     const glm::dvec3 middle = instance.rotation * sphere.center + instance.translation;
     const double begin = glm::distance(light.vector, middle) - sphere.radius;
     const double end = glm::distance(light.vector, bounds.center) + 1.01 * bounds.radius;
-    if (begin * k_greatest_extrusion_times <= end) return float(k_greatest_extrusion_times);
+    if (begin * k_max_extrusion_times <= end) return float(k_max_extrusion_times);
     return float(end / begin);
 }
 

@@ -11,10 +11,10 @@
 #include <glm/vec3.hpp>
 
 #include "engine/camera.h"
-#include "engine/stream/gpu_mesh.h"
 #include "engine/frame/render_targets.h"
 #include "engine/scene.h"
 #include "engine/shadow_choice.h"
+#include "engine/stream/gpu_mesh.h"
 #include "shaders/layout.h"
 
 namespace rimline {
@@ -38,7 +38,7 @@ HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance
 
 /// A light's volumes in an orthographic view reach behind everything there is, and no farther than that
 /// needs: what they stretch over costs the depth of their sides its precision.
-constexpr double k_greatest_extrusion_times = 65536.0;
+constexpr double k_max_extrusion_times = 65536.0;
 
 /// LightData.extrusion for an orthographic view. A point light's volume begins no nearer to it than the
 /// sphere around its caster, and must end no nearer than the far side of the sphere around the scene.

@@ -13,8 +13,8 @@ namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_least_bins = 256;
-constexpr std::uint32_t k_most_bins = 1u << 14;
+constexpr std::uint32_t k_min_bins = 256;
+constexpr std::uint32_t k_max_bins = 1u << 14;
 
 // Directions nearer to the axis than this, as a share of their length, have no certain meridian: what
 // begins or ends there spans them all. With float roundings of 2^-22 of their length, the others' is
@@ -156,7 +156,7 @@ std::uint32_t ShadowCounter::bound(const CountedVolume& volume) {
     const auto sides =
         static_cast<std::uint32_t>(volume.silhouette.size()) + (mesh.edge_count() - regular_end);
     const std::uint32_t bins =
-        std::clamp(std::bit_ceil(std::max(sides, 1u)), k_least_bins, k_most_bins);
+        std::clamp(std::bit_ceil(std::max(sides, 1u)), k_min_bins, k_max_bins);
     const Meridians meridians(mesh, volume.light, bins);
     steps_.assign(bins + 1, 0);
     std::int64_t everywhere = 0;
@@ -240,10 +240,10 @@ std::vector<ShadowBatch> ShadowCounter::end() {
 
 void ShadowCounter::add_faces(const Added& added, std::vector<ShadowBatch>& batches) {
     const Mesh& mesh = *added.volume.mesh;
-    const Meridians meridians(mesh, added.volume.light, k_least_bins);
+    const Meridians meridians(mesh, added.volume.light, k_min_bins);
     std::uint32_t first = 0;
     std::uint32_t most = 0;
-    steps_.assign(k_least_bins, 0);  // Here how many faces span each bin.
+    steps_.assign(k_min_bins, 0);  // Here how many faces span each bin.
     const auto cut = [&](std::uint32_t end) {
         if (end == first) return;
         if (!batches.back().draws.empty()) batches.emplace_back();
@@ -259,7 +259,7 @@ void ShadowCounter::add_faces(const Added& added, std::vector<ShadowBatch>& batc
         if (most == k_batch_limit) cut(f);
         const Meridians::Span span = meridians.span_of(mesh.triangles()[f]);
         for (std::uint32_t i = 0; i < span.count; ++i) {
-            std::int32_t& spanning = steps_[(span.first + i) % k_least_bins];
+            std::int32_t& spanning = steps_[(span.first + i) % k_min_bins];
             most = std::max(most, static_cast<std::uint32_t>(++spanning));
         }
     }

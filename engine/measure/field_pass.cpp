@@ -15,9 +15,9 @@ namespace rimline {
 
 namespace {
 
-constexpr std::size_t k_most_sum_bytes = std::size_t{512} << 10;
+constexpr std::size_t k_max_sum_bytes = std::size_t{512} << 10;
 /// That every device has (maxComputeWorkGroupCount).
-constexpr std::uint32_t k_most_groups = 65535;
+constexpr std::uint32_t k_max_groups = 65535;
 
 std::uint32_t tiles_of(std::size_t planes) {
     if (planes > std::numeric_limits<std::uint32_t>::max() - gpu::k_field_tile)
@@ -94,8 +94,8 @@ void FieldPass::values(std::span<const glm::dvec3> points, std::span<double> out
     const std::size_t chunks =
         (tile_count_ + gpu::k_field_chunk_tiles - 1) / gpu::k_field_chunk_tiles;
     const std::size_t batch = std::clamp<std::size_t>(
-        k_most_sum_bytes / (sizeof(float) * chunks), gpu::k_field_group_points,
-        std::size_t{k_most_groups} * gpu::k_field_group_points);
+        k_max_sum_bytes / (sizeof(float) * chunks), gpu::k_field_group_points,
+        std::size_t{k_max_groups} * gpu::k_field_group_points);
     for (std::size_t first = 0; first < points.size(); first += batch) {
         call.checkpoint(static_cast<double>(first) / static_cast<double>(points.size()));
         const std::size_t count = std::min(batch, points.size() - first);
@@ -126,9 +126,9 @@ void FieldPass::sum_batch(std::span<const glm::dvec3> points, std::span<double> 
         (points.size() + gpu::k_field_group_points - 1) / gpu::k_field_group_points);
     run_commands(context_, [&](VkCommandBuffer commands) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
-        for (; job.first_chunk < chunks; job.first_chunk += k_most_groups) {
+        for (; job.first_chunk < chunks; job.first_chunk += k_max_groups) {
             vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof job, &job);
-            vkCmdDispatch(commands, columns, std::min(chunks - job.first_chunk, k_most_groups), 1);
+            vkCmdDispatch(commands, columns, std::min(chunks - job.first_chunk, k_max_groups), 1);
         }
         record_barrier(
             commands,

@@ -15,7 +15,7 @@ constexpr std::uint32_t k_cluster_faces = 16;
 
 // Tiles are this large, or more where there would be more of them.
 constexpr float k_tile_px = 8.0f;
-constexpr float k_most_tiles = 128.0f;  // Along a side.
+constexpr float k_max_tiles = 128.0f;  // Along a side.
 
 // Places on the screen and distances are rounded, here and where they are drawn.
 constexpr float k_margin_px = 0.03f;
@@ -73,7 +73,7 @@ void LineReach::begin(const SquareView& view) {
     view_ = view;
     half_px_ = 0.5f * view.side_px;
     pixels_.begin(1.0f, view.side_px);
-    tiles_.begin(std::max(k_tile_px, view.side_px / k_most_tiles), view.side_px);
+    tiles_.begin(std::max(k_tile_px, view.side_px / k_max_tiles), view.side_px);
 }
 
 void LineReach::add(const glm::vec3& from, const glm::vec3& to) {

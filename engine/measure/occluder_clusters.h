@@ -4,7 +4,7 @@
 //
 // Only depth at the lines' own pixels is asked for, and lines touch few of a picture's pixels. For each
 // pixel, and for square tiles of them, stands how far away the farthest line in it is; a face that
-// covers the middle of no pixel with a line behind it hides nothing. Faces lie in clusters of neighbours,
+// covers the middle of no pixel with a line behind it hides nothing. Faces lie in clusters of neighbors,
 // in octree order, and a cluster is left out whole
 //
 //   where all its faces turn their backs, if backs are culled: its normals lie in a cone, its corners in

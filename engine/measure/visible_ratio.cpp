@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "composite_vert.h"
-#include "engine/vulkan/barrier.h"
 #include "engine/camera.h"
+#include "engine/vulkan/barrier.h"
 #include "silhouette/mesh/edge_convexity.h"
 #include "silhouette/mesh/solid.h"
 #include "visible_line_vert.h"
@@ -23,10 +23,10 @@ constexpr float k_surface_bias_slopes = -2.0f;
 
 // Faces that were looked at one by one are copied to be drawn. Where there are more than this to look at
 // the clusters are drawn, which takes no room.
-constexpr std::size_t k_most_copied_faces = 1'000'000;
+constexpr std::size_t k_max_copied_faces = 1'000'000;
 
 // More viewpoints a batch save nothing, and leave the GPU idle while the first is prepared.
-constexpr std::size_t k_most_views = 16;
+constexpr std::size_t k_max_views = 16;
 
 // shaders/visible_line.vert.
 constexpr std::array<std::uint32_t, 12> k_line_triangles{0, 1, 2, 1, 2, 3, 2, 3, 4, 3, 4, 5};
@@ -40,7 +40,7 @@ constexpr std::uint8_t k_hidden = 0;
 constexpr std::uint8_t k_visible = 0x80;
 
 const Mesh& drawable(const Mesh& mesh) {
-    if (mesh.vertex_count() > k_most_indexed_vertices)
+    if (mesh.vertex_count() > k_max_indexed_vertices)
         throw Error(ErrorCode::too_large, "more than 2^24 vertices, too many for visible ratios");
     return mesh;
 }
@@ -219,7 +219,7 @@ VkDeviceSize VisibleRatioPass::stencil_stride() const noexcept {
 std::size_t VisibleRatioPass::views_a_batch() const noexcept {
     const std::uint64_t view_bytes = std::uint64_t{12} * options_.side_px * options_.side_px;
     const std::uint64_t fitting = options_.budget_bytes / batches_.size() / view_bytes;
-    return static_cast<std::size_t>(std::clamp<std::uint64_t>(fitting, 1, k_most_views));
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>(fitting, 1, k_max_views));
 }
 
 void VisibleRatioPass::prepare(View& view, const glm::dvec3& eye, ThreadRoom& room) const {
@@ -279,7 +279,7 @@ void VisibleRatioPass::prepare(View& view, const glm::dvec3& eye, ThreadRoom& ro
     clusters_.select(room.lines, view.culls_backs, view.faces);
     std::size_t face_count = 0;
     for (const IndexRun& run : view.faces) face_count += run.count / 3;
-    if (occluders_ == Occluders::clusters || face_count > k_most_copied_faces) return;
+    if (occluders_ == Occluders::clusters || face_count > k_max_copied_faces) return;
     room.corners.resize(mesh.vertex_count());
     std::ranges::transform(mesh.positions(), room.corners.begin(), [&](const glm::vec3& position) {
         return room.lines.on_screen(position);
@@ -300,7 +300,7 @@ void VisibleRatioPass::prepare_targets(Batch& batch, std::size_t view_count, boo
                                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
             "the picture of a visible ratio");
     if (batch.queries.get() == VK_NULL_HANDLE && counts_by_query())
-        batch.queries = make_query_pool(context_, static_cast<std::uint32_t>(2 * k_most_views));
+        batch.queries = make_query_pool(context_, static_cast<std::uint32_t>(2 * k_max_views));
     const VkDeviceSize stencil_bytes = stencil_stride() * view_count;
     if (keeps_stencil && batch.stencils.size() < stencil_bytes)
         batch.stencils = Buffer(context_, stencil_bytes, BufferPlace::readback,
@@ -315,10 +315,10 @@ std::size_t VisibleRatioPass::submit(Batch& batch, std::span<const glm::dvec3> e
                       [&](std::size_t v) { prepare(views_[v], eyes[v], room_->threads.local()); });
 
     // As many as there is room for in the share of the budget that images leave.
-    const std::uint64_t most_bytes = options_.budget_bytes / batches_.size() / 3;
+    const std::uint64_t max_bytes = options_.budget_bytes / batches_.size() / 3;
     std::uint64_t upload_bytes = views_[0].upload_bytes();
     for (std::size_t v = 1; v < count; ++v) {
-        if (upload_bytes + views_[v].upload_bytes() > most_bytes)
+        if (upload_bytes + views_[v].upload_bytes() > max_bytes)
             count = v;
         else
             upload_bytes += views_[v].upload_bytes();
@@ -372,7 +372,7 @@ void VisibleRatioPass::record(const Batch& batch, std::size_t view_count,
     vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
     if (counts_by_query())
         vkCmdResetQueryPool(commands, batch.queries, 0,
-                            static_cast<std::uint32_t>(2 * k_most_views));
+                            static_cast<std::uint32_t>(2 * k_max_views));
     const bool is_shared = !options_.method.has_separate_targets;
     const std::span<const Image> targets(batch.targets.data(), is_shared ? 1 : view_count);
     if (!is_shared)
@@ -473,7 +473,7 @@ void VisibleRatioPass::finish(Batch& batch, std::span<VisibleRatio> ratios) cons
     wait_for(batch);
     ratios = ratios.subspan(batch.first_view, batch.view_count);
     if (counts_by_query()) {
-        std::array<std::uint32_t, 2 * k_most_views> counts{};
+        std::array<std::uint32_t, 2 * k_max_views> counts{};
         vk_check(
             vkGetQueryPoolResults(context_.device, batch.queries, 0,
                                   static_cast<std::uint32_t>(2 * batch.view_count), sizeof counts,

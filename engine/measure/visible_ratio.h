@@ -33,8 +33,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/vulkan/memory.h"
 #include "engine/measure/occluder_clusters.h"
+#include "engine/vulkan/memory.h"
 #include "engine/vulkan/pipeline.h"
 #include "shaders/layout.h"
 #include "silhouette/hough/hough_octree.h"

@@ -11,7 +11,7 @@ namespace rimline {
 namespace {
 
 bool can_draw_by_vertices(const DrawnInstance& instance) {
-    return instance.vertex_count <= k_most_indexed_vertices;
+    return instance.vertex_count <= k_max_indexed_vertices;
 }
 
 void bind(VkCommandBuffer commands, VkPipeline pipeline, const DrawnInstance& instance) {

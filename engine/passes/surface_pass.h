@@ -9,8 +9,8 @@
 #include <map>
 
 #include "engine/frame/draw_list.h"
-#include "engine/vulkan/pipeline.h"
 #include "engine/scene.h"
+#include "engine/vulkan/pipeline.h"
 
 namespace rimline {
 

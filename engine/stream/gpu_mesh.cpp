@@ -58,7 +58,7 @@ GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, L
     loose_count_ = static_cast<std::uint32_t>(loose.size());
     loose_edges_ = batch.add(std::span<const gpu::EdgeRecord>(loose), "loose edges");
     std::vector<gpu::EdgeRecord> creases;
-    for (const Crease& crease : find_creases(mesh, k_least_crease_rad)) {
+    for (const Crease& crease : find_creases(mesh, k_min_crease_rad)) {
         const Edge& edge = mesh.edge(crease.edge);
         creases.push_back({index(edge.vertices[0]), index(edge.vertices[1]), index(edge.faces[0]),
                            index(edge.faces[1])});
@@ -76,8 +76,8 @@ std::uint64_t GpuMesh::size_bytes() const noexcept {
     return size;
 }
 
-std::uint32_t GpuMesh::crease_count(float least_bend_rad) const noexcept {
-    const auto end = std::ranges::upper_bound(crease_bends_rad_, least_bend_rad, std::greater<>());
+std::uint32_t GpuMesh::crease_count(float min_bend_rad) const noexcept {
+    const auto end = std::ranges::upper_bound(crease_bends_rad_, min_bend_rad, std::greater<>());
     return static_cast<std::uint32_t>(end - crease_bends_rad_.begin());
 }
 

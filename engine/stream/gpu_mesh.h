@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/stream/line_comparators.h"
 #include "engine/line_path.h"
+#include "engine/stream/line_comparators.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/uploads.h"
 #include "shaders/layout.h"
@@ -16,7 +16,7 @@
 namespace rimline {
 
 /// No crease bends by less than this, whatever is asked for: of a smooth mesh every edge would be one.
-constexpr float k_least_crease_rad = 0.17f;
+constexpr float k_min_crease_rad = 0.17f;
 
 /// An edge as all edges are listed: with no second face unless it is regular.
 gpu::EdgeRecord edge_record(const Mesh& mesh, EdgeId edge);
@@ -40,7 +40,7 @@ public:
     std::uint32_t border_count() const noexcept { return border_count_; }
     std::uint32_t loose_count() const noexcept { return loose_count_; }
     /// How many of the creases, which lie sharpest first, bend by at least this. O(log creases).
-    std::uint32_t crease_count(float least_bend_rad) const noexcept;
+    std::uint32_t crease_count(float min_bend_rad) const noexcept;
 
     /// The mesh's center.
     const glm::vec3& middle() const noexcept { return middle_; }

@@ -26,7 +26,7 @@ std::vector<gpu::FacePairRecord> irregular_pairs(const Mesh& mesh) {
     return pairs;
 }
 
-// Vulkan's order for triangles with adjacency: each corner is followed by the neighbour's corner across
+// Vulkan's order for triangles with adjacency: each corner is followed by the neighbor's corner across
 // the edge that begins there, or by itself where the edge is not regular.
 std::vector<std::uint32_t> adjacency_indices(const Mesh& mesh) {
     const auto corner_across = [&](FaceId face, const Edge& edge) {

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "engine/vulkan/barrier.h"
 #include "engine/passes/face_bits_pass.h"
+#include "engine/vulkan/barrier.h"
 #include "engine/vulkan/queue_choice.h"
 
 namespace rimline {

@@ -28,10 +28,10 @@ namespace rimline {
 
 /// How often in a row a device may be lost. More often it is not chance but what we ask of it, and
 /// asking again would never end.
-constexpr int k_most_device_losses = 3;
+constexpr int k_max_device_losses = 3;
 
 /// The result of `call`. Where it throws Error{device_lost}, `make_again` is called and then `call` once
-/// more, up to k_most_device_losses times; then the error is passed on, as every other is. A device that
+/// more, up to k_max_device_losses times; then the error is passed on, as every other is. A device that
 /// is lost while it is made counts too.
 template <typename Call, typename MakeAgain>
 auto surviving_device_loss(Call&& call, MakeAgain&& make_again) -> decltype(call()) {
@@ -41,7 +41,7 @@ auto surviving_device_loss(Call&& call, MakeAgain&& make_again) -> decltype(call
             if (is_lost) make_again();
             return call();
         } catch (const Error& error) {
-            if (error.code() != ErrorCode::device_lost || losses == k_most_device_losses) throw;
+            if (error.code() != ErrorCode::device_lost || losses == k_max_device_losses) throw;
             is_lost = true;
         }
     }

@@ -33,7 +33,7 @@ enum class Blend {
 };
 
 /// Of what indices draw: larger ones are a device feature (fullDrawIndexUint32), and not asked for.
-constexpr std::uint32_t k_most_indexed_vertices = 1u << 24;
+constexpr std::uint32_t k_max_indexed_vertices = 1u << 24;
 
 enum class StencilUse {
     off,

@@ -134,7 +134,7 @@ bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
                                   VK_NULL_HANDLE, &current_);
         if (result == VK_SUCCESS) return true;
         stale_ = true;
-        if (result == VK_SUBOPTIMAL_KHR) return true;  // Its semaphore will be signalled: draw.
+        if (result == VK_SUBOPTIMAL_KHR) return true;  // Its semaphore will be signaled: draw.
         if (result != VK_ERROR_OUT_OF_DATE_KHR) vk_check(result, "vkAcquireNextImageKHR");
     }
     return false;

@@ -6,7 +6,7 @@
 //     acquire --> record into image() --> submit: waits for acquired(), signals drawn() --> present
 //
 // An X11 swapchain may never report that its window was resized, so acquire() is told the window's size
-// in every frame and makes the images anew when it is another one. A window of no size (minimised) has
+// in every frame and makes the images anew when it is another one. A window of no size (minimized) has
 // no images: acquire() returns nothing, and the caller waits for better times.
 
 #include <vulkan/vulkan.h>
@@ -61,7 +61,7 @@ public:
     /// Error{too_large} where memory has run out.
     [[nodiscard]] bool acquire(std::uint32_t ring_slot, VkExtent2D window_size);
 
-    /// Shows the acquired image when drawn() is signalled. Throws as acquire().
+    /// Shows the acquired image when drawn() is signaled. Throws as acquire().
     void present();
 
     // Of the acquired image. Its content is undefined; present() wants PRESENT_SRC_KHR.

@@ -63,7 +63,7 @@ void Uploads::send(std::vector<StagedCopy>& copies) {
 Buffer UploadBatch::add(std::span<const std::byte> data, const std::string& what) {
     Buffer buffer(context_, data.size(), BufferPlace::device, what);
     if (data.empty()) return buffer;
-    if (staged_bytes_ + data.size() > k_most_staged_bytes && !staged_.empty()) {
+    if (staged_bytes_ + data.size() > k_max_staged_bytes && !staged_.empty()) {
         send();
         uploads_.wait();
     }

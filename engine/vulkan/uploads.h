@@ -71,7 +71,7 @@ public:
 
     /// A device buffer that will hold `data` when the batch is sent and the copies are done; it must stay
     /// until then. `data` is not needed afterwards. Throws as Buffer, and what vk_check() does: where more
-    /// than k_most_staged_bytes have gathered they are sent and waited for.
+    /// than k_max_staged_bytes have gathered they are sent and waited for.
     Buffer add(std::span<const std::byte> data, const std::string& what);
     template <typename T>
     Buffer add(std::span<const T> data, const std::string& what) {
@@ -81,7 +81,7 @@ public:
     /// Begins to copy what was added. Does not wait. Throws what vk_check() does; nothing is copied then.
     void send();
 
-    static constexpr std::uint64_t k_most_staged_bytes = std::uint64_t{64} << 20;
+    static constexpr std::uint64_t k_max_staged_bytes = std::uint64_t{64} << 20;
 
 private:
     const DeviceContext& context_;

@@ -52,9 +52,9 @@ std::vector<Item> enumerate(Call&& call, const char* name) {
 /// in use, and nobody may free it because the wait could not be made. Returns its last answer.
 template <typename Wait>
 VkResult repeat_wait(Wait&& wait) {
-    constexpr int k_most_repetitions = 1000;
+    constexpr int k_max_repetitions = 1000;
     VkResult result = wait();
-    for (int i = 0; is_out_of_memory(result) && i < k_most_repetitions; ++i) {
+    for (int i = 0; is_out_of_memory(result) && i < k_max_repetitions; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         result = wait();
     }

@@ -14,7 +14,7 @@
 namespace rimline {
 
 struct InstanceOptions {
-    /// Turns on the validation layer with synchronisation checks. Missing layers are an error.
+    /// Turns on the validation layer with synchronization checks. Missing layers are an error.
     bool validate = false;
     /// Instance extensions that a window system needs; with any, devices are opened for presenting.
     std::vector<std::string> window_extensions;

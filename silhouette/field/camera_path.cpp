@@ -54,7 +54,7 @@ CameraPath::CameraPath(const glm::dvec3& center, std::span<const glm::dvec3> nod
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
         const double turn_deg = glm::degrees(angle_between(directions[i], directions[next]));
-        RIMLINE_CHECK(turn_deg >= k_least_turn_deg && turn_deg <= k_most_turn_deg);
+        RIMLINE_CHECK(turn_deg >= k_min_turn_deg && turn_deg <= k_max_turn_deg);
         tangents.push_back(
             tangent_at(directions[i], directions[(i + count - 1) % count], directions[next]));
     }

@@ -29,9 +29,9 @@ namespace rimline {
 class CameraPath {
 public:
     /// The greatest angle between consecutive nodes as seen from the center.
-    static constexpr double k_most_turn_deg = 170.0;
+    static constexpr double k_max_turn_deg = 170.0;
     /// And the least.
-    static constexpr double k_least_turn_deg = 1e-3;
+    static constexpr double k_min_turn_deg = 1e-3;
 
     /// Three nodes or more, not at the center, consecutive ones (the last and the first too) between the
     /// two angles apart (RIMLINE_CHECK). O(nodes).

@@ -191,7 +191,7 @@ HWY_INLINE void prefetch(const T* data) {
 
 // The clusters of a node from a lane on: their sums and by how much these may err, both for a weight of 1.
 struct Estimate {
-    V value, error, greatest_vote, least_vote;
+    V value, error, greatest_vote, min_vote;
 };
 
 template <bool discounted, class Pieces>
@@ -248,9 +248,9 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
         const V reach =
             hn::Mul(radius, hn::MulAdd(hn::Set(d, function.curvature), radius, hn::Abs(slope)));
         result.greatest_vote = hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.greatest));
-        result.least_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.least));
+        result.min_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.least));
     } else {
-        result.greatest_vote = result.least_vote = hn::Zero(d);
+        result.greatest_vote = result.min_vote = hn::Zero(d);
     }
     return result;
 }
@@ -338,7 +338,7 @@ double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& funct
                     const DiscountNode& previous = discount->levels[level][n];
                     const V most = hn::Sub(e.greatest_vote, hn::Load(d, &previous.least[lane]));
                     const auto all_above =
-                        hn::Ge(e.least_vote, hn::Load(d, &previous.greatest[lane]));
+                        hn::Ge(e.min_vote, hn::Load(d, &previous.greatest[lane]));
                     const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Max(most, zero), weight));
                     value = hn::IfThenElse(all_above,
                                            hn::Sub(value, hn::Load(d, &previous.sum[lane])), half);
@@ -406,7 +406,7 @@ HWY_EXPORT(FieldTargetName);
 
 FunctionTable::FunctionTable(const TangentialFunction& function)
     : knot_count(static_cast<std::uint32_t>(function.knots().size())) {
-    RIMLINE_CHECK(knot_count <= k_most_knots);
+    RIMLINE_CHECK(knot_count <= k_max_knots);
     const auto to_float = [](double value) { return static_cast<float>(value); };
     const auto pieces = function.pieces();
     double bend = 0.0;

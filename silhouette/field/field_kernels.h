@@ -29,7 +29,7 @@
 
 namespace rimline::kernels {
 
-constexpr std::size_t k_most_knots = 32;
+constexpr std::size_t k_max_knots = 32;
 
 /// Points farther out have too large a rounding of their distances.
 constexpr double k_near_radius = 4.0;
@@ -39,11 +39,11 @@ struct FunctionTable {
     explicit FunctionTable(const TangentialFunction& function);
 
     std::uint32_t knot_count;
-    std::array<float, k_most_knots> knot{};
-    std::array<float, k_most_knots> jump2{};  ///< |J2|/2
-    std::array<float, k_most_knots> jump3{};  ///< |J3|/6
+    std::array<float, k_max_knots> knot{};
+    std::array<float, k_max_knots> jump2{};  ///< |J2|/2
+    std::array<float, k_max_knots> jump3{};  ///< |J3|/6
     /// By piece, one more than there are knots; zeros after them.
-    std::array<float, k_most_knots + 1> start{}, c0{}, c1{}, c2{}, c3{};
+    std::array<float, k_max_knots + 1> start{}, c0{}, c1{}, c2{}, c3{};
     float least, greatest;
     float curvature;  ///< The greatest |f''|/2.
     /// Of what is summed in float, at most: times the planes' weight.

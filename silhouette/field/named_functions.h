@@ -17,7 +17,7 @@ namespace rimline {
 
 /// Figure 4.2, left: 0 behind, 1 in front, the step from -width/2 to width/2.
 TangentialFunction front_facing(double width);
-/// Figure 4.2, centre: 0 where |s| <= from, 1 where |s| >= to.
+/// Figure 4.2, center: 0 where |s| <= from, 1 where |s| >= to.
 TangentialFunction far_from_plane(double from, double to);
 /// 1 - far_from_plane.
 TangentialFunction near_plane(double from, double to);
@@ -55,7 +55,7 @@ struct NamedFunction {
     std::string_view name;  ///< As --function takes it.
     std::string_view what;  ///< One line.
     TangentialFunction function;
-    double least_radius, greatest_radius;  ///< The domain it is meant for, a ball or shell.
+    double min_radius, greatest_radius;  ///< The domain it is meant for, a ball or shell.
 };
 /// Parts first. Made at the first call.
 std::span<const NamedFunction> named_functions();

@@ -12,8 +12,8 @@ namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_most_rounds = 200;  // Of a climb, each of 26 samples: usual are 15.
-constexpr std::size_t k_most_fine_climbs = 2;
+constexpr std::uint32_t k_max_rounds = 200;  // Of a climb, each of 26 samples: usual are 15.
+constexpr std::size_t k_max_fine_climbs = 2;
 
 double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
     return 2.0 * domain.outer_radius / (lattice - 1);
@@ -64,7 +64,7 @@ public:
 
     template <typename Values>
     std::vector<Sample> to_peaks(Values&& values) {
-        for (std::uint32_t round = 0; round < k_most_rounds; ++round) {
+        for (std::uint32_t round = 0; round < k_max_rounds; ++round) {
             std::vector<glm::dvec3> points;
             for (const Climb& climb : climbs_)
                 if (climb.width >= tolerance_)
@@ -96,12 +96,12 @@ private:
     };
     // When all patterns are small against where they began, hardly one overtakes another.
     void prune() {
-        if (climbs_.size() <= k_most_fine_climbs) return;
+        if (climbs_.size() <= k_max_fine_climbs) return;
         for (const Climb& climb : climbs_)
             if (climb.width > 0.125 * width_) return;
         std::ranges::stable_sort(climbs_, std::greater(),
                                  [](const Climb& climb) { return climb.best.votes; });
-        climbs_.erase(climbs_.begin() + k_most_fine_climbs, climbs_.end());
+        climbs_.erase(climbs_.begin() + k_max_fine_climbs, climbs_.end());
     }
     bool is_allowed(const glm::dvec3& point) const {
         return !ball_ || glm::distance(point, ball_->first) <= ball_->second;
@@ -116,7 +116,7 @@ private:
 };
 
 // The lattice's samples in the domain, those with greater x, then y, then z first, and which of them have
-// no greater neighbour.
+// no greater neighbor.
 class Lattice {
 public:
     Lattice(const SearchDomain& domain, std::uint32_t size)
@@ -149,7 +149,7 @@ public:
         });
     }
 
-    /// The best of those that have no greater neighbour, best first.
+    /// The best of those that have no greater neighbor, best first.
     std::vector<Sample> tops(std::span<const double> votes, std::size_t most) const {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < points_.size(); ++i)
@@ -195,7 +195,7 @@ public:
           options_(options),
           lattice_(domain, options.lattice),
           tie_(0x1p-20 * field.greatest_value()),
-          least_(std::max(field.error_bound(), tie_)) {}
+          min_(std::max(field.error_bound(), tie_)) {}
 
     PointsOfInterest run(const LongCall& call) {
         for (std::uint32_t k = 0; k < options_.count; ++k) {
@@ -252,7 +252,7 @@ private:
     // The same point, or a better one near it.
     PointOfInterest refine(PointOfInterest best, const LongCall& call) {
         double width = 0.5 * spacing_of(domain_, options_.lattice) * options_.weighed_stride;
-        for (std::uint32_t round = 0; round < k_most_rounds && width >= options_.weighed_tolerance;
+        for (std::uint32_t round = 0; round < k_max_rounds && width >= options_.weighed_tolerance;
              ++round) {
             const auto points = axis_pattern(domain_, best.point, width);
             std::array<double, 6> votes;
@@ -274,7 +274,7 @@ private:
                                            std::optional<double> bar, const LongCall& call) {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < candidates.size(); ++i)
-            if (candidates[i].votes > least_) order.push_back(i);
+            if (candidates[i].votes > min_) order.push_back(i);
         std::ranges::stable_sort(order, std::greater(),
                                  [&](std::size_t i) { return candidates[i].votes; });
         if (options_.weigh) result_.candidates += order.size();
@@ -330,7 +330,7 @@ private:
     const InterestOptions& options_;
     Lattice lattice_;
     double tie_;
-    double least_;
+    double min_;
     PointsOfInterest result_;
 };
 

@@ -3,7 +3,7 @@
 // Points of interest (thesis 4.2): where a field peaks in a ball or shell around the mesh, one after the
 // other, each counting only the votes that those before it have not had (discounted_field.h).
 //
-// The domain is sampled on a lattice. From the best samples that are greater than their neighbours, a
+// The domain is sampled on a lattice. From the best samples that are greater than their neighbors, a
 // pattern of 27 points climbs to the peak, halving its width whenever its middle is the best, down to the
 // tolerance (without weights only the best two, once all have come down to an eighth). Lattice samples
 // and peaks are the candidates; the best is the point.

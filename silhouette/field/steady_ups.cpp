@@ -12,8 +12,8 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_least_turn = 1e-9;  // Of the line of sight, where two eyes are in one direction.
-constexpr double k_least_weight = 1e-12;  // So that leaning is decided on the axis itself.
+constexpr double k_min_turn = 1e-9;  // Of the line of sight, where two eyes are in one direction.
+constexpr double k_min_weight = 1e-12;  // So that leaning is decided on the axis itself.
 
 // By the rotation that takes unit vector `from` to unit vector `to` the short way.
 glm::dvec3 carried(const glm::dvec3& v, const glm::dvec3& from, const glm::dvec3& to) {
@@ -89,8 +89,8 @@ std::vector<glm::dvec3> steady_ups(std::span<const glm::dvec3> eyes, const glm::
             const glm::dvec3& last = backs[i - 1];
             RIMLINE_CHECK(glm::dot(last, back) > -1.0 + 1e-12);
             frame[i] = carried(frame[i - 1], last, back);
-            turn[i - 1] = std::max(k_least_turn, std::atan2(glm::length(glm::cross(last, back)),
-                                                            glm::dot(last, back)));
+            turn[i - 1] = std::max(
+                k_min_turn, std::atan2(glm::length(glm::cross(last, back)), glm::dot(last, back)));
         }
         const glm::dvec3 across = axis - glm::dot(axis, back) * back;
         const double sine_squared = glm::dot(across, across);
@@ -98,7 +98,7 @@ std::vector<glm::dvec3> steady_ups(std::span<const glm::dvec3> eyes, const glm::
         upright[i] = sine_squared > 0.0 ? unwrapped(roll_of(across, frame[i], back), last) : last;
         if (i < n) weight[i] = sine_squared * sine_squared;
     }
-    if (n < 3 || *std::max_element(weight.begin(), weight.end()) < k_least_weight) {
+    if (n < 3 || *std::max_element(weight.begin(), weight.end()) < k_min_weight) {
         std::vector<glm::dvec3> ups(n);
         for (std::size_t i = 0; i < n; ++i)
             ups[i] = std::cos(upright[i]) * frame[i] +

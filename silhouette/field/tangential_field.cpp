@@ -10,7 +10,7 @@ namespace rimline {
 namespace {
 
 // With fewer, summing them all is faster.
-constexpr std::size_t k_least_clustered = 1024;
+constexpr std::size_t k_min_clustered = 1024;
 
 bool is_finite(const glm::dvec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -33,7 +33,7 @@ TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunct
     sums->planes.reserve(planes.size());
     for (const std::uint32_t i : sums->clusters.order())
         sums->planes.push_back({planes.normal(i), planes.offset(i), weights[i]});
-    if (planes.size() >= k_least_clustered) sums->budget = options.tolerance * greatest_value_;
+    if (planes.size() >= k_min_clustered) sums->budget = options.tolerance * greatest_value_;
     error_bound_ = sums->budget + sums->function.rounding_share * total_weight_;
     sums_ = std::move(sums);
 }

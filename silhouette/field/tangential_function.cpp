@@ -46,16 +46,16 @@ TangentialFunction::TangentialFunction(std::vector<Knot> knots) : knots_(std::mo
         pieces_.push_back(hermite(knots_[i - 1], knots_[i]));
     pieces_.push_back({last.distance, k_infinity, last.distance, last.value, 0.0, 0.0, 0.0});
 
-    least_ = greatest_ = first.value;
+    min_ = greatest_ = first.value;
     for (const Knot& k : knots_) {
-        least_ = std::min(least_, k.value);
+        min_ = std::min(min_, k.value);
         greatest_ = std::max(greatest_, k.value);
         greatest_slope_ = std::max(greatest_slope_, std::abs(k.slope));
     }
     const auto visit = [&](const Piece& piece, double t) {
         const double distance = piece.start + t;
         if (!(distance >= piece.from && distance <= piece.to)) return;
-        least_ = std::min(least_, piece.value(distance));
+        min_ = std::min(min_, piece.value(distance));
         greatest_ = std::max(greatest_, piece.value(distance));
         greatest_slope_ = std::max(greatest_slope_, std::abs(piece.slope(distance)));
     };
@@ -78,7 +78,7 @@ const Piece& TangentialFunction::piece_at(double distance) const noexcept {
 }
 
 double TangentialFunction::greatest_magnitude() const noexcept {
-    return std::max(std::abs(least_), std::abs(greatest_));
+    return std::max(std::abs(min_), std::abs(greatest_));
 }
 
 TangentialFunction TangentialFunction::followed_by(const TangentialFunction& front,

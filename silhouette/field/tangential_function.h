@@ -56,7 +56,7 @@ public:
     const Piece& piece_at(double distance) const noexcept;
 
     /// Over all distances.
-    double least() const noexcept { return least_; }
+    double least() const noexcept { return min_; }
     double greatest() const noexcept { return greatest_; }
     double greatest_magnitude() const noexcept;
     double greatest_slope() const noexcept { return greatest_slope_; }  ///< Its magnitude.
@@ -71,7 +71,7 @@ public:
 private:
     std::vector<Knot> knots_;
     std::vector<Piece> pieces_;
-    double least_ = 0.0;
+    double min_ = 0.0;
     double greatest_ = 0.0;
     double greatest_slope_ = 0.0;
 };

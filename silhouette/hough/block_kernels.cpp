@@ -41,7 +41,7 @@ HWY_INLINE Interval test_boxes(const BoxNode& node, std::size_t lane, const BoxQ
     const auto w = hn::Set(d, query.w);
     auto value = hn::Zero(d);
     auto spread = hn::Add(hn::Mul(hn::Load(d, node.reach + lane), hn::Set(d, query.margin)),
-                          hn::Set(d, query.least_margin));
+                          hn::Set(d, query.min_margin));
     for (int i = 0; i < 3; ++i) {
         const auto center = hn::Load(d, node.center[i] + lane);
         const auto extent = hn::Load(d, node.extent[i] + lane);
@@ -83,7 +83,7 @@ HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane
     const auto threshold = hn::Min(hn::Max(hn::Mul(value, inverse), hn::Neg(limit)), limit);
     const auto margin =
         hn::Min(hn::Add(hn::Mul(inverse, hn::Set(d, point.spread)), hn::Set(d, k_block_margin)),
-                hn::Set(d, k_block_greatest_margin));
+                hn::Set(d, k_block_max_margin));
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 

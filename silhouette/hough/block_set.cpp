@@ -5,17 +5,17 @@
 namespace rimline {
 
 // Vectors are stored whole, at any block.
-BlockScratch::BlockScratch(std::uint32_t most_blocks_of_a_set) : most_blocks(most_blocks_of_a_set) {
+BlockScratch::BlockScratch(std::uint32_t max_blocks_of_a_set) : max_blocks(max_blocks_of_a_set) {
     constexpr std::size_t k_slack = 64;
-    const std::size_t most_nodes = most_blocks / k_node_width + 1 + k_slack;
-    for (std::vector<std::uint32_t>& nodes : frontier) nodes.resize(most_nodes);
-    block.resize(most_blocks + k_slack);
-    threshold.resize(most_blocks + k_slack);
-    margin.resize(most_blocks + k_slack);
-    found_block.resize(most_blocks + k_slack);
-    found_lanes.resize(most_blocks + k_slack);
-    found_doubts.resize(most_blocks + k_slack);
-    certain.resize(most_blocks + k_slack);
+    const std::size_t max_nodes = max_blocks / k_node_width + 1 + k_slack;
+    for (std::vector<std::uint32_t>& nodes : frontier) nodes.resize(max_nodes);
+    block.resize(max_blocks + k_slack);
+    threshold.resize(max_blocks + k_slack);
+    margin.resize(max_blocks + k_slack);
+    found_block.resize(max_blocks + k_slack);
+    found_lanes.resize(max_blocks + k_slack);
+    found_doubts.resize(max_blocks + k_slack);
+    certain.resize(max_blocks + k_slack);
 }
 
 std::uint64_t BlockScratch::size_bytes() const noexcept {

@@ -69,10 +69,10 @@ struct BlockRun {
 /// Blocks that no box has settled, with the threshold and the margin of each (plane_block.h), and what
 /// came of them. Arrays have room for whole vectors beyond the last block.
 struct BlockScratch {
-    explicit BlockScratch(std::uint32_t most_blocks_of_a_set);
+    explicit BlockScratch(std::uint32_t max_blocks_of_a_set);
     std::uint64_t size_bytes() const noexcept;
 
-    std::uint32_t most_blocks;
+    std::uint32_t max_blocks;
 
     std::array<std::vector<std::uint32_t>, 2> frontier;
     std::vector<std::uint32_t> block;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A tree over blocks in octree order (octree_order.h): eight neighbouring blocks make a node, eight
-// neighbouring nodes the next, without pointers. Children of node i of a level are 8i to 8i + 7 of the
+// A tree over blocks in octree order (octree_order.h): eight neighboring blocks make a node, eight
+// neighboring nodes the next, without pointers. Children of node i of a level are 8i to 8i + 7 of the
 // level below; below the last level are the blocks.
 //
 //     level 0   [ root                                  ]
@@ -93,7 +93,7 @@ private:
     double mean_block_radius_ = 0.0;
 };
 
-/// A v-sphere as nodes are tested against it: |V| <= R + reach * margin + least_margin means mixed.
+/// A v-sphere as nodes are tested against it: |V| <= R + reach * margin + min_margin means mixed.
 struct BoxQuery {
     /// What `point` sees.
     BoxQuery(const HomogeneousPoint& point, const glm::dvec3& origin,
@@ -106,7 +106,7 @@ struct BoxQuery {
     float w;
     float q[3];
     float margin;
-    float least_margin = 0x1p-140f;
+    float min_margin = 0x1p-140f;
 
 private:
     BoxQuery() = default;

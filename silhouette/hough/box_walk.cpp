@@ -21,7 +21,7 @@ WalkedBox::Side side_of(const BoxNode& node, std::uint32_t lane, const BoxQuery&
         value += c * (query.w * c - query.q[axis]);
         range += e * (std::abs(2.0 * query.w * c - query.q[axis]) + query.w * e);
     }
-    range += double{node.reach[lane]} * query.margin + query.least_margin;
+    range += double{node.reach[lane]} * query.margin + query.min_margin;
     if (std::abs(value) <= range) return WalkedBox::Side::straddles;
     return value < 0.0 ? WalkedBox::Side::inside : WalkedBox::Side::outside;
 }

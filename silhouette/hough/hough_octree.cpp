@@ -117,7 +117,7 @@ void HoughOctree::extract_nonmanifold(const HomogeneousPoint& point, std::vector
 void HoughOctree::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                           TraversalCounters& counters, BlockScratch& scratch) const {
     RIMLINE_CHECK(point.is_valid());
-    RIMLINE_CHECK(scratch.most_blocks >= most_blocks_);
+    RIMLINE_CHECK(scratch.max_blocks >= max_blocks_);
     edges.clear();
     for (const EdgeBlocks& blocks : edge_blocks_)
         extract_blocks(blocks, point, edges, counters, scratch);
@@ -128,7 +128,7 @@ void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::u
                                  BlockScratch& scratch) const noexcept {
     RIMLINE_CHECK(point.is_valid());
     RIMLINE_CHECK(bits.size() == block_count());
-    RIMLINE_CHECK(scratch.most_blocks >= most_blocks_);
+    RIMLINE_CHECK(scratch.max_blocks >= max_blocks_);
     std::fill(bits.begin(), bits.end(), std::uint16_t{0});
     for (const FaceBlocks& blocks : face_blocks_) {
         if (blocks.planes.empty()) continue;
@@ -150,7 +150,7 @@ std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const Homogene
                                     BlockScratch& scratch) const noexcept {
     RIMLINE_CHECK(from.is_valid() && to.is_valid());
     RIMLINE_CHECK(bits.size() == block_count());
-    RIMLINE_CHECK(scratch.most_blocks >= most_blocks_);
+    RIMLINE_CHECK(scratch.max_blocks >= max_blocks_);
     RIMLINE_CHECK(flipped.size() >= faces_.size());
     if (from == to) return 0;
     std::uint32_t* out = flipped.data();

@@ -86,7 +86,7 @@ public:
     static constexpr std::uint32_t k_extraction_slack = k_block_size;
 
     /// Room to work in, for one thread at a time.
-    BlockScratch make_scratch() const { return BlockScratch(most_blocks_); }
+    BlockScratch make_scratch() const { return BlockScratch(max_blocks_); }
 
     /// Static extraction: replaces `edges` by the silhouette from `point`, in no particular order.
     /// Borders are not among them. `counters` is added to. With a scratch, allocates only where `edges`
@@ -111,7 +111,7 @@ public:
         std::array<EdgeId, 3> edges;
         /// Of the other face of each edge. The own position beside k_no_edge; beside the edge to a face
         /// without a plane, block_count() * k_block_size.
-        std::array<std::uint32_t, 3> neighbours;
+        std::array<std::uint32_t, 3> neighbors;
     };
     const PlacedFace& face_at(std::uint32_t position) const noexcept { return faces_[position]; }
 
@@ -147,7 +147,7 @@ private:
     std::vector<FaceBlocks> face_blocks_;  // One an origin.
     std::vector<EdgeBlocks> edge_blocks_;  // One an origin, then one of the edges always tested.
     std::vector<PlacedFace> faces_;        // By position.
-    std::uint32_t most_blocks_ = 0;        // Of a set.
+    std::uint32_t max_blocks_ = 0;         // Of a set.
     HoughOctreeStatistics statistics_;
 };
 

@@ -60,7 +60,7 @@ public:
         call_.checkpoint(0.1);
         tbb::parallel_invoke([this] { place_faces(); }, [this] { place_edges(); });
         call_.checkpoint(0.9);
-        link_neighbours();
+        link_neighbors();
         measure();
         call_.checkpoint(1.0);
     }
@@ -94,10 +94,10 @@ private:
             if (index(edge) >= mesh_.edges_of_class(EdgeClass::regular).last) continue;
             const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
             const FaceId other = faces[0] == face ? faces[1] : faces[0];
-            const Plane& neighbour = mesh_.plane(other);
-            const double cosine = double{plane.nx} * double{neighbour.nx} +
-                                  double{plane.ny} * double{neighbour.ny} +
-                                  double{plane.nz} * double{neighbour.nz};
+            const Plane& neighbor = mesh_.plane(other);
+            const double cosine = double{plane.nx} * double{neighbor.nx} +
+                                  double{plane.ny} * double{neighbor.ny} +
+                                  double{plane.nz} * double{neighbor.nz};
             if (cosine > 0.0) count += hough_point_of(other, group).side != side;
         }
         return count;
@@ -300,13 +300,13 @@ private:
         return blocks;
     }
 
-    void link_neighbours() {
+    void link_neighbors() {
         const std::uint32_t position_count = size32(octree_.faces_.size());
         const std::uint32_t two_faced = mesh_.edges_of_class(EdgeClass::inconsistent).last;
         for_each_index(position_count, [&](std::size_t i) {
             HoughOctree::PlacedFace& placed = octree_.faces_[i];
             placed.edges.fill(k_no_edge);
-            placed.neighbours.fill(size32(i));
+            placed.neighbors.fill(size32(i));
             if (placed.face == k_no_face) return;
             for (std::size_t k = 0; k < 3; ++k) {
                 const EdgeId edge = mesh_.edges_of(placed.face)[k];
@@ -314,9 +314,9 @@ private:
                 const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
                 const FaceId other = faces[0] == placed.face ? faces[1] : faces[0];
                 placed.edges[k] = edge;
-                placed.neighbours[k] = position_[index(other)] == k_no_position
-                                           ? position_count
-                                           : position_[index(other)];
+                placed.neighbors[k] = position_[index(other)] == k_no_position
+                                          ? position_count
+                                          : position_[index(other)];
             }
         });
     }
@@ -333,13 +333,13 @@ private:
         for (const FaceBlocks& blocks : octree_.face_blocks_) {
             add_tree(blocks.tree);
             statistics.size_bytes += bytes(blocks.frames) + bytes(blocks.planes);
-            octree_.most_blocks_ = std::max(octree_.most_blocks_, size32(blocks.planes.size()));
+            octree_.max_blocks_ = std::max(octree_.max_blocks_, size32(blocks.planes.size()));
         }
         for (const EdgeBlocks& blocks : octree_.edge_blocks_) {
             add_tree(blocks.tree);
             statistics.size_bytes +=
                 bytes(blocks.frames) + bytes(blocks.planes) + bytes(blocks.edges);
-            octree_.most_blocks_ = std::max(octree_.most_blocks_, size32(blocks.planes.size()));
+            octree_.max_blocks_ = std::max(octree_.max_blocks_, size32(blocks.planes.size()));
         }
         statistics.size_bytes += bytes(octree_.faces_);
         statistics.nonmanifold_edges = mesh_.edges_of_class(EdgeClass::nonmanifold).size();

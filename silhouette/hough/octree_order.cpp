@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t k_bits = 16;
 constexpr std::uint32_t k_code_bits = 3 * k_bits + 8;  // With a size.
-constexpr std::uint32_t k_most_cubes = 4;              // Within each other.
+constexpr std::uint32_t k_max_cubes = 4;               // Within each other.
 constexpr std::size_t k_faces_a_task = 4096;
 
 struct CodedPoint {
@@ -54,7 +54,7 @@ std::uint64_t spread(std::uint64_t bits) {
 }
 
 // As many points at a time as keep vector registers busy: the loops over them are the compiler's to
-// vectorise, and a tenth of the time of one point after another.
+// vectorize, and a tenth of the time of one point after another.
 constexpr std::size_t k_batch = 64;
 using BatchAxis = std::array<std::uint32_t, k_batch>;
 
@@ -90,8 +90,8 @@ void make_hilbert_codes(std::array<BatchAxis, 3>& x, std::array<std::uint64_t, k
 
 // By radix, least digit first: stable, so equal codes keep the order of their numbers.
 void sort_by_code(std::span<CodedPoint> range) {
-    constexpr std::size_t k_least_for_radix = 2000;
-    if (range.size() < k_least_for_radix) {
+    constexpr std::size_t k_min_for_radix = 2000;
+    if (range.size() < k_min_for_radix) {
         std::sort(range.begin(), range.end());
         return;
     }
@@ -163,7 +163,7 @@ void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
             }
         });
     sort_by_code(range);
-    if (cubes + 1 == k_most_cubes || !(side > 0.0)) return;
+    if (cubes + 1 == k_max_cubes || !(side > 0.0)) return;
     for (std::size_t begin = 0; begin < range.size();) {
         std::size_t end = begin + 1;
         while (end < range.size() && range[end].code == range[begin].code) ++end;

@@ -47,7 +47,7 @@ constexpr float k_block_margin = 65536.0f;
 constexpr float k_block_weight_length = 32002.0f;  ///< No |W| is longer.
 constexpr float k_block_threshold_limit = 1.09e9f;
 /// The greatest float below 2^31, and above any |T + k·W|: at it everything is in doubt.
-constexpr float k_block_greatest_margin = 2147483520.0f;
+constexpr float k_block_max_margin = 2147483520.0f;
 
 /// Two pairs of components a plane, each pair for all sixteen: what one instruction multiplies and adds.
 struct alignas(64) PlaneBlock {

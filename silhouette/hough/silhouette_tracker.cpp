@@ -92,7 +92,7 @@ void SilhouetteTracker::toggle_edges(std::span<const std::uint32_t> positions,
     for (const std::uint32_t position : positions) {
         const HoughOctree::PlacedFace& placed = octree_->face_at(position);
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t other = placed.neighbours[k];
+            const std::uint32_t other = placed.neighbors[k];
             toggled_[count] = placed.edges[k];
             count += (flips_[other / k_block_size] >> (other % k_block_size) & 1u) == 0;
         }

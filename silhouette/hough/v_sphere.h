@@ -96,7 +96,7 @@ public:
         for (std::size_t i = 0; i < 3; ++i) {
             q_[i] = static_cast<float>(q[static_cast<int>(i)]);
             // Of h(wh - q): where the parabola is least, or beyond the end where the line is.
-            least_at_[i] = w_ != 0.0f ? 0.5f * q_[i] : std::copysign(HoughBox::k_infinity, q_[i]);
+            min_at_[i] = w_ != 0.0f ? 0.5f * q_[i] : std::copysign(HoughBox::k_infinity, q_[i]);
         }
         margin_ = static_cast<float>(0x1p-22 * glm::length(p) +
                                      0x6p-24 * (glm::length(q) + double{greatest_reach}));
@@ -118,7 +118,7 @@ public:
         for (std::size_t i = 0; i < 4; ++i) {
             const float low = box.low[i];
             const float high = box.high[i];
-            float at = least_at_[i] > low ? least_at_[i] : low;
+            float at = min_at_[i] > low ? min_at_[i] : low;
             at = at < high ? at : high;
             const float at_low = low * (w_ * low - q_[i]);
             const float at_high = high * (w_ * high - q_[i]);
@@ -133,7 +133,7 @@ public:
 private:
     float w_;
     HoughBox::Lanes q_{};
-    HoughBox::Lanes least_at_{};
+    HoughBox::Lanes min_at_{};
     float margin_;           // Times a box's reach, and
     float smallest_margin_;  // this: how far g must be from zero.
 };

@@ -20,7 +20,7 @@ glm::vec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz};
 // has one, so that smoothness passes through slivers; +y where there is none.
 std::vector<glm::vec3> face_normals(const Mesh& mesh) {
     std::vector<glm::vec3> normals(mesh.face_count());
-    std::vector<FaceId> wave;  // Faces whose degenerate neighbours still lack a normal.
+    std::vector<FaceId> wave;  // Faces whose degenerate neighbors still lack a normal.
     std::vector<bool> known(mesh.face_count());
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         known[f] = mesh.planes()[f].has_normal();

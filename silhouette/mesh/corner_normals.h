@@ -19,7 +19,7 @@ namespace rimline {
 
 /// One unit normal for each corner: face f's are elements 3f, 3f + 1, 3f + 2. Always finite and of
 /// length 1 but for rounding. `crease_angle_rad` lies in [0, pi]: 0 joins coplanar faces only, pi all.
-/// Degenerate faces weigh nothing; their corners take a neighbour's normal, or +y where none has one.
+/// Degenerate faces weigh nothing; their corners take a neighbor's normal, or +y where none has one.
 /// O(faces) but for the inverse Ackermann function, whatever the valences.
 std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad);
 

@@ -31,12 +31,12 @@ double bend_of(const Mesh& mesh, EdgeId edge) {
 
 }  // namespace
 
-std::vector<Crease> find_creases(const Mesh& mesh, float least_bend_rad) {
+std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad) {
     std::vector<Crease> creases;
     const std::uint32_t border = mesh.edges_of_class(EdgeClass::border).first;
     for (std::uint32_t e = 0; e < border; ++e) {
         const auto bend = static_cast<float>(bend_of(mesh, EdgeId{e}));
-        if (bend >= least_bend_rad && bend > 0.0f) creases.push_back({EdgeId{e}, bend});
+        if (bend >= min_bend_rad && bend > 0.0f) creases.push_back({EdgeId{e}, bend});
     }
     std::ranges::sort(creases, [](const Crease& a, const Crease& b) {
         return a.bend_rad != b.bend_rad ? a.bend_rad > b.bend_rad : a.edge < b.edge;

@@ -24,8 +24,8 @@ struct Crease {
     float bend_rad;  ///< In [0, pi].
 };
 
-/// The edges that bend by at least `least_bend_rad`, sharpest first, equal ones by their number. Borders
+/// The edges that bend by at least `min_bend_rad`, sharpest first, equal ones by their number. Borders
 /// and edges of faces without a normal are none. O(edges), and a sort of what is returned.
-std::vector<Crease> find_creases(const Mesh& mesh, float least_bend_rad);
+std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad);
 
 }  // namespace rimline

@@ -27,7 +27,7 @@ constexpr std::uint32_t k_faces_a_task = 4096;
 constexpr std::uint32_t k_faces_a_checkpoint = 1u << 14;
 // Pairs of faces whose boxes meet, beyond which nobody knows: a fan's all meet at its middle.
 constexpr std::uint64_t k_pairs_a_face = 256;
-constexpr std::uint64_t k_least_pairs = 1u << 22;
+constexpr std::uint64_t k_min_pairs = 1u << 22;
 
 using Points = std::span<const glm::dvec3>;
 using Segment = std::array<glm::dvec3, 2>;
@@ -263,24 +263,24 @@ bool is_solid(const Mesh& mesh, const LongCall& call) {
         !std::ranges::all_of(mesh.planes(), &Plane::has_normal) || !shells_turn_outwards(mesh))
         return false;
     const FaceTree tree(mesh);
-    const std::uint64_t most_pairs = std::max(k_pairs_a_face * mesh.face_count(), k_least_pairs);
+    const std::uint64_t max_pairs = std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs);
     std::atomic<std::uint64_t> all_pairs = 0;
     std::atomic<bool> is_none = false;
     for (std::uint32_t first = 0; first < mesh.face_count() && !is_none;) {
         call.checkpoint(double(first) / mesh.face_count());
         const std::uint32_t last =
             first + std::min(mesh.face_count() - first, k_faces_a_checkpoint);
-        tbb::parallel_for(
-            tbb::blocked_range<std::uint32_t>(first, last, 256), [&](const auto& run) {
-                std::uint64_t pairs = 0;
-                for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i)
-                    if (tree.meets_another(i, pairs) || all_pairs + pairs > most_pairs)
-                        is_none = true;
-                all_pairs += pairs;
-            });
+        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(first, last, 256),
+                          [&](const auto& run) {
+                              std::uint64_t pairs = 0;
+                              for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i)
+                                  if (tree.meets_another(i, pairs) || all_pairs + pairs > max_pairs)
+                                      is_none = true;
+                              all_pairs += pairs;
+                          });
         first = last;
     }
-    return !is_none && all_pairs <= most_pairs;
+    return !is_none && all_pairs <= max_pairs;
 }
 
 }  // namespace rimline

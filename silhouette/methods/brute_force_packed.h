@@ -4,7 +4,7 @@
 //
 // Every face and every edge again, but laid out for vector registers: planes and the faces of edges as
 // structure of arrays, 32 face bits made at a time, then 32 edges examined at a time on the packed bits.
-// The loops are plain C++ that the compiler vectorises, compiled once for each instruction set below and
+// The loops are plain C++ that the compiler vectorizes, compiled once for each instruction set below and
 // chosen when the object is made. Equal, bit for bit, to brute_force.h.
 
 #include <cstdint>

@@ -22,16 +22,16 @@ std::uint64_t cost_of_extraction(std::uint64_t edge_count, std::size_t silhouett
 BruteForceTracker::BruteForceTracker(const Mesh& mesh, const HomogeneousPoint& point)
     : mesh_(&mesh), brute_force_(mesh), record_(make_record(point)) {
     const std::uint32_t two_faced = mesh.edges_of_class(EdgeClass::inconsistent).last;
-    neighbours_.resize(mesh.face_count());
+    neighbors_.resize(mesh.face_count());
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         for (std::size_t k = 0; k < 3; ++k) {
             const EdgeId edge = mesh.edges_of(FaceId{f})[k];
             const bool has_other = edge != k_no_edge && index(edge) < two_faced;
-            neighbours_[f].edges[k] = has_other ? edge : k_no_edge;
-            neighbours_[f].faces[k] = FaceId{f};
+            neighbors_[f].edges[k] = has_other ? edge : k_no_edge;
+            neighbors_[f].faces[k] = FaceId{f};
             if (!has_other) continue;
             const std::array<FaceId, 2>& faces = mesh.edge(edge).faces;
-            neighbours_[f].faces[k] = faces[faces[0] == FaceId{f} ? 1 : 0];
+            neighbors_[f].faces[k] = faces[faces[0] == FaceId{f} ? 1 : 0];
         }
     }
     const std::uint32_t edge_count = mesh.edges_of_class(EdgeClass::border).first;
@@ -92,11 +92,11 @@ std::span<const EdgeId> BruteForceTracker::changed_edges() noexcept {
     std::size_t count = 0;
     for (std::size_t i = 0; i < flipped_.size(); ++i) {
         if (i + k_prefetch_ahead < flipped_.size())
-            __builtin_prefetch(&neighbours_[index(flipped_[i + k_prefetch_ahead])]);
-        const Neighbours& neighbours = neighbours_[index(flipped_[i])];
+            __builtin_prefetch(&neighbors_[index(flipped_[i + k_prefetch_ahead])]);
+        const Neighbors& neighbors = neighbors_[index(flipped_[i])];
         for (std::size_t k = 0; k < 3; ++k) {
-            toggled_[count] = neighbours.edges[k];
-            count += face_bit(flips_, neighbours.faces[k]) ? 0 : 1;
+            toggled_[count] = neighbors.edges[k];
+            count += face_bit(flips_, neighbors.faces[k]) ? 0 : 1;
         }
     }
     return std::span(toggled_).first(count);

@@ -14,10 +14,10 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/methods/brute_force_packed.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/hough/silhouette_record.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/methods/brute_force_packed.h"
 
 namespace rimline {
 
@@ -43,7 +43,7 @@ public:
 private:
     // Of a face: its edges with two faces and their other faces; k_no_edge and the face itself where an
     // edge has one face or more than two.
-    struct Neighbours {
+    struct Neighbors {
         std::array<EdgeId, 3> edges;
         std::array<FaceId, 3> faces;
     };
@@ -54,9 +54,9 @@ private:
 
     const Mesh* mesh_;
     PackedBruteForce brute_force_;
-    std::vector<Neighbours> neighbours_;  // By face.
-    std::vector<std::uint32_t> words_;    // Bits seen from the new point.
-    std::vector<std::uint32_t> flips_;    // Those that differ from before.
+    std::vector<Neighbors> neighbors_;  // By face.
+    std::vector<std::uint32_t> words_;  // Bits seen from the new point.
+    std::vector<std::uint32_t> flips_;  // Those that differ from before.
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
     std::vector<EdgeId> toggled_;  // One more than the most there can be.

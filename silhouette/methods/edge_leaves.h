@@ -11,11 +11,11 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/methods/instruction_set.h"
-#include "silhouette/methods/packed_tree.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/methods/instruction_set.h"
+#include "silhouette/methods/packed_tree.h"
 
 namespace rimline {
 

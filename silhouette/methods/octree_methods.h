@@ -5,11 +5,11 @@
 
 #include <optional>
 
-#include "silhouette/methods/silhouette_method.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/methods/literal/literal_octree.h"
 #include "silhouette/methods/literal/literal_tracker.h"
-#include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/methods/silhouette_method.h"
 
 namespace rimline {
 

@@ -30,9 +30,9 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/methods/instruction_set.h"
 #include "silhouette/methods/packed_tree.h"
-#include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline {
 

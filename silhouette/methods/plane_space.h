@@ -20,10 +20,10 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "silhouette/mesh/mesh.h"
 #include "silhouette/methods/edge_leaves.h"
 #include "silhouette/methods/followed_silhouette.h"
 #include "silhouette/methods/plane_boxes.h"
-#include "silhouette/mesh/mesh.h"
 
 namespace rimline {
 

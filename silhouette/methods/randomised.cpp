@@ -10,7 +10,7 @@ namespace rimline {
 namespace {
 
 // Every edge has a chance: coplanar faces may differ by rounding.
-constexpr double k_least_angle_rad = 1e-3;
+constexpr double k_min_angle_rad = 1e-3;
 
 double angle_of(const Mesh& mesh, EdgeId edge) {
     const auto normal = [&mesh](FaceId face) {
@@ -18,7 +18,7 @@ double angle_of(const Mesh& mesh, EdgeId edge) {
         return glm::dvec3(plane.nx, plane.ny, plane.nz);
     };
     const std::span<const FaceId> faces = mesh.faces_of(edge);
-    double greatest = k_least_angle_rad;
+    double greatest = k_min_angle_rad;
     for (const FaceId face : faces.subspan(1)) {
         const glm::dvec3 a = normal(faces[0]);
         const glm::dvec3 b = normal(face);

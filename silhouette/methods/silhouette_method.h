@@ -50,12 +50,12 @@ public:
 struct SilhouetteMethodInfo {
     std::string_view name;  ///< As --method takes it.
     std::string_view summary;
-    std::string_view source;         ///< Paper or thesis section.
-    bool has_update = false;         ///< update() is more than extract().
-    std::uint32_t most_origins = 0;  ///< Of SilhouetteMethodOptions::origins, how many are heeded.
-    bool has_seed = false;           ///< SilhouetteMethodOptions::seed matters.
-    bool directions_only = false;    ///< Viewpoints are refused, with Error{bad_input}.
-    bool exact = true;               ///< Always equal to brute force; else a subset.
+    std::string_view source;        ///< Paper or thesis section.
+    bool has_update = false;        ///< update() is more than extract().
+    std::uint32_t max_origins = 0;  ///< Of SilhouetteMethodOptions::origins, how many are heeded.
+    bool has_seed = false;          ///< SilhouetteMethodOptions::seed matters.
+    bool directions_only = false;   ///< Viewpoints are refused, with Error{bad_input}.
+    bool exact = true;              ///< Always equal to brute force; else a subset.
 };
 
 struct SilhouetteMethodOptions {

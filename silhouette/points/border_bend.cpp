@@ -20,11 +20,11 @@ constexpr double k_noise_bend = 0.0195;
 constexpr int k_bend_rounds = 3;
 
 // The gap that ends at `old_end` then ends at `new_end`, with a triangle between the two. False, and as it
-// was, where that is no neighbour or in the ring already.
+// was, where that is no neighbor or in the ring already.
 bool move_end(Fan& fan, std::span<const std::uint32_t> list, std::uint32_t old_end,
               std::uint32_t new_end) {
     const auto found = std::find(list.begin(), list.end(), new_end);
-    if (found == list.end() || fan.size == k_most_neighbours) return false;
+    if (found == list.end() || fan.size == k_max_neighbors) return false;
     const auto place = static_cast<std::uint8_t>(found - list.begin());
     const auto ring_end = fan.ring.begin() + fan.size;
     if (std::find(fan.ring.begin(), ring_end, place) != ring_end) return false;
@@ -41,9 +41,9 @@ bool move_end(Fan& fan, std::span<const std::uint32_t> list, std::uint32_t old_e
 
 class Straightening {
 public:
-    Straightening(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
+    Straightening(std::span<const glm::dvec3> points, const NeighborLists& neighbors,
                   std::vector<OpenPoint>& open)
-        : points_(points), neighbours_(neighbours), open_(open) {}
+        : points_(points), neighbors_(neighbors), open_(open) {}
 
     // Whether anything changed.
     bool round() {
@@ -74,7 +74,7 @@ private:
     // Of a point with one gap.
     Ends ends(const OpenPoint& open) const {
         const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
-        const auto list = neighbours_.of(open.point);
+        const auto list = neighbors_.of(open.point);
         return {list[open.fan.ring[gap]], list[open.fan.ring[open.fan.next(gap)]]};
     }
     static bool is_simple(const OpenPoint& open) {
@@ -97,7 +97,7 @@ private:
         if (!of_a.has(e) || !of_b.has(e) || of_a.has(b) || of_b.has(a)) return 0.0;
         // Back, not out.
         const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
-        around_.look_from(points_, e, neighbours_.of(e));
+        around_.look_from(points_, e, neighbors_.of(e));
         if (glm::dot(around_.cross(open.fan, gap), around_.normal(open.fan)) <= 0.0) return 0.0;
         const double bend =
             bend_through(points_, of_a.other(e), a, e, b, of_b.other(e), k_noise_bend);
@@ -106,8 +106,8 @@ private:
 
     void take_off(OpenPoint& open, OpenPoint& before, OpenPoint& after) const {
         Fan of_before = before.fan, of_after = after.fan;
-        if (move_end(of_before, neighbours_.of(before.point), open.point, after.point) &&
-            move_end(of_after, neighbours_.of(after.point), open.point, before.point)) {
+        if (move_end(of_before, neighbors_.of(before.point), open.point, after.point) &&
+            move_end(of_after, neighbors_.of(after.point), open.point, before.point)) {
             before.fan = of_before;
             after.fan = of_after;
         }
@@ -116,9 +116,9 @@ private:
     }
 
     std::span<const glm::dvec3> points_;
-    const NeighbourLists& neighbours_;
+    const NeighborLists& neighbors_;
     std::vector<OpenPoint>& open_;
-    Neighbourhood around_;
+    Neighborhood around_;
 };
 
 }  // namespace
@@ -129,9 +129,9 @@ double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b
 
 double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint32_t> c,
                     std::uint32_t a, std::uint32_t e, std::uint32_t b,
-                    std::optional<std::uint32_t> d, double least_bend) {
+                    std::optional<std::uint32_t> d, double min_bend) {
     const auto square = [](double angle) { return angle * angle; };
-    double through = square(turn(points, a, e, b)), past = least_bend;
+    double through = square(turn(points, a, e, b)), past = min_bend;
     if (c) past += square(turn(points, *c, a, b));
     if (d) past += square(turn(points, a, b, *d));
     if (c && *c != e) through += square(turn(points, *c, a, e));
@@ -139,9 +139,9 @@ double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint3
     return through / past;
 }
 
-void straighten_borders(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
+void straighten_borders(std::span<const glm::dvec3> points, const NeighborLists& neighbors,
                         std::vector<OpenPoint>& open) {
-    Straightening straightening(points, neighbours, open);
+    Straightening straightening(points, neighbors, open);
     for (int round = 0; round < k_bend_rounds && straightening.round(); ++round) {
     }
 }

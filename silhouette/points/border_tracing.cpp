@@ -22,14 +22,14 @@ namespace {
 
 constexpr double k_weak_excess = 2.0;
 constexpr double k_obtuse = glm::radians(150.0);
-constexpr double k_least_apart = glm::radians(70.0);
+constexpr double k_min_apart = glm::radians(70.0);
 constexpr double k_ear = glm::radians(130.0);
-constexpr double k_most_bend = 5.5;
-constexpr int k_most_rounds = 6;
-constexpr std::size_t k_least_points = 5;
+constexpr double k_max_bend = 5.5;
+constexpr int k_max_rounds = 6;
+constexpr std::size_t k_min_points = 5;
 constexpr double k_loose_share = 0.1;
 // Of a chain that noise may have broken.
-constexpr std::size_t k_least_broken = 12;
+constexpr std::size_t k_min_broken = 12;
 constexpr double k_straight = glm::radians(150.0);
 constexpr double k_straight_share = 0.8;
 constexpr double k_joint_turn = glm::radians(40.0);
@@ -69,19 +69,19 @@ struct Ear {
 
 class Tracing {
 public:
-    Tracing(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
-            const Stars& stars, double gap_ratio)
-        : points_(points), neighbours_(neighbours), stars_(stars), gap_ratio_(gap_ratio) {}
+    Tracing(std::span<const glm::dvec3> points, const NeighborLists& neighbors, const Stars& stars,
+            double gap_ratio)
+        : points_(points), neighbors_(neighbors), stars_(stars), gap_ratio_(gap_ratio) {}
 
     void find_gaps(const CallPart& part) {
         const auto count = static_cast<std::uint32_t>(points_.size());
         std::vector<std::uint64_t> gaps(count, 0);
         each_point(count, part, [&](std::uint32_t first, std::uint32_t last) {
-            Neighbourhood around;
+            Neighborhood around;
             for (std::uint32_t i = first; i < last; ++i) {
                 if (stars_.reasons[i] != UndecidedReason::none || stars_.is_clean[i]) continue;
                 const Fan& star = stars_.fans[i];
-                around.look_from(points_, i, neighbours_.of(i));
+                around.look_from(points_, i, neighbors_.of(i));
                 for (std::size_t j = 0; j < star.size; ++j)
                     if (stars_.excess(around, i, star, j) > gap_ratio_)
                         gaps[i] |= std::uint64_t{1} << j;
@@ -112,12 +112,12 @@ public:
         std::sort(ears.begin(), ears.end());
 
         std::vector<std::pair<std::uint32_t, Fan>> changes;
-        Neighbourhood around;
+        Neighborhood around;
         std::vector<std::uint32_t> cut;
         for (std::size_t begin = 0, end = 0; begin < ears.size(); begin = end) {
             const std::uint32_t point = ears[begin].point;
             while (end < ears.size() && ears[end].point == point) ++end;
-            around.look_from(points_, point, neighbours_.of(point));
+            around.look_from(points_, point, neighbors_.of(point));
             if (const auto fan = cut_ear(around, std::span(ears).subspan(begin, end - begin))) {
                 changes.emplace_back(point, *fan);
                 cut.push_back(point);
@@ -129,7 +129,7 @@ public:
             if (stars_.reasons[point] != UndecidedReason::none ||
                 std::binary_search(cut.begin(), cut.end(), point))
                 continue;
-            around.look_from(points_, point, neighbours_.of(point));
+            around.look_from(points_, point, neighbors_.of(point));
             if (const auto fan = heed(point, around, std::span(named).subspan(begin, end - begin)))
                 changes.emplace_back(point, *fan);
         }
@@ -145,7 +145,7 @@ public:
             const std::optional<std::uint32_t> behind = only_link(n);
             if (!behind) continue;
             const std::uint32_t point = open_[n].point, before = open_[*behind].point;
-            for (const std::uint32_t other : neighbours_.of(point)) {
+            for (const std::uint32_t other : neighbors_.of(point)) {
                 if (!is_open(other) || other == before) continue;
                 const std::optional<std::uint32_t> beyond = only_link(slot_[other]);
                 if (!beyond) continue;
@@ -175,10 +175,10 @@ public:
         each_point(
             static_cast<std::uint32_t>(open_.size()), part,
             [&](std::uint32_t first, std::uint32_t last) {
-                Neighbourhood around;
+                Neighborhood around;
                 for (std::uint32_t n = first; n < last; ++n) {
                     const OpenPoint& open = open_[n];
-                    around.look_from(points_, open.point, neighbours_.of(open.point));
+                    around.look_from(points_, open.point, neighbors_.of(open.point));
                     openings_[n] = opening(around, open.fan);
                     if (std::popcount(open.fan.gaps) != 1) continue;
                     const auto split = split_fold(around, open.point, open.fan, stars_, gap_ratio_);
@@ -216,14 +216,14 @@ public:
             chain.supplemented += is_crease(n);
             chain.straight += openings_[n] > k_straight;
         }
-        const std::size_t least = std::min(k_least_points, points_.size());
+        const std::size_t least = std::min(k_min_points, points_.size());
         for (std::uint32_t n = 0; n < open_.size(); ++n) {
             const Chain& chain = chains[chain_of[n]];
             const auto size = static_cast<double>(chain.size);
             const double share =
                 chain.loose + chain.joined == 0 ? k_closed_crease_share : k_crease_share;
             const bool may_be_broken =
-                chain.size >= k_least_broken &&
+                chain.size >= k_min_broken &&
                 static_cast<double>(chain.straight) >= k_straight_share * size;
             const bool is_whole = static_cast<double>(chain.loose) <= k_loose_share * size;
             const bool is_border = !is_in_run(n) && chain.size >= least &&
@@ -247,7 +247,7 @@ public:
 
 private:
     // Of all its gaps together, in radians: what its triangles leave of a full turn.
-    static double opening(const Neighbourhood& around, const Fan& fan) {
+    static double opening(const Neighborhood& around, const Fan& fan) {
         double rest = 2.0 * std::numbers::pi;
         for (std::size_t j = 0; j < fan.size; ++j)
             if (!fan.is_gap(j)) rest -= around.angle(fan, j);
@@ -265,7 +265,7 @@ private:
         open_[slot_[point]].fan = fan;
         Ends& ends = ends_[slot_[point]];
         ends.count = 0;
-        const auto list = neighbours_.of(point);
+        const auto list = neighbors_.of(point);
         for (std::size_t j = 0; j < fan.size && ends.count < ends.points.size(); ++j)
             if (fan.is_gap(j)) {
                 ends.points[ends.count++] = list[fan.ring[j]];
@@ -302,7 +302,7 @@ private:
     }
     bool has_in_star(std::uint32_t point, std::uint32_t other) const {
         const Fan& star = stars_.fans[point];
-        const auto list = neighbours_.of(point);
+        const auto list = neighbors_.of(point);
         return std::any_of(star.ring.begin(), star.ring.begin() + star.size,
                            [&](std::uint8_t place) { return list[place] == other; });
     }
@@ -326,10 +326,10 @@ private:
     }
 
     void add_ears(std::uint32_t a, std::uint32_t b, std::vector<Ear>& ears) const {
-        for (const std::uint32_t point : neighbours_.of(a)) {
+        for (const std::uint32_t point : neighbors_.of(a)) {
             if (is_open(point) || stars_.reasons[point] != UndecidedReason::none) continue;
             const Fan& star = stars_.fans[point];
-            const auto list = neighbours_.of(point);
+            const auto list = neighbors_.of(point);
             for (std::size_t j = 0; j < star.size; ++j) {
                 const std::uint32_t x = list[star.ring[j]], y = list[star.ring[star.next(j)]];
                 if ((x == a && y == b) || (x == b && y == a))
@@ -338,10 +338,10 @@ private:
         }
     }
 
-    std::optional<Fan> cut_ear(const Neighbourhood& around, std::span<const Ear> ears) const {
+    std::optional<Fan> cut_ear(const Neighborhood& around, std::span<const Ear> ears) const {
         const Fan& star = stars_.fans[ears[0].point];
         std::optional<std::size_t> best;
-        double least = k_most_bend;
+        double least = k_max_bend;
         for (const Ear& ear : ears) {
             Fan rest = star;
             rest.open(ear.sector);
@@ -371,7 +371,7 @@ private:
         return std::nullopt;
     }
 
-    static std::optional<std::size_t> place_in(const Fan& fan, const Neighbourhood& around,
+    static std::optional<std::size_t> place_in(const Fan& fan, const Neighborhood& around,
                                                std::uint32_t point) {
         for (std::size_t j = 0; j < fan.size; ++j)
             if (around.number(fan.ring[j]) == point) return j;
@@ -379,7 +379,7 @@ private:
     }
 
     // What becomes of a point that open points name which it does not name back.
-    std::optional<Fan> heed(std::uint32_t point, const Neighbourhood& around,
+    std::optional<Fan> heed(std::uint32_t point, const Neighborhood& around,
                             std::span<const Link> named) const {
         if (!is_open(point))
             if (const auto fan = open_between(point, around, named)) return fan;
@@ -422,11 +422,11 @@ private:
     }
 
     // Between those two of its ring that name it from farthest apart, on the side of the greater excess.
-    std::optional<Fan> open_between(std::uint32_t point, const Neighbourhood& around,
+    std::optional<Fan> open_between(std::uint32_t point, const Neighborhood& around,
                                     std::span<const Link> named) const {
         const Fan& star = stars_.fans[point];
         std::size_t first = 0, last = 0;
-        double farthest = k_least_apart;
+        double farthest = k_min_apart;
         for (std::size_t x = 0; x < named.size(); ++x)
             for (std::size_t y = x + 1; y < named.size(); ++y) {
                 const auto a = place_in(star, around, named[x].from);
@@ -455,7 +455,7 @@ private:
     }
 
     std::span<const glm::dvec3> points_;
-    const NeighbourLists& neighbours_;
+    const NeighborLists& neighbors_;
     const Stars& stars_;
     double gap_ratio_;
     std::vector<std::uint32_t> slot_;  // In open_, or k_closed.
@@ -470,17 +470,17 @@ private:
 }  // namespace
 
 std::vector<OpenPoint> trace_borders(std::span<const glm::dvec3> points,
-                                     const NeighbourLists& neighbours, const Stars& stars,
+                                     const NeighborLists& neighbors, const Stars& stars,
                                      double gap_ratio, const LongCall& call) {
-    Tracing tracing(points, neighbours, stars, gap_ratio);
+    Tracing tracing(points, neighbors, stars, gap_ratio);
     tracing.find_gaps({call, 0.0, 0.5});
-    for (int round = 0; round < k_most_rounds && tracing.round(); ++round)
-        call.checkpoint(0.5 + 0.3 * (round + 1) / k_most_rounds);
+    for (int round = 0; round < k_max_rounds && tracing.round(); ++round)
+        call.checkpoint(0.5 + 0.3 * (round + 1) / k_max_rounds);
     tracing.join_ends();
     tracing.look_across({call, 0.8, 1.0});
     tracing.judge_chains();
     std::vector<OpenPoint> open = tracing.take();
-    straighten_borders(points, neighbours, open);
+    straighten_borders(points, neighbors, open);
     return open;
 }
 

@@ -49,7 +49,7 @@ struct OpenPoint {
 
 /// By point. Others have no gap.
 std::vector<OpenPoint> trace_borders(std::span<const glm::dvec3> points,
-                                     const NeighbourLists& neighbours, const Stars& stars,
+                                     const NeighborLists& neighbors, const Stars& stars,
                                      double gap_ratio, const LongCall& call);
 
 }  // namespace rimline

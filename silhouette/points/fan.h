@@ -1,6 +1,6 @@
 #pragma once
 
-// A ring of neighbours around a point while it is being found: places in the point's neighbour list in
+// A ring of neighbors around a point while it is being found: places in the point's neighbor list in
 // cyclic order, and which sectors are gaps. An Umbrella, packed.
 
 #include <array>
@@ -16,7 +16,7 @@ namespace rimline {
 struct Fan {
     std::uint64_t gaps = 0;
     std::uint8_t size = 0;
-    std::array<std::uint8_t, k_most_neighbours> ring;
+    std::array<std::uint8_t, k_max_neighbors> ring;
 
     std::size_t next(std::size_t j) const noexcept { return j + 1 == size ? 0 : j + 1; }
     std::size_t previous(std::size_t j) const noexcept { return (j == 0 ? size : j) - 1u; }

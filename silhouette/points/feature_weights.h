@@ -4,9 +4,9 @@
 // second-order difference of Hubeli and Gross (2001), as thesis 5.3 has it for points.
 //
 // At an edge pq of p's umbrellas, two triangles of p meet, of one umbrella or of two. Their other corners
-// r and s are q's neighbours in p's ring; the edge weighs the angle between their normals over a right
+// r and s are q's neighbors in p's ring; the edge weighs the angle between their normals over a right
 // angle. Normals are unoriented, so the angle is at most a right one. A point weighs what its heaviest
-// edge does. Where a neighbour has several umbrellas, its normal is that of the umbrella nearest in
+// edge does. Where a neighbor has several umbrellas, its normal is that of the umbrella nearest in
 // direction to p's own where they meet.
 
 #include <vector>

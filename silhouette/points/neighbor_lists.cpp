@@ -75,10 +75,10 @@ private:
     std::uint32_t self_, k_;
     std::uint32_t count_ = 0;
     double reach_;
-    std::array<Near, k_most_neighbours> near_;
+    std::array<Near, k_max_neighbors> near_;
 };
 
-// Whether the directions of so many neighbours spread along one line, as they do where a row bends too: by
+// Whether the directions of so many neighbors spread along one line, as they do where a row bends too: by
 // the eigenvalues of the sum of their squares, for (ab + bc + ca) / (a + b + c)² is its sum of principal
 // minors over the square of its trace.
 bool is_row(std::span<const glm::dvec3> points, std::uint32_t i,
@@ -138,7 +138,7 @@ public:
 private:
     static constexpr double k_unknown = std::numeric_limits<double>::infinity();
 
-    // The point before, near in memory and mostly in space, and its neighbours are k others.
+    // The point before, near in memory and mostly in space, and its neighbors are k others.
     double known_of(std::uint32_t point) const {
         double known = from(point, point - 1).square;
         for (const std::uint32_t other : of(point - 1))
@@ -190,11 +190,11 @@ private:
 
 }  // namespace
 
-NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t k,
-                               const LongCall& call) {
+NeighborLists::NeighborLists(std::span<const glm::dvec3> points, std::uint32_t k,
+                             const LongCall& call) {
     const auto count = static_cast<std::uint32_t>(points.size());
     k_ = count == 0 ? 0 : std::min(k, count - 1);
-    RIMLINE_CHECK(k <= k_most_neighbours);
+    RIMLINE_CHECK(k <= k_max_neighbors);
     begin_.assign(std::size_t{count} + 1, 0);
     is_mutual_.assign(count, 0);
     is_row_.assign(count, 0);
@@ -213,10 +213,10 @@ NeighbourLists::NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t
     });
     const Followers followers(search, is_returned);
 
-    const std::uint32_t most = std::min(k_most_neighbours, count - 1);
+    const std::uint32_t most = std::min(k_max_neighbors, count - 1);
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::size_t all = is_row_[i] != 0 ? most : k_ + followers.of(i).size();
-        begin_[i + 1] = begin_[i] + std::min<std::size_t>(all, k_most_neighbours);
+        begin_[i + 1] = begin_[i] + std::min<std::size_t>(all, k_max_neighbors);
     }
     lists_.resize(begin_[count]);
     each_point(count, {call, 0.9, 1.0}, [&](std::uint32_t first, std::uint32_t last) {

@@ -1,14 +1,14 @@
 #pragma once
 
-// The neighbours of each point: the k nearest, and whoever counts it among its own k nearest.
+// The neighbors of each point: the k nearest, and whoever counts it among its own k nearest.
 //
-// k nearest neighbours are not mutual: next to a denser region all k lie on its side, and the umbrella
+// k nearest neighbors are not mutual: next to a denser region all k lie on its side, and the umbrella
 // looks open on the other. Made mutual, a fifth fewer interior points are taken for border. A point in
-// the middle of a sparse region may be counted by many; the nearest k_most_neighbours stay.
+// the middle of a sparse region may be counted by many; the nearest k_max_neighbors stay.
 //
 // Where points lie in rows, far denser along than across, most of the k lie in the same row, and it alone
 // spans no plane or a wrong one. There, wherever directions to the k spread along a line, a point has its
-// nearest k_most_neighbours instead.
+// nearest k_max_neighbors instead.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -19,15 +19,15 @@
 
 namespace rimline {
 
-constexpr std::uint32_t k_most_neighbours = 48;
+constexpr std::uint32_t k_max_neighbors = 48;
 
-class NeighbourLists {
+class NeighborLists {
 public:
     /// `points` are distinct and few enough that twice k times their number fits 64 bits; ties are broken
     /// by number. On all threads.
-    NeighbourLists(std::span<const glm::dvec3> points, std::uint32_t k, const LongCall& call);
+    NeighborLists(std::span<const glm::dvec3> points, std::uint32_t k, const LongCall& call);
 
-    /// By distance, then by number; at most k_most_neighbours.
+    /// By distance, then by number; at most k_max_neighbors.
     std::span<const std::uint32_t> of(std::uint32_t point) const noexcept {
         return std::span(lists_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
     }

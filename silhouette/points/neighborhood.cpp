@@ -23,13 +23,13 @@ double diamond_angle(double x, double y) {
     return angle < 4.0 - 0.5 * k_same_angle ? angle : angle - 4.0;
 }
 
-// A neighbour's image under the inversion.
+// A neighbor's image under the inversion.
 struct Image {
     double angle, x, y;
     std::uint8_t place;
 };
 
-// Sorts by angle; of those in one direction the nearer comes first, for neighbours come by distance.
+// Sorts by angle; of those in one direction the nearer comes first, for neighbors come by distance.
 constexpr int k_place_bits = 6;
 std::uint64_t sort_key(double angle, std::size_t place) {
     return static_cast<std::uint64_t>(angle / k_same_angle + 0.5) << k_place_bits | place;
@@ -45,8 +45,8 @@ bool is_inside(const Image& a, const Image& b, const Image& c) {
 
 }  // namespace
 
-void Neighbourhood::look_from(std::span<const glm::dvec3> points, std::uint32_t point,
-                              std::span<const std::uint32_t> list) {
+void Neighborhood::look_from(std::span<const glm::dvec3> points, std::uint32_t point,
+                             std::span<const std::uint32_t> list) {
     list_ = list;
     size_ = static_cast<std::uint32_t>(list.size());
     for (std::uint32_t i = 0; i < size_; ++i) {
@@ -55,14 +55,14 @@ void Neighbourhood::look_from(std::span<const glm::dvec3> points, std::uint32_t 
     }
 }
 
-bool Neighbourhood::is_collinear() const noexcept {
+bool Neighborhood::is_collinear() const noexcept {
     for (std::uint32_t i = 1; i < size_; ++i)
         if (glm::length(glm::cross(edges_[0], edges_[i])) > k_tie * lengths_[0] * lengths_[i])
             return false;
     return true;
 }
 
-glm::dvec3 Neighbourhood::fitted_normal(std::uint32_t count) const noexcept {
+glm::dvec3 Neighborhood::fitted_normal(std::uint32_t count) const noexcept {
     count = std::min(count, size_);
     glm::dvec3 mean(0.0);
     double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -100,12 +100,12 @@ glm::dvec3 Neighbourhood::fitted_normal(std::uint32_t count) const noexcept {
     return longest > 0.0 ? best / std::sqrt(longest) : glm::dvec3(0.0);
 }
 
-Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle,
-                        std::uint64_t among) const noexcept {
+Fan Neighborhood::star(const glm::dvec3& normal, double sine_of_angle,
+                       std::uint64_t among) const noexcept {
     const glm::dvec3 u = any_perpendicular(normal);
     const glm::dvec3 v = glm::cross(normal, u);
-    std::array<Image, k_most_neighbours> by_place;
-    std::array<std::uint64_t, k_most_neighbours> keys;
+    std::array<Image, k_max_neighbors> by_place;
+    std::array<std::uint64_t, k_max_neighbors> keys;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < size_; ++i) {
         const glm::dvec3& d = edges_[i];
@@ -143,7 +143,7 @@ Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle,
     }
     std::rotate(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(begin),
                 keys.begin() + static_cast<std::ptrdiff_t>(count));
-    std::array<const Image*, k_most_neighbours + 1> hull;
+    std::array<const Image*, k_max_neighbors + 1> hull;
     std::size_t size = 0;
     for (std::size_t i = 0; i < count + (is_open ? 0 : 1); ++i) {
         const Image& next = image(i == count ? 0 : i);
@@ -161,31 +161,31 @@ Fan Neighbourhood::star(const glm::dvec3& normal, double sine_of_angle,
     return fan;
 }
 
-glm::dvec3 Neighbourhood::cross(const Fan& fan, std::size_t j) const noexcept {
+glm::dvec3 Neighborhood::cross(const Fan& fan, std::size_t j) const noexcept {
     return glm::cross(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]);
 }
 
-double Neighbourhood::circumradius(const Fan& fan, std::size_t j) const noexcept {
+double Neighborhood::circumradius(const Fan& fan, std::size_t j) const noexcept {
     const std::size_t a = fan.ring[j], b = fan.ring[fan.next(j)];
     const double twice_area = glm::length(cross(fan, j));
     if (!(twice_area > 0.0)) return std::numeric_limits<double>::infinity();
     return lengths_[a] * lengths_[b] * glm::length(edges_[b] - edges_[a]) / (2.0 * twice_area);
 }
 
-double Neighbourhood::angle(const Fan& fan, std::size_t j) const noexcept {
+double Neighborhood::angle(const Fan& fan, std::size_t j) const noexcept {
     return angle_between(edges_[fan.ring[j]], edges_[fan.ring[fan.next(j)]]);
 }
 
-double Neighbourhood::Triangle::deviation(const glm::dvec3& from) const noexcept {
+double Neighborhood::Triangle::deviation(const glm::dvec3& from) const noexcept {
     return std::acos(std::clamp(glm::dot(normal, from), -1.0, 1.0));
 }
 
-double Neighbourhood::deviation(const Fan& fan, std::size_t j,
-                                const glm::dvec3& normal) const noexcept {
+double Neighborhood::deviation(const Fan& fan, std::size_t j,
+                               const glm::dvec3& normal) const noexcept {
     return triangle(fan, j).deviation(normal);
 }
 
-Neighbourhood::Triangle Neighbourhood::triangle(const Fan& fan, std::size_t j) const noexcept {
+Neighborhood::Triangle Neighborhood::triangle(const Fan& fan, std::size_t j) const noexcept {
     const std::size_t a = fan.ring[j], b = fan.ring[fan.next(j)];
     const glm::dvec3 product = glm::cross(edges_[a], edges_[b]);
     const double twice_area = glm::length(product);
@@ -199,17 +199,17 @@ Neighbourhood::Triangle Neighbourhood::triangle(const Fan& fan, std::size_t j) c
     return {product * factor, circumradius, std::min(circumradius, most), twice_area, cosine, 0.0};
 }
 
-void Neighbourhood::triangles(const Fan& fan, Triangles& result) const noexcept {
+void Neighborhood::triangles(const Fan& fan, Triangles& result) const noexcept {
     for (std::size_t j = 0; j < fan.size; ++j)
         if (!fan.is_gap(j)) result[j] = triangle(fan, j);
 }
 
-void Neighbourhood::set_angles(const Fan& fan, Triangles& triangles) noexcept {
+void Neighborhood::set_angles(const Fan& fan, Triangles& triangles) noexcept {
     for (std::size_t j = 0; j < fan.size; ++j)
         if (!fan.is_gap(j)) triangles[j].angle = std::atan2(triangles[j].sine, triangles[j].cosine);
 }
 
-glm::dvec3 Neighbourhood::normal(const Fan& fan, const Triangles& triangles) noexcept {
+glm::dvec3 Neighborhood::normal(const Fan& fan, const Triangles& triangles) noexcept {
     glm::dvec3 sum(0.0);
     for (std::size_t j = 0; j < fan.size; ++j)
         if (!fan.is_gap(j)) sum += triangles[j].angle * triangles[j].normal;
@@ -217,8 +217,8 @@ glm::dvec3 Neighbourhood::normal(const Fan& fan, const Triangles& triangles) noe
     return length > 0.0 ? sum / length : glm::dvec3(0.0);
 }
 
-double Neighbourhood::scale(const Fan& fan, const Triangles& triangles) noexcept {
-    std::array<double, k_most_neighbours> radii;
+double Neighborhood::scale(const Fan& fan, const Triangles& triangles) noexcept {
+    std::array<double, k_max_neighbors> radii;
     std::size_t count = 0;
     for (std::size_t j = 0; j < fan.size; ++j)
         if (!fan.is_gap(j)) radii[count++] = triangles[j].size;
@@ -229,14 +229,14 @@ double Neighbourhood::scale(const Fan& fan, const Triangles& triangles) noexcept
     return radii[middle];
 }
 
-glm::dvec3 Neighbourhood::normal(const Fan& fan) const noexcept {
+glm::dvec3 Neighborhood::normal(const Fan& fan) const noexcept {
     Triangles all;
     triangles(fan, all);
     set_angles(fan, all);
     return normal(fan, all);
 }
 
-double Neighbourhood::scale(const Fan& fan) const noexcept {
+double Neighborhood::scale(const Fan& fan) const noexcept {
     Triangles all;
     triangles(fan, all);
     return scale(fan, all);

@@ -1,8 +1,8 @@
 #pragma once
 
-// One point's neighbours as seen from it, and what umbrellas are made from: planes through it, stars.
+// One point's neighbors as seen from it, and what umbrellas are made from: planes through it, stars.
 //
-// A star is the point's one-ring in the Delaunay triangulation of its neighbours unrolled into a plane:
+// A star is the point's one-ring in the Delaunay triangulation of its neighbors unrolled into a plane:
 // each keeps its distance and takes the direction of its projection. By the inversion x -> x / |x|²,
 // circles through the point become lines, and empty ones the edges of the convex hull of the images: the
 // star is that hull, found in one turn around the point. An edge at distance h from the origin is a
@@ -20,9 +20,9 @@ namespace rimline {
 /// Of angles and turns: what is nearer counts as equal, so that lattices fall one way.
 inline constexpr double k_tie = 1e-9;
 
-class Neighbourhood {
+class Neighborhood {
 public:
-    /// Both must outlive it. list: NeighbourLists::of(point).
+    /// Both must outlive it. list: NeighborLists::of(point).
     void look_from(std::span<const glm::dvec3> points, std::uint32_t point,
                    std::span<const std::uint32_t> list);
 
@@ -35,7 +35,7 @@ public:
     bool is_collinear() const noexcept;
     /// Of the plane that fits the point and its `count` nearest best. Of length 1, or zero.
     glm::dvec3 fitted_normal(std::uint32_t count) const noexcept;
-    /// The star of those neighbours `among` the list (bit i: place i) whose edges make at most the angle with
+    /// The star of those neighbors `among` the list (bit i: place i) whose edges make at most the angle with
     /// the plane; gaps are the sectors of π and more.
     Fan star(const glm::dvec3& normal, double sine_of_angle,
              std::uint64_t among = ~std::uint64_t{0}) const noexcept;
@@ -56,7 +56,7 @@ public:
     /// All but its angle, which costs as much as the rest.
     Triangle triangle(const Fan& fan, std::size_t j) const noexcept;
     /// The triangles of a fan, but for those of its gaps.
-    using Triangles = std::array<Triangle, k_most_neighbours>;
+    using Triangles = std::array<Triangle, k_max_neighbors>;
     void triangles(const Fan& fan, Triangles& result) const noexcept;
     static void set_angles(const Fan& fan, Triangles& triangles) noexcept;
     /// The mean of the triangles' normals by their angles. Of length 1, or zero.
@@ -75,8 +75,8 @@ public:
 private:
     std::span<const std::uint32_t> list_;
     std::uint32_t size_ = 0;
-    std::array<glm::dvec3, k_most_neighbours> edges_;
-    std::array<double, k_most_neighbours> lengths_;
+    std::array<glm::dvec3, k_max_neighbors> edges_;
+    std::array<double, k_max_neighbors> lengths_;
 };
 
 }  // namespace rimline

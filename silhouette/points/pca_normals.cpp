@@ -11,15 +11,15 @@ std::vector<glm::dvec3> pca_normals(std::span<const glm::dvec3> positions, std::
                                     const LongCall& call) {
     RIMLINE_CHECK(k >= 4 && k <= 32);
     const OrderedPoints ordered = order_points(positions);
-    const NeighbourLists neighbours(ordered.positions, k, {call.stop, {}});
+    const NeighborLists neighbors(ordered.positions, k, {call.stop, {}});
     std::vector<glm::dvec3> normals(positions.size(), glm::dvec3(0.0));
     const auto count = static_cast<std::uint32_t>(ordered.positions.size());
     each_point(count, {call}, [&](std::uint32_t first, std::uint32_t last) {
-        Neighbourhood neighbourhood;
+        Neighborhood neighborhood;
         for (std::uint32_t i = first; i < last; ++i) {
-            neighbourhood.look_from(ordered.positions, i, neighbours.of(i));
-            if (neighbourhood.is_collinear()) continue;
-            normals[ordered.numbers[i]] = neighbourhood.fitted_normal(neighbours.nearest_count());
+            neighborhood.look_from(ordered.positions, i, neighbors.of(i));
+            if (neighborhood.is_collinear()) continue;
+            normals[ordered.numbers[i]] = neighborhood.fitted_normal(neighbors.nearest_count());
         }
     });
     return normals;

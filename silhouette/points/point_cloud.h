@@ -2,7 +2,7 @@
 
 // Points without faces, each position once: what umbrellas are built over.
 //
-// Equal positions are one point, the first of them, with its normal, colour and intensity. Positions that are not
+// Equal positions are one point, the first of them, with its normal, color and intensity. Positions that are not
 // finite are left out. Where the source holds a mesh, its points are the vertices that faces use, and the
 // faces are kept aside: they say what is true of borders and normals, and nothing looks at them to find it.
 
@@ -18,7 +18,7 @@ namespace rimline {
 
 class PointCloud {
 public:
-    /// An empty source gives an empty cloud. Triangles' indices must be in range, normals, colours and intensities be
+    /// An empty source gives an empty cloud. Triangles' indices must be in range, normals, colors and intensities be
     /// one a position or none, and finite positions within k_max_coordinate. Throws Error{too_large} from
     /// 2^32 positions on. O(positions + triangles).
     explicit PointCloud(PointSource source);

@@ -1,7 +1,7 @@
 #pragma once
 
 // The points of a set in an order, and in units, that depend on their coordinates alone: what works on
-// them in this order gives the same whatever order they came in, and neighbours lie near in memory.
+// them in this order gives the same whatever order they came in, and neighbors lie near in memory.
 //
 // Units: the set's bounding box has its middle at the origin and its longest side in [1, 2). Coordinates
 // are multiples of 2^-50, so differences of them are exact, and no product of a few underflows. Points

@@ -19,7 +19,7 @@ PointSilhouette::PointSilhouette(const UmbrellaIndex& umbrellas, const Homogeneo
     : umbrellas_(&umbrellas),
       point_(point),
       scratch_(umbrellas.make_scratch()),
-      front_(umbrellas.most_planes() + k_slack),
+      front_(umbrellas.max_planes() + k_slack),
       spoke_counts_(umbrellas.patch_count(), 0),
       on_bits_(umbrellas.spoke_count() / 8 + k_slack) {
     RIMLINE_CHECK(point.is_valid());
@@ -67,7 +67,7 @@ void PointSilhouette::update_block(std::uint32_t block, TraversalCounters& count
     }
 }
 
-// All spokes at once: a bit a plane, and of each two neighbours whether they differ.
+// All spokes at once: a bit a plane, and of each two neighbors whether they differ.
 void PointSilhouette::update_fan(std::uint32_t patch, std::uint32_t first_spoke, std::uint32_t size,
                                  const std::uint8_t* front) {
     std::uint64_t bytes;

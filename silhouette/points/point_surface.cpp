@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t k_not_ordered = std::numeric_limits<std::uint32_t>::max();
 
 constexpr std::uint32_t k_batch = 1u << 16;  // Between two looks at whether to stop.
-constexpr std::size_t k_most_ring_points = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t k_max_ring_points = std::numeric_limits<std::uint32_t>::max();
 
 void check(const PointSurfaceOptions& options) {
     RIMLINE_CHECK(options.k >= 4 && options.k <= 32);
@@ -37,11 +37,11 @@ const char* describe(UndecidedReason reason) noexcept {
         case UndecidedReason::none: return "";
         case UndecidedReason::alone: return "there is no other point";
         case UndecidedReason::coincident: return "it coincides with another point";
-        case UndecidedReason::isolated: return "none of its neighbours counts it among their own";
-        case UndecidedReason::collinear: return "all its neighbours lie on one line with it";
-        case UndecidedReason::no_normal: return "no plane through it has neighbours around it";
+        case UndecidedReason::isolated: return "none of its neighbors counts it among their own";
+        case UndecidedReason::collinear: return "all its neighbors lie on one line with it";
+        case UndecidedReason::no_normal: return "no plane through it has neighbors around it";
         case UndecidedReason::unconfirmed_border:
-            return "it sees a border that does not go on through its neighbours";
+            return "it sees a border that does not go on through its neighbors";
     }
     return "";
 }
@@ -55,10 +55,10 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     call.checkpoint(0.0);
     const OrderedPoints ordered = order_points(positions);
     call.checkpoint(0.05);
-    const NeighbourLists neighbours(ordered.positions, options.k, call.part(0.1, 0.5));
+    const NeighborLists neighbors(ordered.positions, options.k, call.part(0.1, 0.5));
     const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas
                                                                             : find_robust_umbrellas;
-    const FoundUmbrellas found = find(ordered.positions, neighbours, options, call.part(0.5, 0.95));
+    const FoundUmbrellas found = find(ordered.positions, neighbors, options, call.part(0.5, 0.95));
     std::vector<std::uint32_t> place(positions.size(), k_not_ordered);
     for (std::uint32_t i = 0; i < ordered.numbers.size(); ++i) place[ordered.numbers[i]] = i;
     labels_.assign(size(), PointLabel::undecided);
@@ -67,8 +67,8 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     umbrella_begin_.push_back(0);
     ring_begin_.push_back(0);
     const auto add = [&](std::uint32_t i, const Fan& fan, const glm::dvec3& normal) {
-        const auto list = neighbours.of(i);
-        if (rings_.size() > k_most_ring_points - fan.size)
+        const auto list = neighbors.of(i);
+        if (rings_.size() > k_max_ring_points - fan.size)
             throw Error(ErrorCode::too_large, "2^32 points of rings or more");
         for (std::size_t j = 0; j < fan.size; ++j)
             rings_.push_back(PointId{ordered.numbers[list[fan.ring[j]]]});

@@ -1,8 +1,8 @@
 #pragma once
 
 // The surface that a set of points was sampled from, as far as each point sees it: its umbrella, a ring
-// of neighbours that surround it on the surface, with a triangle between each two that follow each other
-// (thesis 5.2). Umbrellas of neighbours need not agree; together they are no mesh.
+// of neighbors that surround it on the surface, with a triangle between each two that follow each other
+// (thesis 5.2). Umbrellas of neighbors need not agree; together they are no mesh.
 //
 // A sector of a ring without a triangle is a gap: the surface ends there, or turns so sharply that one
 // umbrella cannot follow. A point may so have several partial umbrellas, one for each smooth patch that
@@ -37,15 +37,15 @@ enum class UndecidedReason : std::uint8_t {
     none,        ///< It is decided.
     alone,       ///< There is no other point.
     coincident,  ///< Nearer to another point than 2^-50 of the whole set's extent.
-    isolated,    ///< None of its nearest neighbours counts it among their own.
-    collinear,   ///< All its neighbours lie on one line with it.
-    no_normal,  ///< No plane was found about which neighbours lie that have a triangle of the surface.
+    isolated,    ///< None of its nearest neighbors counts it among their own.
+    collinear,   ///< All its neighbors lie on one line with it.
+    no_normal,  ///< No plane was found about which neighbors lie that have a triangle of the surface.
     /// It has a gap whose chain, through the points that name each other, is no border: too short, or broken.
     /// Only it has an umbrella, and so a normal and a scale, among the undecided.
     unconfirmed_border,
 };
 
-/// "all its neighbours lie on one line with it", and so on; empty for none.
+/// "all its neighbors lie on one line with it", and so on; empty for none.
 const char* describe(UndecidedReason reason) noexcept;
 
 struct PointSurfaceOptions {
@@ -55,7 +55,7 @@ struct PointSurfaceOptions {
     };
     Method method = Method::robust;
 
-    /// Neighbours of a point, those nearest to it; 4 to 32. All others where there are no more.
+    /// Neighbors of a point, those nearest to it; 4 to 32. All others where there are no more.
     std::uint32_t k = 16;
 
     /// A sector may be a gap where the circle through its corners has a radius above gap_ratio times the
@@ -64,7 +64,7 @@ struct PointSurfaceOptions {
     double gap_ratio = 2.75;
 
     // Thesis only, angles in radians.
-    double omega = std::numbers::pi / 6;     ///< Of a neighbour with the plane; in (0, π/2).
+    double omega = std::numbers::pi / 6;     ///< Of a neighbor with the plane; in (0, π/2).
     double omega_t = std::numbers::pi / 18;  ///< Half the marginal band around it; in [0, omega].
     double phi = std::numbers::pi * 5.0 / 6.0;  ///< A wider sector is a gap; in (0, π].
     double gamma = 2.0;  ///< Greatest circumradius, in those of the Gabriel triangle; above 1.

@@ -9,7 +9,7 @@
 namespace rimline {
 
 FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighbourLists& neighbours,
+                                     const NeighborLists& neighbors,
                                      const PointSurfaceOptions& options, const LongCall& call);
 
 }  // namespace rimline

@@ -15,19 +15,19 @@ namespace {
 
 constexpr double k_degree = std::numbers::pi / 180.0;
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
-constexpr double k_greatest_deviation = 85.0 * k_degree;
+constexpr double k_max_deviation = 85.0 * k_degree;
 constexpr double k_sine_of_candidates = 0.766;         // 50 degrees.
 constexpr double k_clean_deviation = 15.0 * k_degree;  // Mean, of a star that needs no other.
 constexpr double k_gap_cost = 1.0;
 constexpr double k_cost_tie = 1e-9;  // Of costs: of mirror images the first that was asked stays.
-constexpr std::uint32_t k_fits[] = {k_most_neighbours, 8, 5};  // Of those that span its surface.
-constexpr int k_rounds = 2;                  // Of asking, then as many of mending.
-constexpr std::uint32_t k_asked = 8;         // Neighbours for their normals.
+constexpr std::uint32_t k_fits[] = {k_max_neighbors, 8, 5};  // Of those that span its surface.
+constexpr int k_rounds = 2;                                  // Of asking, then as many of mending.
+constexpr std::uint32_t k_asked = 8;                         // Neighbors for their normals.
 constexpr double k_cosine_of_same = 0.9659;  // 15 degrees: too near to a normal that was tried.
 constexpr double k_cosine_of_across = 0.5;   // 60 degrees, of a star with what its ring sees.
 
 double excess_of(double circumradius, double deviation, double scale) {
-    if (deviation > k_greatest_deviation) return k_infinity;
+    if (deviation > k_max_deviation) return k_infinity;
     return circumradius * (1.0 + 2.0 / std::numbers::pi * deviation) / scale;
 }
 
@@ -43,8 +43,8 @@ struct Choice {
 // Of all points.
 class Chooser {
 public:
-    Chooser(std::span<const glm::dvec3> points, const NeighbourLists& neighbours, double gap_ratio)
-        : points_(points), neighbours_(neighbours), gap_ratio_(gap_ratio) {
+    Chooser(std::span<const glm::dvec3> points, const NeighborLists& neighbors, double gap_ratio)
+        : points_(points), neighbors_(neighbors), gap_ratio_(gap_ratio) {
         stars_.fans.resize(points.size());
         stars_.normals.assign(points.size(), glm::dvec3(0.0));
         stars_.scales.assign(points.size(), 0.0);
@@ -56,17 +56,17 @@ public:
     void fit(const CallPart& part) {
         each_point(static_cast<std::uint32_t>(points_.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
-                       Neighbourhood around;
+                       Neighborhood around;
                        for (std::uint32_t i = first; i < last; ++i) fit(i, around);
                    });
     }
 
     // Who asked before, and nothing has changed around it since, would hear the same again.
-    void ask_neighbours(const CallPart& part) {
+    void ask_neighbors(const CallPart& part) {
         std::vector<std::uint32_t> asking;
         for (std::uint32_t i = 0; i < points_.size(); ++i)
             if (!stars_.is_clean[i] && stars_.reasons[i] == UndecidedReason::none &&
-                (was_changed_[i] || std::ranges::any_of(neighbours_.of(i), [&](std::uint32_t q) {
+                (was_changed_[i] || std::ranges::any_of(neighbors_.of(i), [&](std::uint32_t q) {
                      return was_changed_[q] != 0;
                  })))
                 asking.push_back(i);
@@ -95,12 +95,12 @@ private:
     // scale(j, own): the greatest of the scales of sector j's corners; own is the star's. What is sure to
     // cost `limit` or more is not worked out.
     template <typename Scale>
-    Choice judge(const Neighbourhood& around, const Fan& fan, double limit, Scale&& scale) const {
+    Choice judge(const Neighborhood& around, const Fan& fan, double limit, Scale&& scale) const {
         Choice choice{fan};
         if (!fan.is_umbrella()) return choice;
-        Neighbourhood::Triangles triangles;
+        Neighborhood::Triangles triangles;
         around.triangles(fan, triangles);
-        choice.scale = Neighbourhood::scale(fan, triangles);
+        choice.scale = Neighborhood::scale(fan, triangles);
         // What is a gap whichever way it turns has no part in the normal: a triangle along a border that bends
         // with the surface may stand on it.
         Fan rest = fan;
@@ -108,8 +108,8 @@ private:
             if (!fan.is_gap(j) && triangles[j].circumradius > gap_ratio_ * scale(j, choice.scale))
                 rest.open(j);
         if (k_gap_cost * std::popcount(rest.gaps) >= limit) return choice;
-        Neighbourhood::set_angles(fan, triangles);
-        choice.normal = Neighbourhood::normal(rest.is_umbrella() ? rest : fan, triangles);
+        Neighborhood::set_angles(fan, triangles);
+        choice.normal = Neighborhood::normal(rest.is_umbrella() ? rest : fan, triangles);
         if (choice.normal == glm::dvec3(0.0)) return choice;
         double sum = 0.0;
         double total = 0.0;
@@ -133,11 +133,11 @@ private:
         return choice;
     }
 
-    // Before its neighbours have scales, a star's own is all there is.
-    Choice judge_alone(const Neighbourhood& around, const Fan& fan, double limit) const {
+    // Before its neighbors have scales, a star's own is all there is.
+    Choice judge_alone(const Neighborhood& around, const Fan& fan, double limit) const {
         return judge(around, fan, limit, [](std::size_t, double own) { return own; });
     }
-    Choice judge_among(std::uint32_t point, const Neighbourhood& around, const Fan& fan,
+    Choice judge_among(std::uint32_t point, const Neighborhood& around, const Fan& fan,
                        double limit) const {
         return judge(around, fan, limit,
                      [&](std::size_t j, double) { return stars_.scale_of(around, point, fan, j); });
@@ -149,10 +149,10 @@ private:
         stars_.scales[point] = choice.scale;
     }
 
-    void fit(std::uint32_t point, Neighbourhood& around) {
+    void fit(std::uint32_t point, Neighborhood& around) {
         UndecidedReason& reason = stars_.reasons[point];
-        const auto list = neighbours_.of(point);
-        if (!neighbours_.is_mutual(point)) {
+        const auto list = neighbors_.of(point);
+        if (!neighbors_.is_mutual(point)) {
             reason = list.empty() ? UndecidedReason::alone : UndecidedReason::isolated;
             return;
         }
@@ -160,7 +160,7 @@ private:
         Choice best;
         for (const std::uint32_t fit : k_fits) {
             const glm::dvec3 plane =
-                around.fitted_normal(std::min(fit, neighbours_.spanning_count(point)));
+                around.fitted_normal(std::min(fit, neighbors_.spanning_count(point)));
             if (plane == glm::dvec3(0.0)) continue;
             const Choice choice =
                 judge_alone(around, around.star(plane, k_sine_of_candidates), best.cost);
@@ -179,8 +179,8 @@ private:
     // Of the angles, unoriented, of a star's normal with those that its ring's points have, the cosine of the
     // second least; of three or fewer the least, 1 where none has a normal.
     double cosine_with_ring(std::uint32_t point, const Fan& fan, const glm::dvec3& normal) const {
-        const std::span<const std::uint32_t> list = neighbours_.of(point);
-        std::array<double, k_most_neighbours> cosines;
+        const std::span<const std::uint32_t> list = neighbors_.of(point);
+        std::array<double, k_max_neighbors> cosines;
         std::size_t count = 0;
         for (std::size_t j = 0; j < fan.size; ++j)
             if (const glm::dvec3& other = stars_.normals[list[fan.ring[j]]];
@@ -197,14 +197,14 @@ private:
     // for_less_angle: that with its ring is added to a star's cost, and those with gaps are none to take.
     enum class Asking : std::uint8_t { for_less_cost, for_less_angle };
 
-    // Every point sees the normals and scales that its neighbours had before.
+    // Every point sees the normals and scales that its neighbors had before.
     void choose_again(std::span<const std::uint32_t> points, Asking asking, const CallPart& part) {
         std::vector<Choice> choices(points.size());
         each_point(static_cast<std::uint32_t>(points.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
-                       Neighbourhood around;
+                       Neighborhood around;
                        for (std::uint32_t n = first; n < last; ++n)
-                           choices[n] = ask_neighbours(points[n], asking, around);
+                           choices[n] = ask_neighbors(points[n], asking, around);
                    });
         was_changed_.assign(points_.size(), 0);
         for (std::size_t n = 0; n < points.size(); ++n) {
@@ -216,8 +216,8 @@ private:
         }
     }
 
-    Choice ask_neighbours(std::uint32_t point, Asking asking, Neighbourhood& around) const {
-        around.look_from(points_, point, neighbours_.of(point));
+    Choice ask_neighbors(std::uint32_t point, Asking asking, Neighborhood& around) const {
+        around.look_from(points_, point, neighbors_.of(point));
         std::array<glm::dvec3, k_asked + 1> tried;
         std::size_t count = 0;
         Choice best = judge_among(point, around, stars_.fans[point], k_infinity);
@@ -244,7 +244,7 @@ private:
     }
 
     std::span<const glm::dvec3> points_;
-    const NeighbourLists& neighbours_;
+    const NeighborLists& neighbors_;
     double gap_ratio_;
     Stars stars_;
     std::vector<std::uint8_t> was_changed_;  // In the last round.
@@ -252,20 +252,20 @@ private:
 
 }  // namespace
 
-double Stars::excess(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
+double Stars::excess(const Neighborhood& around, std::uint32_t point, const Fan& fan,
                      std::size_t sector) const {
     if (fan.is_gap(sector)) return k_infinity;
-    const Neighbourhood::Triangle triangle = around.triangle(fan, sector);
+    const Neighborhood::Triangle triangle = around.triangle(fan, sector);
     return excess_of(triangle.circumradius, triangle.deviation(normals[point]),
                      scale_of(around, point, fan, sector));
 }
 
-Stars choose_stars(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
+Stars choose_stars(std::span<const glm::dvec3> points, const NeighborLists& neighbors,
                    double gap_ratio, const LongCall& call) {
-    Chooser chooser(points, neighbours, gap_ratio);
+    Chooser chooser(points, neighbors, gap_ratio);
     chooser.fit({call, 0.0, 0.6});
     for (int round = 0; round < k_rounds; ++round)
-        chooser.ask_neighbours(
+        chooser.ask_neighbors(
             {call, 0.6 + 0.35 * round / k_rounds, 0.6 + 0.35 * (round + 1) / k_rounds});
     for (int round = 0; round < k_rounds; ++round)
         chooser.mend({call, 0.95 + 0.05 * round / k_rounds, 0.95 + 0.05 * (round + 1) / k_rounds});

@@ -12,14 +12,14 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_greatest_turn = std::numbers::pi / 3.0;
+constexpr double k_max_turn = std::numbers::pi / 3.0;
 constexpr double k_sine_of_explained = 0.4226;  // 25 degrees.
 constexpr double k_sine_of_aside = 0.2588;      // 15 degrees.
 constexpr double k_cosine_of_flat = 0.9397;     // 20 degrees.
 constexpr double k_cosine_of_tried = 0.985;     // 10 degrees: too near to a plane that was tried.
 constexpr double k_ear_angle = 130.0 * std::numbers::pi / 180.0;
 constexpr double k_cosine_of_side = 0.2588;  // 75 degrees.
-constexpr std::size_t k_most_tried = 16;
+constexpr std::size_t k_max_tried = 16;
 constexpr double k_steep = std::numbers::pi / 4.0;
 // Of candidates with the plane: 50 degrees, and 25 for edges so sharp that the first side is nearer.
 constexpr double k_sines[] = {0.766, 0.4226};
@@ -29,7 +29,7 @@ std::size_t only_gap(const Fan& fan) {
 }
 
 // Places that the umbrella does not explain, and its gap's ends.
-std::uint64_t unexplained(const Neighbourhood& around, const Fan& fan, const glm::dvec3& normal) {
+std::uint64_t unexplained(const Neighborhood& around, const Fan& fan, const glm::dvec3& normal) {
     const std::size_t gap = only_gap(fan);
     std::uint64_t places = (std::uint64_t{1} << around.size()) - 1;
     for (std::size_t j = 0; j < fan.size; ++j)
@@ -55,14 +55,14 @@ std::uint64_t unexplained(const Neighbourhood& around, const Fan& fan, const glm
 
 // Of the places, the fan about the plane whose one gap runs from `first` to `last`, in this sense or, turned
 // round, in the other; of no umbrella where there is none.
-Fan partial_between(const Neighbourhood& around, std::uint32_t point, std::uint8_t first,
+Fan partial_between(const Neighborhood& around, std::uint32_t point, std::uint8_t first,
                     std::uint8_t last, const glm::dvec3& plane, double sine, std::uint64_t places,
                     const Stars& stars, double gap_ratio) {
     Fan fan = around.star(plane, sine, places);
     for (std::size_t j = 0; j < fan.size; ++j) {
         if (fan.is_gap(j)) continue;
         if (around.circumradius(fan, j) > gap_ratio * stars.scale_of(around, point, fan, j) ||
-            around.deviation(fan, j, plane) > k_greatest_turn)
+            around.deviation(fan, j, plane) > k_max_turn)
             fan.open(j);
     }
     merge_gaps(fan);
@@ -80,7 +80,7 @@ bool folds_back(const glm::dvec3& normal, const glm::dvec3& of_what_runs_on) {
 
 // What stands before a border point that noise has pushed back, and no second side: an obtuse triangle, in
 // `fan`, within 75 degrees of running on as the first side does.
-bool is_ear(const Neighbourhood& around, const Fan& fan, const glm::dvec3& normal) {
+bool is_ear(const Neighborhood& around, const Fan& fan, const glm::dvec3& normal) {
     if (glm::dot(normal, around.normal(fan)) < k_cosine_of_side) return false;
     for (std::size_t j = 0; j < fan.size; ++j)
         if (!fan.is_gap(j) && around.angle(fan, j) > k_ear_angle) return true;
@@ -89,15 +89,15 @@ bool is_ear(const Neighbourhood& around, const Fan& fan, const glm::dvec3& norma
 
 }  // namespace
 
-Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
+Fan find_supplement(const Neighborhood& around, std::uint32_t point, const Fan& fan,
                     const Stars& stars, double gap_ratio) {
     const glm::dvec3 normal = around.normal(fan);
     const std::size_t gap = only_gap(fan);
     const std::uint8_t first = fan.ring[gap], last = fan.ring[fan.next(gap)];
     const std::uint64_t places = unexplained(around, fan, normal);
-    std::array<glm::dvec3, k_most_tried> tried;
+    std::array<glm::dvec3, k_max_tried> tried;
     std::size_t count = 0;
-    for (std::uint32_t place = 0; place < around.size() && count < k_most_tried; ++place) {
+    for (std::uint32_t place = 0; place < around.size() && count < k_max_tried; ++place) {
         if ((places >> place & 1u) == 0) continue;
         const glm::dvec3& plane = stars.normals[around.number(place)];
         if (plane == glm::dvec3(0.0)) continue;
@@ -119,7 +119,7 @@ Fan find_supplement(const Neighbourhood& around, std::uint32_t point, const Fan&
     return {};
 }
 
-std::optional<SplitFan> split_fold(const Neighbourhood& around, std::uint32_t point, const Fan& fan,
+std::optional<SplitFan> split_fold(const Neighborhood& around, std::uint32_t point, const Fan& fan,
                                    const Stars& stars, double gap_ratio) {
     const glm::dvec3 normal = around.normal(fan);
     bool is_fold = false;

@@ -17,7 +17,7 @@ constexpr double k_same_direction = 1e-4;
 
 class FanBuilder {
 public:
-    FanBuilder(const Neighbourhood& around, const glm::dvec3& normal, double phi)
+    FanBuilder(const Neighborhood& around, const glm::dvec3& normal, double phi)
         : around_(around), normal_(normal), phi_(phi) {}
 
     enum class Hidden { kept, dropped };
@@ -92,7 +92,7 @@ public:
 private:
     const glm::dvec3& edge(std::size_t j) const { return around_.edge(fan_.ring[j]); }
 
-    // Of neighbours in one direction the nearest stays: a triangle between two has no normal, and the
+    // Of neighbors in one direction the nearest stays: a triangle between two has no normal, and the
     // nearer one would be taken out for it.
     void drop_hidden() {
         std::uint8_t kept = 0;
@@ -136,16 +136,16 @@ private:
         if (is_wide(before)) fan_.open(before);
     }
 
-    const Neighbourhood& around_;
+    const Neighborhood& around_;
     glm::dvec3 normal_;
     double phi_;
     Fan fan_;
-    std::array<double, k_most_neighbours> turns_;  // By place.
+    std::array<double, k_max_neighbors> turns_;  // By place.
 };
 
 }  // namespace
 
-GabrielTriangle gabriel_triangle(const Neighbourhood& around, std::uint32_t k, double omega) {
+GabrielTriangle gabriel_triangle(const Neighborhood& around, std::uint32_t k, double omega) {
     GabrielTriangle triangle;
     const glm::dvec3& q = around.edge(0);
     double widest = -1.0;
@@ -170,7 +170,7 @@ GabrielTriangle gabriel_triangle(const Neighbourhood& around, std::uint32_t k, d
     return triangle;
 }
 
-bool is_admissible(const Neighbourhood& around, std::uint32_t place, const glm::dvec3& normal,
+bool is_admissible(const Neighborhood& around, std::uint32_t place, const glm::dvec3& normal,
                    double radius, const PointSurfaceOptions& options) {
     const double angle = std::asin(
         std::min(1.0, std::abs(glm::dot(around.edge(place), normal)) / around.length(place)));
@@ -179,7 +179,7 @@ bool is_admissible(const Neighbourhood& around, std::uint32_t place, const glm::
            around.length(place) < options.gamma * radius;
 }
 
-Fan thesis_fan(const Neighbourhood& around, std::span<const std::uint8_t> places,
+Fan thesis_fan(const Neighborhood& around, std::span<const std::uint8_t> places,
                const glm::dvec3& normal, double radius, const PointSurfaceOptions& options) {
     FanBuilder builder(around, normal, options.phi);
     builder.order(places, FanBuilder::Hidden::dropped);
@@ -189,7 +189,7 @@ Fan thesis_fan(const Neighbourhood& around, std::span<const std::uint8_t> places
     return builder.fan();
 }
 
-Fan ordered_fan(const Neighbourhood& around, std::span<const std::uint8_t> places,
+Fan ordered_fan(const Neighborhood& around, std::span<const std::uint8_t> places,
                 const glm::dvec3& normal, double phi) {
     FanBuilder builder(around, normal, phi);
     builder.order(places, FanBuilder::Hidden::kept);

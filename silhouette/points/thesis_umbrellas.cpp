@@ -14,10 +14,10 @@ namespace rimline {
 
 namespace {
 
-constexpr std::size_t k_most_fans = 4;
+constexpr std::size_t k_max_fans = 4;
 
 struct PointFans {
-    std::array<Fan, k_most_fans> fans;
+    std::array<Fan, k_max_fans> fans;
     std::uint8_t count = 0;
 
     bool is_whole() const { return count == 1 && fans[0].gaps == 0; }
@@ -49,12 +49,12 @@ std::uint64_t open_ends(const PointFans& fans) {
 
 class Passes {
 public:
-    Passes(std::span<const glm::dvec3> points, const NeighbourLists& neighbours,
+    Passes(std::span<const glm::dvec3> points, const NeighborLists& neighbors,
            const PointSurfaceOptions& options)
         : points_(points),
-          neighbours_(neighbours),
+          neighbors_(neighbors),
           options_(options),
-          k_(neighbours.nearest_count()),
+          k_(neighbors.nearest_count()),
           count_(static_cast<std::uint32_t>(points.size())),
           gabriel_(count_),
           fans_(count_),
@@ -62,8 +62,8 @@ public:
 
     void first(const CallPart& part) {
         const double middle = part.begin + 0.9 * (part.end - part.begin);
-        each({part.call, part.begin, middle}, [&](std::uint32_t i, Neighbourhood& around) {
-            if (!neighbours_.is_mutual(i)) {
+        each({part.call, part.begin, middle}, [&](std::uint32_t i, Neighborhood& around) {
+            if (!neighbors_.is_mutual(i)) {
                 reasons_[i] = k_ == 0 ? UndecidedReason::alone : UndecidedReason::isolated;
                 return;
             }
@@ -75,14 +75,14 @@ public:
                     fans_[i].set(*fan);
         });
         normals_.assign(count_, glm::dvec3(0.0));
-        each({part.call, middle, part.end}, [&](std::uint32_t i, Neighbourhood& around) {
+        each({part.call, middle, part.end}, [&](std::uint32_t i, Neighborhood& around) {
             if (fans_[i].is_whole()) normals_[i] = around.normal(fans_[i].fans[0]);
         });
     }
 
     void second(const CallPart& part) {
         std::vector<PointFans> result = fans_;
-        each(part, [&](std::uint32_t i, Neighbourhood& around) {
+        each(part, [&](std::uint32_t i, Neighborhood& around) {
             if (reasons_[i] == UndecidedReason::none && !fans_[i].is_whole())
                 result[i] = supplemented(i, around);
         });
@@ -91,7 +91,7 @@ public:
 
     void third(const CallPart& part) {
         std::vector<PointFans> result = fans_;
-        each(part, [&](std::uint32_t i, Neighbourhood& around) {
+        each(part, [&](std::uint32_t i, Neighborhood& around) {
             if (reasons_[i] == UndecidedReason::none)
                 if (const auto fan = made_consistent(i, around)) result[i].set(*fan);
         });
@@ -104,10 +104,10 @@ public:
         found.normals.assign(count_, glm::dvec3(0.0));
         found.scales.assign(count_, 0.0);
         found.labels.assign(count_, PointLabel::undecided);
-        Neighbourhood around;
+        Neighborhood around;
         for (std::uint32_t i = 0; i < count_; ++i) {
             PointFans& fans = fans_[i];
-            around.look_from(points_, i, neighbours_.of(i));
+            around.look_from(points_, i, neighbors_.of(i));
             // What folds back onto itself has no side.
             const auto end = std::remove_if(
                 fans.fans.begin(), fans.fans.begin() + fans.count,
@@ -135,9 +135,9 @@ private:
     template <typename Body>
     void each(const CallPart& part, Body&& body) {
         each_point(count_, part, [&](std::uint32_t first, std::uint32_t last) {
-            Neighbourhood around;
+            Neighborhood around;
             for (std::uint32_t i = first; i < last; ++i) {
-                around.look_from(points_, i, neighbours_.of(i));
+                around.look_from(points_, i, neighbors_.of(i));
                 body(i, around);
             }
         });
@@ -145,9 +145,9 @@ private:
     std::uint64_t all_places() const { return (std::uint64_t{1} << k_) - 1; }
 
     // Of those admissible about the normal.
-    std::optional<Fan> make(std::uint32_t i, const Neighbourhood& around, const glm::dvec3& normal,
+    std::optional<Fan> make(std::uint32_t i, const Neighborhood& around, const glm::dvec3& normal,
                             std::uint64_t among) const {
-        std::array<std::uint8_t, k_most_neighbours> places;
+        std::array<std::uint8_t, k_max_neighbors> places;
         std::size_t count = 0;
         for (std::uint32_t place = 0; place < k_; ++place)
             if ((among >> place & 1u) != 0 &&
@@ -159,9 +159,9 @@ private:
         return fan.is_umbrella() ? std::optional(fan) : std::nullopt;
     }
 
-    PointFans supplemented(std::uint32_t i, const Neighbourhood& around) const {
+    PointFans supplemented(std::uint32_t i, const Neighborhood& around) const {
         PointFans fans = fans_[i];
-        for (std::uint32_t place = 0; place < k_ && fans.count < k_most_fans; ++place) {
+        for (std::uint32_t place = 0; place < k_ && fans.count < k_max_fans; ++place) {
             if (fans.count > 0 && open_ends(fans) == 0) break;
             const glm::dvec3& normal = normals_[around.number(place)];
             if (normal == glm::dvec3(0.0)) continue;
@@ -185,7 +185,7 @@ private:
     }
 
     // Places that a further umbrella may take.
-    std::uint64_t free_of(std::uint32_t i, const Neighbourhood& around,
+    std::uint64_t free_of(std::uint32_t i, const Neighborhood& around,
                           const PointFans& fans) const {
         std::uint64_t taken = 0, once = 0, twice = 0;
         for (std::size_t f = 0; f < fans.count; ++f) {
@@ -205,7 +205,7 @@ private:
 
     // Has `of` the point in the ring of one of its umbrellas; or at the ends of its gaps?
     bool has(std::uint32_t of, std::uint32_t point, bool at_gaps) const {
-        const auto list = neighbours_.of(of);
+        const auto list = neighbors_.of(of);
         for (std::size_t f = 0; f < fans_[of].count; ++f) {
             const Fan& fan = fans_[of].fans[f];
             for (std::size_t j = 0; j < fan.size; ++j)
@@ -216,7 +216,7 @@ private:
         return false;
     }
 
-    std::optional<Fan> made_consistent(std::uint32_t i, const Neighbourhood& around) const {
+    std::optional<Fan> made_consistent(std::uint32_t i, const Neighborhood& around) const {
         const PointFans& fans = fans_[i];
         if (fans.count != 1) return std::nullopt;  // Partial umbrellas that meet, or none.
         const Fan& fan = fans.fans[0];
@@ -234,10 +234,10 @@ private:
                                             : filled(around, fan, reciprocal);
     }
 
-    Fan with_places(const Neighbourhood& around, const Fan& fan, std::uint64_t more,
+    Fan with_places(const Neighborhood& around, const Fan& fan, std::uint64_t more,
                     double phi) const {
         const std::uint64_t all = ring_places(fan) | more;
-        std::array<std::uint8_t, k_most_neighbours> places;
+        std::array<std::uint8_t, k_max_neighbors> places;
         std::size_t count = 0;
         for (std::uint32_t place = 0; place < around.size(); ++place)
             if ((all >> place & 1u) != 0) places[count++] = static_cast<std::uint8_t>(place);
@@ -246,7 +246,7 @@ private:
 
     // A gap from one incoming boundary edge to the next, where fewest ring points between return theirs:
     // first of all where there is a gap.
-    std::optional<Fan> opened(const Neighbourhood& around, const Fan& fan, std::uint64_t incoming,
+    std::optional<Fan> opened(const Neighborhood& around, const Fan& fan, std::uint64_t incoming,
                               std::uint64_t reciprocal) const {
         Fan ring = with_places(around, fan, incoming, options_.phi);
         ring.gaps = 0;
@@ -268,7 +268,7 @@ private:
             old += (old_ends >> ring.ring[n] & 1u) != 0;
             // An arc without anything between is a triangle, unless the gap was there.
             if (ring.next(j) == n && old < 2) continue;
-            cost -= old >= 2 ? k_most_neighbours : 0;
+            cost -= old >= 2 ? k_max_neighbors : 0;
             if (best && cost >= least) continue;
             best = j;
             least = cost;
@@ -283,8 +283,8 @@ private:
         return ring.is_umbrella() ? std::optional(ring) : std::nullopt;
     }
 
-    // The gap, filled with neighbours that have the point in their umbrellas.
-    std::optional<Fan> filled(const Neighbourhood& around, const Fan& fan,
+    // The gap, filled with neighbors that have the point in their umbrellas.
+    std::optional<Fan> filled(const Neighborhood& around, const Fan& fan,
                               std::uint64_t reciprocal) const {
         const Fan full = with_places(around, fan, reciprocal, std::numbers::pi);
         // Only what lies within the gaps joins the ring.
@@ -312,7 +312,7 @@ private:
     }
 
     std::span<const glm::dvec3> points_;
-    const NeighbourLists& neighbours_;
+    const NeighborLists& neighbors_;
     const PointSurfaceOptions& options_;
     std::uint32_t k_, count_;
     std::vector<GabrielTriangle> gabriel_;
@@ -324,9 +324,9 @@ private:
 }  // namespace
 
 FoundUmbrellas find_thesis_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighbourLists& neighbours,
+                                     const NeighborLists& neighbors,
                                      const PointSurfaceOptions& options, const LongCall& call) {
-    Passes passes(points, neighbours, options);
+    Passes passes(points, neighbors, options);
     passes.first({call, 0.0, 0.4});
     passes.second({call, 0.4, 0.7});
     passes.third({call, 0.7, 1.0});

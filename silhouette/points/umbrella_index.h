@@ -16,7 +16,7 @@
 // p-q is a consensus edge when the spoke p-q of p's patch and the spoke q-p of q's both are on the
 // silhouette; the two are twins.
 //
-// The octree is over patches: each is a set of Hough points, one a triangle, and sixteen neighbours in octree
+// The octree is over patches: each is a set of Hough points, one a triangle, and sixteen neighbors in octree
 // order make a block, whose box holds all of theirs. Where a box lies certainly on the same side of two
 // v-spheres (box_tree.h) no bit in it differs between the two, and no spoke. What boxes do not settle is
 // decided by is_front from each triangle's own plane, so that results equal brute force bit for bit.
@@ -107,7 +107,7 @@ public:
     std::uint32_t find_spoke(std::uint32_t from, std::uint32_t to) const noexcept;
 
     /// Room for the bits of any block, and to walk the tree, for one thread.
-    std::uint32_t most_planes() const noexcept { return most_planes_; }
+    std::uint32_t max_planes() const noexcept { return max_planes_; }
     BlockScratch make_scratch() const { return BlockScratch(block_count()); }
 
     /// The blocks in which a spoke may be on the silhouette from one of the two points and not from the
@@ -124,7 +124,7 @@ public:
         odd,
     };
     Shape shape(std::uint32_t patch) const noexcept { return shapes_[patch]; }
-    static constexpr std::uint32_t k_most_of_fan = 8;
+    static constexpr std::uint32_t k_max_of_fan = 8;
     /// Whether a spoke is on the silhouette; `front` are the bits of its patch's planes.
     bool is_on(std::uint32_t spoke, const std::uint8_t* front) const noexcept {
         const Sides sides = sides_[spoke];
@@ -144,7 +144,7 @@ private:
     static constexpr std::uint8_t k_turn_the_same = 0x80;
     static constexpr std::uint8_t k_plane_bits = 0x7f;
     static constexpr std::uint8_t k_special = 0xff;
-    static constexpr std::uint32_t k_most_planes_of_sides = 0x7f;  // Beyond, spokes are special.
+    static constexpr std::uint32_t k_max_planes_of_sides = 0x7f;  // Beyond, spokes are special.
 
     struct Patch {
         PointId point;
@@ -173,7 +173,7 @@ private:
     std::vector<std::uint32_t> special_planes_;
     // Block after block, of each all nx, all ny, all nz, all d.
     std::vector<float> planes_;
-    std::uint32_t most_planes_ = 0;
+    std::uint32_t max_planes_ = 0;
     BoxTree tree_;
     std::vector<NodeFrames> frames_;  // The walk fetches them; nothing here is decided by them.
 };

@@ -13,7 +13,7 @@ namespace rimline {
 
 namespace {
 
-constexpr std::uint64_t k_most_triangles = std::uint64_t{1} << 30;
+constexpr std::uint64_t k_max_triangles = std::uint64_t{1} << 30;
 
 struct Box {
     glm::dvec3 low{0.0};
@@ -166,7 +166,7 @@ private:
         std::uint64_t spokes = 0;
         std::uint64_t planes = 0;
         for (UmbrellaIndex::Patch& patch : index_.patches_) {
-            if (planes > k_most_triangles)
+            if (planes > k_max_triangles)
                 throw Error(ErrorCode::too_large, "more than 2^30 triangles in umbrellas");
             const std::uint32_t own_spokes = patch.first_spoke;
             const std::uint32_t own_planes = patch.first_plane;
@@ -197,8 +197,8 @@ private:
         });
         for (std::uint32_t block = 0; block < blocks; ++block) {
             const auto [begin, end] = index_.patches_of(block);
-            index_.most_planes_ = std::max(index_.most_planes_, index_.planes_of(end - 1).last -
-                                                                    index_.planes_of(begin).first);
+            index_.max_planes_ = std::max(
+                index_.max_planes_, index_.planes_of(end - 1).last - index_.planes_of(begin).first);
         }
         index_.tree_ = BoxTree(std::move(bounds));
         index_.frames_.resize((blocks + k_node_width - 1) / k_node_width);
@@ -232,7 +232,7 @@ private:
             UmbrellaIndex::Sides& packed = index_.sides_[first + s];
             packed = {0, 0};
             if (sides.count < 2) continue;  // One plane beside itself never differs.
-            if (sides.count > 2 || patch.triangles.size() > UmbrellaIndex::k_most_planes_of_sides)
+            if (sides.count > 2 || patch.triangles.size() > UmbrellaIndex::k_max_planes_of_sides)
                 packed.first = UmbrellaIndex::k_special;
             else
                 packed = {static_cast<std::uint8_t>(
@@ -246,7 +246,7 @@ private:
 
     static bool is_fan(const Described& patch) {
         const auto size = static_cast<std::uint32_t>(patch.targets.size());
-        if (patch.triangles.size() != size || size > UmbrellaIndex::k_most_of_fan || size < 3)
+        if (patch.triangles.size() != size || size > UmbrellaIndex::k_max_of_fan || size < 3)
             return false;
         for (std::uint32_t t = 0; t < size; ++t)
             if (patch.triangles[t].from != t || patch.triangles[t].to != (t + 1) % size)

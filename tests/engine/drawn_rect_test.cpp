@@ -3,9 +3,9 @@
 #include <optional>
 #include <random>
 
+#include "engine/frame/scene_data.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/renderer.h"
-#include "engine/frame/scene_data.h"
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/vulkan/barrier.h"
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
+#include "engine/vulkan/barrier.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"

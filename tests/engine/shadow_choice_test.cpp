@@ -229,7 +229,7 @@ TEST_CASE("a light on a vertex is moved a little outwards, any other stays") {
          {HomogeneousPoint::viewpoint({0.25f, 1.0f, 0.5f}), HomogeneousPoint::viewpoint({0, 0, 0}),
           HomogeneousPoint::viewpoint({5, 1, 1}), HomogeneousPoint::direction({1, 1, 1})})
         CHECK(light_off_vertices(box, other) == other);
-    // At the end of coordinates it can only go inwards, and where its neighbour is a vertex too, on.
+    // At the end of coordinates it can only go inwards, and where its neighbor is a vertex too, on.
     const float end = k_max_coordinate;
     const float next = 1.0f + 0x1p-16f;
     const Mesh vast(MeshSource{{{end, end, end}, {0, 0, 0}, {end, 0, 0}}, {{0, 1, 2}}});

@@ -789,8 +789,8 @@ def test_bench_points_measures_borders_beside_the_gap_rule():
     assert terrain["border_wide"] == 180
     assert all(count["missed_wide"] == count["missed"] for count in terrain["borders"])
     for method in methods[6:]:
-        library, neighbours, threshold = method.split()
-        if neighbours == "16":
+        library, neighbors, threshold = method.split()
+        if neighbors == "16":
             assert abs(missed[method] - missed[f"gap {threshold}"]) <= 1, method
     # Without models of one's own there are built-in ones, and what checks nothing is no success.
     result = run("bench", "points", "--check", "--json", env={**os.environ, "RIMLINE_MODELS": ""})
@@ -1424,7 +1424,7 @@ def test_points_are_exported_with_normals_labels_and_weights():
         assert [row[13] for row in rows if row[12] == 1] == found["silhouette"]
         assert all(abs(row[11] - weight) < 1e-6 for row, weight in zip(rows, found["features"]))
         assert all(abs(math.hypot(*row[3:6]) - 1) < 1e-6 for row in rows if row[9] != 3)
-        # What was written is a cloud again, with normals and colours.
+        # What was written is a cloud again, with normals and colors.
         assert succeed("points", path)["points"] == found["points"]
         fail(1, "points", "shape:box", "--as-points", "--export", os.path.join(d, "none", "a.ply"))
 

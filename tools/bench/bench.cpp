@@ -197,11 +197,11 @@ private:
                                    "Times that each is measured; the least counts");
         builds_option_ = add_count(app, "--builds", hough_.builds, 1, 1000,
                                    "Times that the octree is built; the median counts");
-        least_option_ = add_count(app, "--least-faces", growth_options_.least_faces, 1, 1u << 28,
-                                  "Of --growth");
-        most_option_ = add_count(app, "--most-faces", growth_options_.most_faces, 1, 1u << 28,
-                                 "Of --growth, where 10 million take 4.4 GB of memory, and of "
-                                 "--figures, there by default the model's own");
+        min_option_ =
+            add_count(app, "--least-faces", growth_options_.min_faces, 1, 1u << 28, "Of --growth");
+        max_option_ = add_count(app, "--most-faces", growth_options_.max_faces, 1, 1u << 28,
+                                "Of --growth, where 10 million take 4.4 GB of memory, and of "
+                                "--figures, there by default the model's own");
         trackers_option_ = add_count(app, "--trackers", service_.trackers, 1, 100'000,
                                      "Of the service: a camera and lights");
         fps_option_ = add_number(app, "--fps", service_.frames_per_second, 1.0, 10'000.0,
@@ -221,7 +221,7 @@ private:
         up_option_ = add_direction(app, "--up", up_, "Of --pictures: what is up in the models");
         for (CLI::Option* option :
              {pictures_option_, up_option_, device_option_, viewpoints_option_, frames_option_,
-              worst_frames_option_, rounds_option_, builds_option_, least_option_, most_option_,
+              worst_frames_option_, rounds_option_, builds_option_, min_option_, max_option_,
               trackers_option_, fps_option_, workers_option_, noise_option_})
             option->group(k_group);
     }
@@ -266,8 +266,8 @@ private:
             refuse(is_service, option, "belongs to the suite hough");
         for (const CLI::Option* option : {trackers_option_, fps_option_, workers_option_})
             refuse(!is_service, option, "belongs to the suite service");
-        refuse(!growth_, least_option_, "belongs to --growth");
-        refuse(!growth_ && !figures_, most_option_, "belongs to --growth and --figures");
+        refuse(!growth_, min_option_, "belongs to --growth");
+        refuse(!growth_ && !figures_, max_option_, "belongs to --growth and --figures");
         refuse(growth_, methods_option_, "not together with --growth");
         refuse(growth_ || methods_, figures_option_, "not together with --growth or --methods");
         for (const CLI::Option* option :
@@ -384,7 +384,7 @@ private:
 
     ExitStatus run_figures(const Context& context) {
         FigureOptions options;
-        if (most_option_->count() > 0) options.most_faces = growth_options_.most_faces;
+        if (max_option_->count() > 0) options.max_faces = growth_options_.max_faces;
         nlohmann::ordered_json figures = nlohmann::ordered_json::array();
         std::string difference;
         for (const std::string& model : models()) {
@@ -449,8 +449,8 @@ private:
         if (viewpoints_option_->count() > 0) request.options.viewpoints = hough_.viewpoints;
         if (frames_option_->count() > 0) request.options.frames = hough_.frames;
         if (rounds_option_->count() > 0) request.options.rounds = hough_.rounds;
-        if (least_option_->count() > 0) request.least_faces = growth_options_.least_faces;
-        if (most_option_->count() > 0) request.most_faces = growth_options_.most_faces;
+        if (min_option_->count() > 0) request.min_faces = growth_options_.min_faces;
+        if (max_option_->count() > 0) request.max_faces = growth_options_.max_faces;
         return request;
     }
 
@@ -502,7 +502,7 @@ private:
                 *growth_option_ = nullptr, *figures_option_ = nullptr, *no_vtk_option_ = nullptr,
                 *viewpoints_option_ = nullptr, *frames_option_ = nullptr,
                 *worst_frames_option_ = nullptr, *rounds_option_ = nullptr,
-                *builds_option_ = nullptr, *least_option_ = nullptr, *most_option_ = nullptr,
+                *builds_option_ = nullptr, *min_option_ = nullptr, *max_option_ = nullptr,
                 *trackers_option_ = nullptr, *fps_option_ = nullptr, *workers_option_ = nullptr,
                 *noise_option_ = nullptr;
 };

@@ -22,9 +22,9 @@
 #include <string_view>
 #include <vector>
 
-#include "silhouette/methods/instruction_set.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/methods/instruction_set.h"
 
 namespace rimline::tools {
 

@@ -10,14 +10,14 @@
 #include <numbers>
 
 #include "engine/measure/field_pass.h"
+#include "engine/measure/visible_ratio.h"
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
-#include "engine/measure/visible_ratio.h"
 #include "silhouette/field/named_functions.h"
 #include "silhouette/hough/orbit.h"
 #include "silhouette/mesh/solid.h"
-#include "tools/timing.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
@@ -30,7 +30,7 @@ constexpr double k_orbit_radii = 2.0;
 constexpr double k_step_deg = 0.5;
 constexpr std::uint32_t k_warm_up_frames = 2;
 // Two ways differ where a corner is rounded otherwise, if anywhere.
-constexpr double k_most_differing_pixels = 1e-4;
+constexpr double k_max_differing_pixels = 1e-4;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
@@ -121,7 +121,7 @@ std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& oc
             } else if (w == 0) {
                 first = std::move(picture);
             } else if (ways[w].draws_the_same &&
-                       differing_share(first, picture) > k_most_differing_pixels) {
+                       differing_share(first, picture) > k_max_differing_pixels) {
                 return ways[w].name + ": its picture";
             }
         }

@@ -5,12 +5,12 @@
 #include <memory>
 #include <numbers>
 
-#include "engine/stream/gpu_silhouette.h"
 #include "engine/renderer.h"
+#include "engine/stream/gpu_silhouette.h"
 #include "silhouette/hough/orbit.h"
 #include "tools/bench/gpu_time.h"
-#include "tools/timing.h"
 #include "tools/options/model_argument.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t k_side_px = 1024;
+constexpr std::uint32_t k_growth_side_px = 1024;
 constexpr std::uint32_t k_frames_before = 2;
 
 double ms_since(Clock::time_point start) {
@@ -98,7 +98,7 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
         scene.shadows = false;
         for (std::size_t r = 0; r < renderers.size(); ++r) {
             const Clock::time_point frame_start = Clock::now();
-            renderers[r]->render(scene, k_side_px, k_side_px);
+            renderers[r]->render(scene, k_growth_side_px, k_growth_side_px);
             if (counts) frames_ms[r].push_back(ms_since(frame_start));
         }
     }
@@ -123,9 +123,9 @@ std::vector<EngineGrowthStep> bench_engine_growth(
     const EngineBenchRequest& request, const Device& device,
     const std::function<void(const EngineGrowthStep&)>& on_step, const Context& context) {
     std::vector<EngineGrowthStep> steps;
-    for (std::uint64_t decade = 1; decade <= request.most_faces; decade *= 10)
+    for (std::uint64_t decade = 1; decade <= request.max_faces; decade *= 10)
         for (const std::uint64_t faces : {decade, 3 * decade}) {
-            if (faces < request.least_faces || faces > request.most_faces) continue;
+            if (faces < request.min_faces || faces > request.max_faces) continue;
             const std::string model = "shape:knot:" + std::to_string(faces);
             const Mesh mesh = load_mesh(model, 0, context);
             steps.push_back(about_model(
@@ -135,8 +135,8 @@ std::vector<EngineGrowthStep> bench_engine_growth(
         }
     if (steps.empty())
         throw Error(ErrorCode::bad_input, "shape:knot: has no size from " +
-                                              std::to_string(request.least_faces) + " to " +
-                                              std::to_string(request.most_faces) +
+                                              std::to_string(request.min_faces) + " to " +
+                                              std::to_string(request.max_faces) +
                                               " faces: sizes are 1 and 3 times powers of ten");
     return steps;
 }

@@ -22,8 +22,8 @@ struct EngineBenchRequest {
     std::string device;
     bool check = false;
     bool growth = false;
-    std::uint32_t least_faces = 10'000;
-    std::uint32_t most_faces = 300'000;  ///< Of --growth.
+    std::uint32_t min_faces = 10'000;
+    std::uint32_t max_faces = 300'000;  ///< Of --growth.
     EngineBenchOptions options;
 };
 

@@ -13,8 +13,8 @@
 #include "silhouette/field/origins.h"
 #include "silhouette/field/points_of_interest.h"
 #include "silhouette/field/tangential_field.h"
-#include "tools/timing.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 

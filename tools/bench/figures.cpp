@@ -8,16 +8,16 @@
 #include <numbers>
 #include <random>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/hough/orbit.h"
+#include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/methods/literal/active_region.h"
 #include "silhouette/methods/literal/literal_octree.h"
 #include "silhouette/methods/literal/literal_tracker.h"
-#include "silhouette/hough/orbit.h"
-#include "silhouette/hough/silhouette_tracker.h"
-#include "tools/progress.h"
 #include "tools/bench/transform_octree.h"
 #include "tools/bench/vertex_clustering.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -286,10 +286,10 @@ UnitSphere unit_sphere(const Mesh& mesh) {
 
 FigureData bench_figures(const std::string& model, const Mesh& mesh, const FigureOptions& options,
                          const Context& context) {
-    if (mesh.face_count() > options.most_faces) {
+    if (mesh.face_count() > options.max_faces) {
         FigureOptions rest = options;
-        rest.most_faces = std::numeric_limits<std::uint32_t>::max();
-        const Mesh coarse(cluster_vertices(mesh, options.most_faces));
+        rest.max_faces = std::numeric_limits<std::uint32_t>::max();
+        const Mesh coarse(cluster_vertices(mesh, options.max_faces));
         return bench_figures(model, coarse, rest, context);
     }
     FigureData data;

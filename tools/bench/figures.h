@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "silhouette/hough/change_set.h"
-#include "silhouette/methods/literal/literal_counters.h"
 #include "silhouette/mesh/mesh.h"
-#include "tools/command.h"
+#include "silhouette/methods/literal/literal_counters.h"
 #include "tools/bench/layout_picture.h"
+#include "tools/command.h"
 
 namespace rimline::tools {
 
@@ -33,7 +33,7 @@ struct FigureOptions {
     /// Face counts to cluster down to (vertex_clustering.h), those that the mesh has.
     std::vector<std::uint32_t> resolutions{2000, 4000, 8000, 16000, 32000, 64000, 128000};
     /// A mesh of more faces is clustered before anything is counted.
-    std::uint32_t most_faces = 0xffffffffu;
+    std::uint32_t max_faces = 0xffffffffu;
     std::uint32_t sample = 6000;  ///< Points of a scatter plot.
 };
 

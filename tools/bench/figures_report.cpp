@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "tools/bench/figures.h"
+#include "tools/output/json_vector.h"
 
 namespace rimline::tools {
 
@@ -104,7 +105,7 @@ Json to_json(const FigureData& data) {
             {"faces", data.faces},
             {"edges", data.edges},
             {"sfo_edges", data.sfo_edges},
-            {"center", {data.unit.center.x, data.unit.center.y, data.unit.center.z}},
+            {"center", json_vector(data.unit.center)},
             {"radius", data.unit.radius},
             {"verified", data.difference.empty()},
             {"difference", data.difference},

@@ -13,17 +13,17 @@
 namespace rimline::tools {
 
 std::vector<double> widest_sectors(std::span<const glm::dvec3> positions) {
-    constexpr std::uint32_t k_neighbours = 16;
+    constexpr std::uint32_t k_neighbors = 16;
     const LongCall call;
-    const NeighbourLists neighbours(positions, k_neighbours, call);
+    const NeighborLists neighbors(positions, k_neighbors, call);
     std::vector<double> widest(positions.size(), 2.0 * std::numbers::pi);
     each_point(
         static_cast<std::uint32_t>(positions.size()), {call},
         [&](std::uint32_t first, std::uint32_t last) {
-            Neighbourhood around;
+            Neighborhood around;
             std::vector<double> angles;
             for (std::uint32_t i = first; i < last; ++i) {
-                around.look_from(positions, i, neighbours.of(i).first(neighbours.nearest_count()));
+                around.look_from(positions, i, neighbors.of(i).first(neighbors.nearest_count()));
                 const glm::dvec3 n = around.fitted_normal(around.size());
                 if (n == glm::dvec3(0.0)) continue;
                 const glm::dvec3 u = any_perpendicular(n);

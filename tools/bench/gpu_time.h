@@ -2,7 +2,7 @@
 
 // How long commands take: by the clock, around submitting and waiting, and by the device's own
 // timestamps where it has them. On lavapipe trust the clock: its timestamps miss what threads still
-// rasterise.
+// rasterize.
 
 #include <functional>
 #include <optional>

@@ -20,9 +20,9 @@ struct Size {
 std::vector<Size> shape_sizes(const std::string& model, const GrowthOptions& options) {
     const std::string shape = model.substr(0, model.find(':', model.find(':') + 1));
     std::vector<Size> sizes;
-    for (std::uint64_t decade = 1; decade <= options.most_faces; decade *= 10)
+    for (std::uint64_t decade = 1; decade <= options.max_faces; decade *= 10)
         for (const std::uint64_t faces : {decade, 3 * decade})
-            if (faces >= options.least_faces && faces <= options.most_faces)
+            if (faces >= options.min_faces && faces <= options.max_faces)
                 sizes.push_back({shape + ":" + std::to_string(faces), 0});
     return sizes;
 }
@@ -33,8 +33,8 @@ std::vector<Size> subdivisions(const std::string& model, const GrowthOptions& op
         load_model(model, 0, FaceRequirement::faces, context).triangles.size();
     std::vector<Size> sizes;
     std::uint32_t subdivide = 0;
-    for (std::uint64_t n = faces; n <= options.most_faces; n *= 4, ++subdivide)
-        if (n >= options.least_faces) sizes.push_back({model, subdivide});
+    for (std::uint64_t n = faces; n <= options.max_faces; n *= 4, ++subdivide)
+        if (n >= options.min_faces) sizes.push_back({model, subdivide});
     return sizes;
 }
 
@@ -72,8 +72,8 @@ std::vector<GrowthStep> bench_growth(const std::string& model, const GrowthOptio
                                         : subdivisions(model, options, context);
     if (sizes.empty())
         throw UsageError("--growth: " + model + " has no size from " +
-                         std::to_string(options.least_faces) + " to " +
-                         std::to_string(options.most_faces) + " faces");
+                         std::to_string(options.min_faces) + " to " +
+                         std::to_string(options.max_faces) + " faces");
     std::vector<GrowthStep> steps;
     for (const Size& size : sizes) {
         const Mesh mesh = load_mesh(size.model, size.subdivide, context);

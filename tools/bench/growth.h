@@ -16,8 +16,8 @@
 namespace rimline::tools {
 
 struct GrowthOptions {
-    std::uint32_t least_faces = 1'000;
-    std::uint32_t most_faces = 10'000'000;
+    std::uint32_t min_faces = 1'000;
+    std::uint32_t max_faces = 10'000'000;
     HoughBenchOptions bench;
 };
 

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <chrono>
 
-#include "silhouette/mesh/brute_force.h"
-#include "silhouette/methods/brute_force_packed.h"
-#include "silhouette/methods/brute_force_tracker.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/hough/spread_viewpoints.h"
+#include "silhouette/mesh/brute_force.h"
+#include "silhouette/methods/brute_force_packed.h"
+#include "silhouette/methods/brute_force_tracker.h"
 #include "tools/bench/fresh_tracker.h"
 #include "tools/bench/viewpoints.h"
 #include "tools/commands/frame_check.h"
-#include "tools/progress.h"
 #include "tools/options/track_path.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -313,7 +313,7 @@ std::uint32_t point_count(std::uint32_t asked, std::uint32_t faces) {
     if (faces <= 1'000'000) return asked;
     const std::uint64_t fewer = std::uint64_t{asked} * 1'000'000 / faces;
     return static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(asked, std::max<std::uint64_t>(fewer, k_least_points)));
+        std::min<std::uint64_t>(asked, std::max<std::uint64_t>(fewer, k_min_points)));
 }
 
 double ratio(const Times& baseline, const Times& ours) {

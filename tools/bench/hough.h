@@ -9,7 +9,7 @@
 //   worst        with its change set, on a random path with jumps, against a fresh extraction a frame.
 //
 // Up to a million faces all points are taken that are asked for; above, fewer in proportion, at least
-// k_least_points, so that a case takes about as long on any model. Every result is compared with packed
+// k_min_points, so that a case takes about as long on any model. Every result is compared with packed
 // brute force, and that with the scalar oracle at about k_scalar_faces faces' worth of points.
 
 #include <cstdint>
@@ -19,14 +19,14 @@
 
 #include "silhouette/mesh/mesh.h"
 #include "tools/bench/ceiling.h"
-#include "tools/timing.h"
 #include "tools/bench/vtk.h"
 #include "tools/command.h"
 #include "tools/commands/stream_bytes.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
-constexpr std::uint32_t k_least_points = 60;
+constexpr std::uint32_t k_min_points = 60;
 constexpr std::uint64_t k_scalar_faces = 50'000'000;
 
 struct HoughBenchOptions {

@@ -3,9 +3,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "tools/library_borders_script.h"
-#include "tools/progress.h"
+#include "tools/bench/library_borders_script.h"
 #include "tools/bench/python_script.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 

@@ -14,7 +14,7 @@
 namespace rimline::tools {
 
 struct LibraryBorders {
-    std::string method;  ///< Library, neighbours, threshold in degrees: "Open3D 16 90".
+    std::string method;  ///< Library, neighbors, threshold in degrees: "Open3D 16 90".
     std::vector<std::uint8_t> is_border;
 };
 

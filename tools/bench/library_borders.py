@@ -5,7 +5,7 @@ Reads points from standard input, as little-endian numbers:
     uint64  points
     float32 x, y, z      for each
 
-and prints one JSON object: by library, neighbours and threshold in degrees ("Open3D 16 90"), the numbers of
+and prints one JSON object: by library, neighbors and threshold in degrees ("Open3D 16 90"), the numbers of
 the points that it calls a border. Open3D is there where this Python imports it (Debian: python3-open3d), PCL
 where its programs are installed (pcl-tools); what is not there or fails is left out.
 """
@@ -48,12 +48,12 @@ def by_open3d(positions):
     search = open3d.core.nns.NearestNeighborSearch(tensor)
     search.knn_index()
     borders = {}
-    for neighbours, threshold in SETTINGS:
-        cloud.estimate_normals(max_nn=neighbours)
-        # It takes time by all that lie within a radius, which so is the least that holds the neighbours.
-        radius = 1.001 * float(search.knn_search(tensor, neighbours)[1].numpy().max()) ** 0.5
-        _, mask = cloud.compute_boundary_points(radius, neighbours, threshold)
-        borders[f"Open3D {neighbours} {threshold}"] = numpy.flatnonzero(mask.numpy()).tolist()
+    for neighbors, threshold in SETTINGS:
+        cloud.estimate_normals(max_nn=neighbors)
+        # It takes time by all that lie within a radius, which so is the least that holds the neighbors.
+        radius = 1.001 * float(search.knn_search(tensor, neighbors)[1].numpy().max()) ** 0.5
+        _, mask = cloud.compute_boundary_points(radius, neighbors, threshold)
+        borders[f"Open3D {neighbors} {threshold}"] = numpy.flatnonzero(mask.numpy()).tolist()
     return borders
 
 
@@ -69,16 +69,16 @@ def by_pcl(positions):
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "points.pcd"), "wb") as file:
             file.write(header.encode() + positions.tobytes())
-        for neighbours, threshold in SETTINGS:
-            run("pcl_normal_estimation", "points.pcd", "normals.pcd", "-k", neighbours)
-            run("pcl_boundary_estimation", "normals.pcd", "borders.pcd", "-k", neighbours,
+        for neighbors, threshold in SETTINGS:
+            run("pcl_normal_estimation", "points.pcd", "normals.pcd", "-k", neighbors)
+            run("pcl_boundary_estimation", "normals.pcd", "borders.pcd", "-k", neighbors,
                 "-thresh", math.radians(threshold))
             with open(os.path.join(folder, "borders.pcd")) as file:
                 lines = file.read().split("\n")
             fields = next(line.split()[1:] for line in lines if line.startswith("FIELDS"))
             at = fields.index("boundary_point")
             rows = lines[lines.index("DATA ascii") + 1:][:count]
-            borders[f"PCL {neighbours} {threshold}"] = \
+            borders[f"PCL {neighbors} {threshold}"] = \
                 [number for number, row in enumerate(rows) if row.split()[at] == "1"]
     return borders
 

@@ -12,12 +12,12 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::uint32_t k_side_px = 512;
+constexpr std::uint32_t k_measured_side_px = 512;
 constexpr std::uint32_t k_shadow_px = 2048;
 constexpr double k_lamp_radii = 40.0;
 // Of the mesh's radius.
 constexpr double k_shadow_tolerance = 4e-3;
-// Neighbouring pixels farther apart than this show different parts of the surface.
+// Neighboring pixels farther apart than this show different parts of the surface.
 constexpr double k_jump = 0.04;
 
 Camera close_camera(const Mesh& mesh, const glm::dvec3& eye) {
@@ -29,14 +29,14 @@ Camera close_camera(const Mesh& mesh, const glm::dvec3& eye) {
 }  // namespace
 
 LitView::LitView(const Mesh& mesh, const glm::dvec3& eye) : mesh_(mesh) {
-    const ItemBuffer buffer(mesh, close_camera(mesh, eye), k_side_px, k_side_px);
+    const ItemBuffer buffer(mesh, close_camera(mesh, eye), k_measured_side_px, k_measured_side_px);
     const std::vector<glm::vec3> normals = corner_normals(mesh, RendererOptions{}.crease_angle_rad);
-    pixels_.resize(std::size_t{k_side_px} * k_side_px);
-    for (std::uint32_t y = 0; y < k_side_px; ++y)
-        for (std::uint32_t x = 0; x < k_side_px; ++x) {
+    pixels_.resize(std::size_t{k_measured_side_px} * k_measured_side_px);
+    for (std::uint32_t y = 0; y < k_measured_side_px; ++y)
+        for (std::uint32_t x = 0; x < k_measured_side_px; ++x) {
             const FaceId face = buffer.face(x, y);
             if (face == k_no_face) continue;
-            Pixel& pixel = pixels_[std::size_t{y} * k_side_px + x];
+            Pixel& pixel = pixels_[std::size_t{y} * k_measured_side_px + x];
             const glm::dvec3 weights = buffer.corner_weights(x, y);
             std::array<glm::dvec3, 3> corners;
             glm::dvec3 normal(0.0);
@@ -65,16 +65,16 @@ LightMeasure LitView::measure(const glm::dvec3& sun) const {
     const auto cosine = [&](const Pixel& pixel) {
         return std::max(0.0, glm::dot(pixel.normal, sun));
     };
-    for (std::uint32_t y = 0; y + 1 < k_side_px; ++y)
-        for (std::uint32_t x = 0; x + 1 < k_side_px; ++x) {
-            const Pixel& pixel = pixels_[std::size_t{y} * k_side_px + x];
+    for (std::uint32_t y = 0; y + 1 < k_measured_side_px; ++y)
+        for (std::uint32_t x = 0; x + 1 < k_measured_side_px; ++x) {
+            const Pixel& pixel = pixels_[std::size_t{y} * k_measured_side_px + x];
             if (!pixel.is_surface) continue;
             surface += 1.0;
             const bool is_away = glm::dot(pixel.face_normal, sun) <= 0.0;
             sums.away += is_away;
             sums.unlit += is_away || !lit.sees(pixel.place, tolerance);
-            const Pixel& right = pixels_[std::size_t{y} * k_side_px + x + 1];
-            const Pixel& below = pixels_[std::size_t{y + 1} * k_side_px + x];
+            const Pixel& right = pixels_[std::size_t{y} * k_measured_side_px + x + 1];
+            const Pixel& below = pixels_[std::size_t{y + 1} * k_measured_side_px + x];
             const auto joins = [&](const Pixel& other) {
                 return other.is_surface &&
                        glm::distance(other.place, pixel.place) < k_jump * mesh_.radius();
@@ -86,7 +86,7 @@ LightMeasure LitView::measure(const glm::dvec3& sun) const {
         }
     sums.away /= std::max(surface, 1.0);
     sums.unlit /= std::max(surface, 1.0);
-    sums.contrast *= 0.01 * k_side_px / std::max(steps, 1.0);
+    sums.contrast *= 0.01 * k_measured_side_px / std::max(steps, 1.0);
     return sums;
 }
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "silhouette/methods/brute_force_packed.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/methods/brute_force_packed.h"
 
 namespace rimline::tools {
 

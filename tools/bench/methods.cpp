@@ -6,9 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "silhouette/hough/spread_viewpoints.h"
 #include "silhouette/methods/brute_force_packed.h"
 #include "silhouette/methods/silhouette_method.h"
-#include "silhouette/hough/spread_viewpoints.h"
 #include "tools/bench/hough.h"
 #include "tools/bench/report.h"
 #include "tools/bench/viewpoints.h"

@@ -19,12 +19,11 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180.0;
-constexpr std::uint32_t k_least_vertices = 250;
+constexpr std::uint32_t k_min_vertices = 250;
 constexpr double k_spacings = 3.0;
-constexpr double k_least_opening_rad = 100.0 * k_degree;
+constexpr double k_min_opening_rad = 100.0 * k_degree;
 constexpr double k_clear_of_faces_rad = 30.0 * k_degree;
-constexpr double k_greatest_turn_rad = 60.0 * k_degree;
+constexpr double k_max_turn_rad = 60.0 * k_degree;
 constexpr double k_own_lengths = 2.0;
 
 glm::dvec3 direction_of(const glm::dvec3& v) {
@@ -37,7 +36,7 @@ public:
     explicit Truth(const Mesh& mesh) : mesh_(mesh) {
         for (const glm::vec3& p : mesh.positions()) truth_.positions.emplace_back(p);
         truth_.normals.assign(truth_.positions.size(), glm::dvec3(0.0));
-        truth_.neighbours.resize(truth_.positions.size());
+        truth_.neighbors.resize(truth_.positions.size());
         normals_by_area_ = truth_.normals;
         corners_.resize(truth_.positions.size());
         for (const Triangle& triangle : mesh.triangles())
@@ -50,8 +49,8 @@ public:
                 truth_.normals[a] += angle_between(edge(a, b), edge(a, d)) * direction_of(product);
             }
         for (const Edge& e : mesh.edges()) {
-            truth_.neighbours[index(e.vertices[0])].push_back(index(e.vertices[1]));
-            truth_.neighbours[index(e.vertices[1])].push_back(index(e.vertices[0]));
+            truth_.neighbors[index(e.vertices[0])].push_back(index(e.vertices[1]));
+            truth_.neighbors[index(e.vertices[1])].push_back(index(e.vertices[0]));
         }
         for (auto* normals : {&truth_.normals, &normals_by_area_})
             for (glm::dvec3& normal : *normals) normal = direction_of(normal);
@@ -66,7 +65,7 @@ public:
         const Mesh::EdgeRange borders = mesh_.edges_of_class(EdgeClass::border);
         for (std::uint32_t e = borders.first; e < borders.last; ++e)
             for (const VertexId v : mesh_.edge(EdgeId{e}).vertices) truth_.is_border[index(v)] = 1;
-        truth_.is_fit = truth_.positions.size() >= k_least_vertices && mesh_.is_oriented() &&
+        truth_.is_fit = truth_.positions.size() >= k_min_vertices && mesh_.is_oriented() &&
                         mesh_.edges_of_class(EdgeClass::nonmanifold).size() == 0 &&
                         std::ranges::all_of(mesh_.planes(), &Plane::has_normal);
         std::uint32_t smooth = 0;
@@ -91,7 +90,7 @@ private:
     bool is_smooth(std::uint32_t v) const {
         return std::ranges::all_of(corners_[v], [&](const auto& corner) {
             return angle_between(glm::cross(edge(v, corner[0]), edge(v, corner[1])),
-                                 normals_by_area_[v]) <= k_greatest_turn_rad;
+                                 normals_by_area_[v]) <= k_max_turn_rad;
         });
     }
 
@@ -104,16 +103,16 @@ private:
             return std::atan2(glm::dot(d, w), glm::dot(d, u));
         };
         double reach = 0.0;
-        const std::vector<std::uint32_t>& neighbours = truth_.neighbours[v];
-        for (const std::uint32_t x : neighbours) reach += glm::length(edge(v, x));
-        reach *= k_spacings / static_cast<double>(neighbours.size());
+        const std::vector<std::uint32_t>& neighbors = truth_.neighbors[v];
+        for (const std::uint32_t x : neighbors) reach += glm::length(edge(v, x));
+        reach *= k_spacings / static_cast<double>(neighbors.size());
         double covered = 0.0;
         std::vector<std::array<double, 2>> sectors;
         for (const auto& corner : corners_[v]) {
             covered += angle_between(edge(v, corner[0]), edge(v, corner[1]));
             sectors.push_back({direction(edge(v, corner[0])), direction(edge(v, corner[1]))});
         }
-        if (2.0 * std::numbers::pi - covered < k_least_opening_rad) return false;
+        if (2.0 * std::numbers::pi - covered < k_min_opening_rad) return false;
         const auto turn = [](double from, double to) {
             const double angle = std::fmod(to - from, 2.0 * std::numbers::pi);
             return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
@@ -126,7 +125,7 @@ private:
             const double length = glm::length(d);
             if (x == v || length > reach || !(length > 0.0)) continue;
             if (std::abs(glm::dot(d, n)) > std::sin(std::numbers::pi / 4) * length) continue;
-            if (std::ranges::find(neighbours, x) != neighbours.end()) continue;
+            if (std::ranges::find(neighbors, x) != neighbors.end()) continue;
             const double at = direction(d);
             const bool is_near_faces = std::ranges::any_of(sectors, [&](const auto& sector) {
                 return turn(sector[0], at) <= turn(sector[0], sector[1]) ||
@@ -152,7 +151,7 @@ bool PointTruth::is_crowded(std::uint32_t vertex) const {
         return glm::distance(positions[a], positions[b]);
     };
     double longest = 0.0;
-    for (const std::uint32_t next : neighbours[vertex])
+    for (const std::uint32_t next : neighbors[vertex])
         longest = std::max(longest, length(vertex, next));
     // Its own sheet: as far as its edges lead, shortest way first (Dijkstra 1959).
     using Reached = std::pair<double, std::uint32_t>;
@@ -162,7 +161,7 @@ bool PointTruth::is_crowded(std::uint32_t vertex) const {
         const auto [far, at] = waiting.top();
         waiting.pop();
         if (!own.insert(at).second) continue;
-        for (const std::uint32_t next : neighbours[at])
+        for (const std::uint32_t next : neighbors[at])
             if (far + length(at, next) <= k_own_lengths * longest)
                 waiting.push({far + length(at, next), next});
     }

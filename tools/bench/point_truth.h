@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -18,12 +19,14 @@
 
 namespace rimline::tools {
 
+constexpr double k_degree = std::numbers::pi / 180.0;  ///< In radians.
+
 struct PointTruth {
     std::vector<glm::dvec3> positions;
     /// The mean of the faces', by their angles there, which a flat face split another way does not change
     /// (Thürmer and Wüthrich 1998); zero where there are none.
     std::vector<glm::dvec3> normals;
-    std::vector<std::vector<std::uint32_t>> neighbours;  ///< Over edges.
+    std::vector<std::vector<std::uint32_t>> neighbors;  ///< Over edges.
     std::vector<std::uint8_t> is_border;
     std::vector<std::uint8_t> is_wide_at;  ///< At a border vertex, that the opening is wide there.
     std::uint32_t border_count = 0;

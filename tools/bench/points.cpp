@@ -21,9 +21,8 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180.0;
 constexpr double k_wrong_deg = 60.0;
-constexpr std::uint32_t k_most_extra = 10;  // Of closed models.
+constexpr std::uint32_t k_max_extra = 10;  // Of closed models.
 constexpr int k_thresholds_deg[] = {90, 120, 150, 180};
 
 PointsBenchResult::Kind kind_of(const PointTruth& truth) {
@@ -38,11 +37,11 @@ void add_noise(PointTruth& truth, double noise) {
     std::mt19937 random(1);
     std::normal_distribution<double> gauss;
     for (std::size_t i = 0; i < exact.size(); ++i) {
-        if (truth.neighbours[i].empty()) continue;
+        if (truth.neighbors[i].empty()) continue;
         double lengths = 0.0;
-        for (const std::uint32_t n : truth.neighbours[i])
+        for (const std::uint32_t n : truth.neighbors[i])
             lengths += glm::distance(exact[i], exact[n]);
-        const double spacing = lengths / static_cast<double>(truth.neighbours[i].size());
+        const double spacing = lengths / static_cast<double>(truth.neighbors[i].size());
         for (int axis = 0; axis < 3; ++axis)
             truth.positions[i][axis] += noise * spacing * gauss(random);
     }
@@ -81,7 +80,7 @@ void measure_normals(const Mesh& mesh, const PointSurface& surface, const PointT
 }  // namespace
 
 std::uint32_t PointsBenchResult::extra_allowed() const {
-    return std::filesystem::path(model).stem() == "fandisk" ? 0 : k_most_extra;
+    return std::filesystem::path(model).stem() == "fandisk" ? 0 : k_max_extra;
 }
 
 std::uint32_t PointsBenchResult::charged(const BorderCount& count) const {
@@ -116,7 +115,7 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, doubl
             count.missed_wide += truth.is_wide_at[i] && !found[i];
             count.extra += !truth.is_border[i] && found[i];
         }
-        if (result.border == 0 && count.extra > k_most_extra)
+        if (result.border == 0 && count.extra > k_max_extra)
             count.around_holes = count_around_holes(mesh, found);
         result.counts.push_back(std::move(count));
     };

@@ -3,7 +3,7 @@
 // `rimline bench points`: how well PointSurface finds borders and normals again where a mesh's faces are
 // thrown away, with one set of options for all models, beside the rule that people use (gap_rule.h).
 //
-// The truth is the mesh (point_truth.h). Missed are border vertices not labelled so, extra the others that
+// The truth is the mesh (point_truth.h). Missed are border vertices not labeled so, extra the others that
 // are, both counted against the border vertices (Table 5.1 of the thesis). An open model is found where
 // at most 4% are missed and 7% extra, a closed one where at most 10 are extra but for those around holes
 // in its samples, of fandisk none at all.
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
-#include "tools/command.h"
 #include "tools/bench/silhouette_hits.h"
+#include "tools/command.h"
 
 namespace rimline::tools {
 

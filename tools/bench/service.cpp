@@ -9,11 +9,11 @@
 #include <numbers>
 #include <thread>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/orbit.h"
 #include "silhouette/hough/service/silhouette_service.h"
 #include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/mesh/brute_force.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {

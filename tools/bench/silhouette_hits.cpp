@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/spread_viewpoints.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/points/point_silhouette.h"
 
 namespace rimline::tools {
@@ -19,7 +19,7 @@ constexpr double k_never = 2.0;  // No |n·v| is greater.
 
 using Flags = std::vector<std::uint8_t>;
 
-// With the neighbours of what is set.
+// With the neighbors of what is set.
 Flags widened(const Mesh& mesh, const Flags& flags) {
     Flags wide = flags;
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {

@@ -5,7 +5,7 @@
 //
 // True are the vertices of the mesh's silhouette edges, without borders, from the same viewpoint: sixteen,
 // evenly around, 2.5 radii from the center, counted together. A point that is found is right where it is
-// true, and near where it or a neighbour of it in the mesh is; a true vertex likewise is found or near.
+// true, and near where it or a neighbor of it in the mesh is; a true vertex likewise is found or near.
 
 #include <cstdint>
 #include <nlohmann/json.hpp>

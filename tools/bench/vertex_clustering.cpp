@@ -11,7 +11,7 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::uint32_t k_most_cells = 1u << 16;
+constexpr std::uint32_t k_max_cells = 1u << 16;
 
 // By vertex: the number of its cell in a grid with `cells` along the longest side.
 std::vector<std::uint64_t> cells_of_vertices(const Mesh& mesh, std::uint32_t cells) {
@@ -26,7 +26,7 @@ std::vector<std::uint64_t> cells_of_vertices(const Mesh& mesh, std::uint32_t cel
         for (int axis = 0; axis < 3; ++axis) {
             const double share = (double{position[axis]} - low[axis]) / longest;
             const auto step = static_cast<std::uint64_t>(share * cells);
-            cell = cell * k_most_cells + std::min<std::uint64_t>(step, cells - 1);
+            cell = cell * k_max_cells + std::min<std::uint64_t>(step, cells - 1);
         }
         cell_of.push_back(cell);
     }
@@ -49,17 +49,17 @@ std::uint32_t faces_left(const Mesh& mesh, std::uint32_t cells) {
 
 }  // namespace
 
-MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t most_faces) {
+MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t max_faces) {
     MeshSource source;
     source.up = mesh.up();
     if (mesh.face_count() == 0) return source;
 
     // One cell leaves nothing. Counts grow with the grid but for a few faces, which do not matter here.
     std::uint32_t fits = 1;
-    std::uint32_t too_fine = k_most_cells + 1;
+    std::uint32_t too_fine = k_max_cells + 1;
     while (too_fine - fits > 1) {
         const std::uint32_t cells = fits + (too_fine - fits) / 2;
-        (faces_left(mesh, cells) <= most_faces ? fits : too_fine) = cells;
+        (faces_left(mesh, cells) <= max_faces ? fits : too_fine) = cells;
     }
 
     const std::vector<std::uint64_t> cell_of = cells_of_vertices(mesh, fits);

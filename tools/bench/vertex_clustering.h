@@ -14,7 +14,7 @@
 namespace rimline::tools {
 
 /// The result of the finest grid, up to 2^16 cells along the longest side, that leaves no more than
-/// `most_faces`. O((vertices + faces) * 16).
-MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t most_faces);
+/// `max_faces`. O((vertices + faces) * 16).
+MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t max_faces);
 
 }  // namespace rimline::tools

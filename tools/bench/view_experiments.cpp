@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "silhouette/field/best_views.h"
-#include "tools/output/contact_sheet.h"
 #include "tools/bench/mesh_variants.h"
+#include "tools/options/picture_scene.h"
+#include "tools/output/contact_sheet.h"
 #include "tools/output/output_folder.h"
 #include "tools/output/picture_file.h"
-#include "tools/options/picture_scene.h"
 #include "tools/output/view_pictures.h"
 
 namespace rimline::tools {

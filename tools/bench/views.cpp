@@ -7,15 +7,15 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
-#include "engine/view_defaults.h"
 #include "engine/measure/visible_ratio.h"
+#include "engine/view_defaults.h"
 #include "silhouette/field/best_views.h"
 #include "silhouette/field/sun_choice.h"
 #include "tools/bench/light_measures.h"
 #include "tools/bench/mesh_variants.h"
-#include "tools/progress.h"
 #include "tools/bench/view_measures.h"
 #include "tools/output/view_pictures.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -72,14 +72,14 @@ void measure_set(ViewSet& set, const Mesh& mesh) {
             if (more[f]) seen[f] = true;
     }
     set.seen = double(std::count(seen.begin(), seen.end(), true)) / double(seen.size());
-    set.least_apart_deg = set.eyes.size() > 1 ? 180.0 : 0.0;
+    set.min_apart_deg = set.eyes.size() > 1 ? 180.0 : 0.0;
     double pairs = 0.0;
     for (std::size_t i = 0; i < set.eyes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const double apart =
                 angle_deg(set.eyes[i] - mesh.center(), set.eyes[j] - mesh.center());
-            set.least_apart_deg = std::min(set.least_apart_deg, apart);
-            set.most_apart_deg = std::max(set.most_apart_deg, apart);
+            set.min_apart_deg = std::min(set.min_apart_deg, apart);
+            set.max_apart_deg = std::max(set.max_apart_deg, apart);
             set.mean_apart_deg += apart;
             pairs += 1.0;
         }
@@ -110,9 +110,9 @@ ViewSet random_set(const Mesh& mesh, const ViewMeasures& measures,
         measure_set(set, mesh);
         const double share = 1.0 / options.random_sets;
         mean.seen += share * set.seen;
-        mean.least_apart_deg += share * set.least_apart_deg;
+        mean.min_apart_deg += share * set.min_apart_deg;
         mean.mean_apart_deg += share * set.mean_apart_deg;
-        mean.most_apart_deg += share * set.most_apart_deg;
+        mean.max_apart_deg += share * set.max_apart_deg;
     }
     return mean;
 }

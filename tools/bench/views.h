@@ -27,7 +27,7 @@ struct ViewSet {
     std::string name;
     std::vector<glm::dvec3> eyes;  ///< Of random choice none: it stands for the mean of many.
     double seen = 0.0;             ///< Share of the faces.
-    double least_apart_deg = 0.0, mean_apart_deg = 0.0, most_apart_deg = 0.0;
+    double min_apart_deg = 0.0, mean_apart_deg = 0.0, max_apart_deg = 0.0;
     /// By which the first view moves; of a mesh so small that a quarter of its faces is none, only by noise.
     std::optional<double> simplified_deg, noisy_deg;
 };

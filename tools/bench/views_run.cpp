@@ -9,6 +9,7 @@
 #include "tools/bench/view_experiments.h"
 #include "tools/bench/views.h"
 #include "tools/options/model_argument.h"
+#include "tools/output/json_vector.h"
 
 namespace rimline::tools {
 
@@ -29,7 +30,7 @@ void print_result(const ViewsResult& result) {
                 "simplified", "noise");
     for (const ViewSet& set : result.sets) {
         std::printf("  %-32s %7.1f%% %7.1f\u00b0 %7.1f\u00b0 %7.1f\u00b0", set.name.c_str(),
-                    100.0 * set.seen, set.least_apart_deg, set.mean_apart_deg, set.most_apart_deg);
+                    100.0 * set.seen, set.min_apart_deg, set.mean_apart_deg, set.max_apart_deg);
         print_degrees(set.simplified_deg, 10);
         print_degrees(set.noisy_deg, 7);
         std::printf("\n");
@@ -48,13 +49,13 @@ Json to_json(const ViewsResult& result) {
     Json sets = Json::array();
     for (const ViewSet& set : result.sets) {
         Json eyes = Json::array();
-        for (const glm::dvec3& eye : set.eyes) eyes.push_back({eye.x, eye.y, eye.z});
+        for (const glm::dvec3& eye : set.eyes) eyes.push_back(json_vector(eye));
         sets.push_back({{"name", set.name},
                         {"eyes", std::move(eyes)},
                         {"seen", set.seen},
-                        {"least_apart_deg", set.least_apart_deg},
+                        {"least_apart_deg", set.min_apart_deg},
                         {"mean_apart_deg", set.mean_apart_deg},
-                        {"most_apart_deg", set.most_apart_deg},
+                        {"most_apart_deg", set.max_apart_deg},
                         {"simplified_deg", set.simplified_deg ? Json(*set.simplified_deg) : Json()},
                         {"noisy_deg", set.noisy_deg ? Json(*set.noisy_deg) : Json()}});
     }

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "tools/progress.h"
 #include "tools/bench/python_script.h"
-#include "tools/vtk_silhouette_script.h"
+#include "tools/bench/vtk_silhouette_script.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 

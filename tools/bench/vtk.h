@@ -1,7 +1,7 @@
 #pragma once
 
 // VTK's vtkPolyDataSilhouette at the same points, by vtk_silhouette.py in a Python that has VTK 9: what
-// a user of visualisation libraries has instead. It tests every edge, each time.
+// a user of visualization libraries has instead. It tests every edge, each time.
 
 #include <cstdint>
 #include <span>

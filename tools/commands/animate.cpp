@@ -9,25 +9,23 @@
 #include <vector>
 
 #include "engine/renderer.h"
-#include "tools/options/animation.h"
 #include "tools/command.h"
+#include "tools/options/animation.h"
 #include "tools/options/drawing_device.h"
-#include "tools/output/frame_sequence.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/path_options.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
-#include "tools/progress.h"
 #include "tools/options/scene_options.h"
+#include "tools/output/frame_sequence.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
 namespace {
 
-constexpr const char* k_default_output = "frames";
-// A whole picture is this much wider than the model's sphere.
-constexpr double k_margin = 1.06;
+constexpr const char* k_default_folder = "frames";
 
 struct Totals {
     SilhouetteChanges changes;
@@ -203,7 +201,7 @@ private:
         const double aspect = double(picture_.size.width) / picture_.size.height;
         const double tangent =
             std::tan(0.5 * glm::radians(picture_.fov_degrees)) * std::min(aspect, 1.0);
-        return k_margin * radius * std::sqrt(1.0 + tangent * tangent) / tangent;
+        return k_view_margin * radius * std::sqrt(1.0 + tangent * tangent) / tangent;
     }
 
     // As `render` would place it, with the first eye of the path.
@@ -268,7 +266,7 @@ private:
     PathOptions path_;
     SceneOptions scene_;
     PictureOptions picture_;
-    std::string output_ = k_default_output;
+    std::string output_ = k_default_folder;
     double light_step_degrees_ = 0.0;
     CLI::Option* light_step_option_ = nullptr;
     bool light_follow_ = false;

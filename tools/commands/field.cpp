@@ -15,10 +15,11 @@
 #include "silhouette/field/discounted_field.h"
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/tangential_field.h"
-#include "tools/output/canvas.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/output/canvas.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
 
@@ -68,8 +69,7 @@ SliceGrid make_grid(const Slice& slice, const NamedFunction& named, int side) {
             p[up] = grid.extent * (1.0 - 2.0 * (row + 0.5) / side);
             const double radius = glm::length(p);
             grid.points.push_back(p);
-            grid.is_inside.push_back(radius >= named.least_radius &&
-                                     radius <= named.greatest_radius);
+            grid.is_inside.push_back(radius >= named.min_radius && radius <= named.greatest_radius);
         }
     return grid;
 }
@@ -105,8 +105,6 @@ Canvas draw(const SliceGrid& grid, const std::vector<double>& values, double lea
     }
     return canvas;
 }
-
-std::array<double, 3> list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 class FieldCommand final : public Command {
 public:
@@ -180,7 +178,7 @@ public:
             {"function", function_},
             {"weight", weight_},
             {"planes", field.plane_count()},
-            {"center", list(field.frame().center)},
+            {"center", json_vector(field.frame().center)},
             {"radius", field.frame().radius},
             {"greatest_value", field.greatest_value()},
             {"error_bound", votes.error_bound()},
@@ -244,7 +242,7 @@ private:
                            {"value", slice_->value},
                            {"least", least},
                            {"greatest", greatest},
-                           {"greatest_at", list(at)},
+                           {"greatest_at", json_vector(at)},
                            {"output", output_}};
     }
 

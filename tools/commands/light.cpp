@@ -8,6 +8,7 @@
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/output/json_vector.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -52,7 +53,7 @@ public:
         const glm::dvec3& direction = sun->direction;
         if (context.json) {
             print_json({{"model", model_.model},
-                        {"sun", {direction.x, direction.y, direction.z}},
+                        {"sun", json_vector(direction)},
                         {"score", sun->votes},
                         {"faces", sun->faces},
                         {"sees_backs", sun->sees_backs},

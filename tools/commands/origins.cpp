@@ -14,13 +14,14 @@
 #include <vector>
 
 #include "silhouette/field/origins.h"
-#include "silhouette/methods/literal/literal_forest.h"
 #include "silhouette/hough/spread_viewpoints.h"
-#include "tools/output/canvas.h"
+#include "silhouette/methods/literal/literal_forest.h"
 #include "tools/command.h"
-#include "tools/output/group_picture.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/output/canvas.h"
+#include "tools/output/group_picture.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
 
@@ -29,8 +30,6 @@ namespace rimline::tools {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::array<double, 3> list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 nlohmann::ordered_json to_json(const OriginTrial& trial) {
     const HoughOctreeStatistics& s = trial.statistics;
@@ -102,7 +101,7 @@ std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec
                              LongCall{context.stop, {}});
     }
     const std::vector<HomogeneousPoint> points = spread_viewpoints(mesh, viewpoints);
-    std::vector<double> least_us(trials.size(), INFINITY);
+    std::vector<double> min_us(trials.size(), INFINITY);
     std::vector<EdgeId> edges;
     for (std::uint32_t round = 0; round < k_rounds; ++round)
         for (std::size_t i = 0; i < octrees.size(); ++i) {
@@ -113,9 +112,9 @@ std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec
             for (const HomogeneousPoint& point : points)
                 octrees[i].extract(point, edges, counters, scratch);
             const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-            least_us[i] = std::min(least_us[i], took.count() / viewpoints);
+            min_us[i] = std::min(min_us[i], took.count() / viewpoints);
         }
-    return least_us;
+    return min_us;
 }
 
 class OriginsCommand final : public Command {
@@ -128,7 +127,7 @@ public:
         count_option_ = add_count(app, "-k,--count", count_, 1, 64,
                                   "How many (default: as many as take the least work)");
         count_option_->default_str("");
-        most_option_ = add_count(app, "--most", most_, 1, 64, "Try up to so many without -k");
+        max_option_ = add_count(app, "--most", max_, 1, 64, "Try up to so many without -k");
         add_number(app, "--alpha", alpha_, 0.01, 6.0,
                    "Where the voting function ends, in radii of the model");
         add_count(app, "--viewpoints", viewpoints_, 1, 1'000'000,
@@ -154,7 +153,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        if (count_option_->count() > 0 && most_option_->count() > 0)
+        if (count_option_->count() > 0 && max_option_->count() > 0)
             throw UsageError("origins: --count and --most exclude each other");
         std::optional<OutputFile> file;
         if (!output_.empty()) file.emplace(output_, model_.model);
@@ -177,7 +176,7 @@ private:
                 chosen.found = find_origins(mesh, count_, options, call);
                 search_ms = milliseconds_since(start);
             } else {
-                chosen = choose_origins(mesh, most_, viewpoints_, options, call);
+                chosen = choose_origins(mesh, max_, viewpoints_, options, call);
                 search_ms = milliseconds_since(start);
                 tried = chosen.found.origins;
                 chosen.found.origins.resize(chosen.best);
@@ -254,7 +253,7 @@ private:
             return;
         }
         nlohmann::ordered_json list_of_origins = nlohmann::ordered_json::array();
-        for (const glm::dvec3& origin : origins) list_of_origins.push_back(list(origin));
+        for (const glm::dvec3& origin : origins) list_of_origins.push_back(json_vector(origin));
         nlohmann::ordered_json object{{"model", model_.model},
                                       {"alpha", alpha_},
                                       {"origins", std::move(list_of_origins)},
@@ -282,7 +281,7 @@ private:
 
     ModelArgument model_;
     std::uint32_t count_ = 3;
-    std::uint32_t most_ = 5;
+    std::uint32_t max_ = 5;
     double alpha_ = 1.72;
     std::uint32_t viewpoints_ = 600;
     bool literal_ = false;
@@ -290,7 +289,7 @@ private:
     std::string output_;
     std::optional<glm::vec3> direction_;
     std::optional<glm::vec3> up_;
-    CLI::Option *count_option_ = nullptr, *most_option_ = nullptr;
+    CLI::Option *count_option_ = nullptr, *max_option_ = nullptr;
 };
 
 }  // namespace

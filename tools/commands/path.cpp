@@ -9,23 +9,20 @@
 #include <optional>
 
 #include "engine/renderer.h"
-#include "tools/options/animation.h"
 #include "tools/command.h"
-#include "tools/output/frame_sequence.h"
+#include "tools/options/animation.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
-#include "tools/output/path_report.h"
 #include "tools/options/picture_scene.h"
-#include "tools/progress.h"
 #include "tools/options/scene_options.h"
+#include "tools/output/frame_sequence.h"
+#include "tools/output/path_report.h"
 #include "tools/output/view_pictures.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
 namespace {
-
-// A whole picture is this much wider than the model.
-constexpr double k_margin = 1.06;
 
 class PathCommand final : public Command {
 public:
@@ -94,7 +91,7 @@ private:
                 tangent = std::max({tangent, std::abs(p.y) / -p.z, std::abs(p.x) / -p.z / aspect});
             }
         }
-        return 2.0 * glm::degrees(std::atan(k_margin * tangent));
+        return 2.0 * glm::degrees(std::atan(k_view_margin * tangent));
     }
 
     // A frame is queued before the one before it is fetched, and written while the next is drawn.

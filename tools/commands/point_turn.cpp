@@ -6,8 +6,8 @@
 
 #include "silhouette/hough/orbit.h"
 #include "silhouette/points/point_silhouette.h"
-#include "tools/timing.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 

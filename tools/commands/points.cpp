@@ -11,18 +11,18 @@
 #include "silhouette/points/point_silhouette.h"
 #include "silhouette/points/point_surface.h"
 #include "silhouette/points/umbrella_index.h"
-#include "tools/options/cloud_argument.h"
 #include "tools/command.h"
-#include "tools/output/label_output.h"
+#include "tools/commands/point_turn.h"
+#include "tools/commands/points_report.h"
+#include "tools/options/cloud_argument.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
-#include "tools/output/output_file.h"
 #include "tools/options/picture_options.h"
-#include "tools/commands/point_turn.h"
-#include "tools/output/points_picture.h"
-#include "tools/commands/points_report.h"
-#include "tools/progress.h"
 #include "tools/options/surface_options.h"
+#include "tools/output/label_output.h"
+#include "tools/output/output_file.h"
+#include "tools/output/points_picture.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -71,14 +71,14 @@ public:
             ->default_str("drawn")
             ->group("Output");
         add_output(app, "--export", export_, ".ply",
-                   "Write the points with normals, labels, weights and colours")
+                   "Write the points with normals, labels, weights and colors")
             ->group("Output");
         app.add_flag("--no-lists", without_lists_, "Leave lists of points out of the JSON")
             ->group("Output");
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         app.footer(
-            "Each point's umbrella, the triangles to its neighbours on the surface, says whether "
+            "Each point's umbrella, the triangles to its neighbors on the surface, says whether "
             "it "
             "is a\n"
             "border, interior or feature point, its normal, and whether it is on the silhouette. "

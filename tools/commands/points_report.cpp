@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/command.h"
+#include "tools/output/json_vector.h"
 
 namespace rimline::tools {
 
@@ -38,30 +39,29 @@ void print_object(const PointsReport& report) {
     const auto count = [&](PointLabel label) { return found.surface.count(label); };
     nlohmann::ordered_json reasons = nlohmann::ordered_json::object();
     for (const auto& [reason, points] : found.reasons()) reasons[reason] = points;
-    nlohmann::ordered_json result{
-        {"cloud", report.cloud},
-        {"points", cloud.size()},
-        {"file_points", cloud.file_point_count()},
-        {"duplicates", cloud.duplicate_count()},
-        {"dropped", cloud.dropped_count()},
-        {"unused", cloud.unused_count()},
-        {"center", {cloud.center().x, cloud.center().y, cloud.center().z}},
-        {"radius", cloud.radius()},
-        {"labels",
-         {{"border", count(PointLabel::border)},
-          {"interior", count(PointLabel::interior)},
-          {"feature", count(PointLabel::feature)},
-          {"undecided", count(PointLabel::undecided)}}},
-        {"reasons", std::move(reasons)},
-        {"inconsistent_edges", found.surface.inconsistent_edge_count()},
-        {"silhouette_points", found.silhouette.size()},
-        {"consensus_edge_count", found.consensus.size()},
-        {"arcs", found.arcs},
-        {"ms", found.ms()},
-        {"umbrellas_ms", found.umbrellas_ms},
-        {"features_ms", found.features_ms},
-        {"index_ms", found.index_ms},
-        {"silhouette_ms", found.silhouette_ms}};
+    nlohmann::ordered_json result{{"cloud", report.cloud},
+                                  {"points", cloud.size()},
+                                  {"file_points", cloud.file_point_count()},
+                                  {"duplicates", cloud.duplicate_count()},
+                                  {"dropped", cloud.dropped_count()},
+                                  {"unused", cloud.unused_count()},
+                                  {"center", json_vector(cloud.center())},
+                                  {"radius", cloud.radius()},
+                                  {"labels",
+                                   {{"border", count(PointLabel::border)},
+                                    {"interior", count(PointLabel::interior)},
+                                    {"feature", count(PointLabel::feature)},
+                                    {"undecided", count(PointLabel::undecided)}}},
+                                  {"reasons", std::move(reasons)},
+                                  {"inconsistent_edges", found.surface.inconsistent_edge_count()},
+                                  {"silhouette_points", found.silhouette.size()},
+                                  {"consensus_edge_count", found.consensus.size()},
+                                  {"arcs", found.arcs},
+                                  {"ms", found.ms()},
+                                  {"umbrellas_ms", found.umbrellas_ms},
+                                  {"features_ms", found.features_ms},
+                                  {"index_ms", found.index_ms},
+                                  {"silhouette_ms", found.silhouette_ms}};
     if (const std::optional<BorderTruth>& truth = found.truth) {
         const auto percent = [&](std::size_t part) -> nlohmann::ordered_json {
             if (const auto value = truth->percent(part)) return *value;

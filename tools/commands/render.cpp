@@ -10,10 +10,10 @@
 #include "tools/options/drawing_device.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
-#include "tools/output/picture_file.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/output/picture_file.h"
 
 namespace rimline::tools {
 

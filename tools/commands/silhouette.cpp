@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "silhouette/mesh/brute_force.h"
-#include "silhouette/methods/silhouette_method.h"
 #include "silhouette/mesh/edge_convexity.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/methods/silhouette_method.h"
 #include "tools/command.h"
-#include "tools/output/line_output.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/output/line_output.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
 
@@ -206,13 +206,13 @@ private:
     }
 
     void check_method_options() const {
-        if (origin_option_->count() > 0 && method_->most_origins == 0)
+        if (origin_option_->count() > 0 && method_->max_origins == 0)
             throw UsageError("--origin: belongs to --method " +
-                             method_names([](const auto& info) { return info.most_origins > 0; }));
+                             method_names([](const auto& info) { return info.max_origins > 0; }));
         if (seed_option_->count() > 0 && !method_->has_seed)
             throw UsageError("--seed: belongs to --method " +
                              method_names([](const auto& info) { return info.has_seed; }));
-        if (origins_.size() > method_->most_origins && method_->most_origins > 0)
+        if (origins_.size() > method_->max_origins && method_->max_origins > 0)
             throw UsageError("--origin: --method " + std::string(method_->name) +
                              " takes one; several belong to --method octree");
     }

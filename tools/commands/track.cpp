@@ -14,12 +14,12 @@
 #include "silhouette/mesh/mesh.h"
 #include "tools/command.h"
 #include "tools/commands/frame_check.h"
+#include "tools/commands/stream_bytes.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/option_types.h"
 #include "tools/options/path_options.h"
 #include "tools/progress.h"
-#include "tools/commands/stream_bytes.h"
 
 namespace rimline::tools {
 

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "tools/command.h"
-#include "tools/output/contact_sheet.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/picture_scene.h"
+#include "tools/output/contact_sheet.h"
 #include "tools/output/output_folder.h"
 #include "tools/output/picture_file.h"
-#include "tools/options/picture_scene.h"
 #include "tools/output/view_pictures.h"
 
 namespace rimline::tools {

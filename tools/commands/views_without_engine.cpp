@@ -5,8 +5,8 @@
 
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
-#include "tools/output/path_report.h"
 #include "tools/options/view_choice.h"
+#include "tools/output/path_report.h"
 
 namespace rimline::tools {
 

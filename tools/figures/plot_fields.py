@@ -153,10 +153,10 @@ def origins_table():
 
 def thesis_table():
     lines = ["| model | faces, thesis | faces, here | origins | time, thesis | time, here | "
-             "boxes, thesis: centroid | optimised | its octrees, here: center | optimised | "
-             "straddling: center | optimised | HoughOctree: center | optimised |",
+             "boxes, thesis: centroid | optimized | its octrees, here: center | optimized | "
+             "straddling: center | optimized | HoughOctree: center | optimized |",
              "|---" * 14 + "|"]
-    for title, file_name, faces, center, count, optimised, seconds in MODELS:
+    for title, file_name, faces, center, count, optimized, seconds in MODELS:
         path = find_model(file_name)
         trials = ask("origins", path, "--most", count, "--literal")["trials"]
         found = ask("origins", path, "-k", count, "--literal")
@@ -164,7 +164,7 @@ def thesis_table():
                  for culling in (0, 1) for tried in (trials[0], found)]
         lines.append(f"| {title} | {number(faces)} | {number(ask('info', path)['faces'])} | {count} | "
                      f"{seconds // 60}m{seconds % 60:02}s | {found['ms'] / 1000:.2f} s | "
-                     f"{number(center)} | {number(optimised)} | {' | '.join(boxes)} | "
+                     f"{number(center)} | {number(optimized)} | {' | '.join(boxes)} | "
                      f"{number(trials[0]['box_checks'])} | {number(found['box_checks'])} |")
     return "\n".join(lines)
 

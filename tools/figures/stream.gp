@@ -9,4 +9,4 @@ set title "Bytes streamed a frame, of the whole state"
 set key bottom right
 array colors[3] = [green, amber, blue]
 plot for [i=1:words(models)] word(models, i) . ".dat" using 1:2 with linespoints \
-    lc rgb colors[i] pt 7 ps 1.1 title word(titles, i), 100 with lines lc rgb grey notitle
+    lc rgb colors[i] pt 7 ps 1.1 title word(titles, i), 100 with lines lc rgb gray notitle

@@ -3,13 +3,13 @@
 set terminal pngcairo size wide, high font "DejaVu Sans,20" linewidth 1.6 rounded background "#ffffff"
 set output out
 ink = "#2b2f36"
-grey = "#9aa1ab"
+gray = "#9aa1ab"
 pale = "#e3e6ea"
 green = "#2f8f5b"
 blue = "#2667b5"
 red = "#cc4637"
 amber = "#d9952b"
-set border 3 linecolor rgb grey linewidth 0.8
+set border 3 linecolor rgb gray linewidth 0.8
 set tics nomirror out scale 0.5 textcolor rgb ink
 set grid ytics linecolor rgb pale linewidth 0.8 dashtype solid
 set title textcolor rgb ink offset 0, -0.4

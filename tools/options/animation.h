@@ -14,6 +14,9 @@
 
 namespace rimline::tools {
 
+/// Width of a picture that shows all of a model, in widths of the model's bounding sphere.
+constexpr double k_view_margin = 1.06;
+
 enum class LightMotion {
     still,
     turning,      ///< Around the model, about the camera's up axis.

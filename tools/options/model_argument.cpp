@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view k_shape_prefix = "shape:";
 constexpr std::uint32_t k_max_shape_faces = 1u << 28;
 // Where a silhouette is seen from, less than 2^-60 counts as zero.
-constexpr double k_least_radius = 0x1p-50;
+constexpr double k_min_radius = 0x1p-50;
 constexpr const char* k_take_fewer = "; take fewer faces or fewer steps of --subdivide";
 
 std::string shape_names() {
@@ -104,7 +104,7 @@ Mesh make_mesh(const std::string& model, const MeshSource& source, const Context
     Progress progress(context, "joining the faces of " + model);
     return about_model(model, [&] {
         Mesh mesh(source, Welding::equal_positions, progress.call());
-        if (mesh.radius() > 0.0 && mesh.radius() < k_least_radius)
+        if (mesh.radius() > 0.0 && mesh.radius() < k_min_radius)
             throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
         return mesh;
     });

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "tools/options/option_types.h"
-#include "tools/progress.h"
 #include "tools/options/track_path.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 

@@ -66,15 +66,15 @@ Material SceneOptions::material(const PictureOptions& picture) const {
 }
 
 glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up) {
-    constexpr double k_least_height_rad = 15.0 * std::numbers::pi / 180.0;
+    constexpr double k_min_height_rad = 15.0 * std::numbers::pi / 180.0;
     const glm::dvec3 upwards = glm::normalize(up);
     const glm::dvec3 direction = glm::normalize(sun);
     const double height = glm::dot(direction, upwards);
-    if (height >= std::sin(k_least_height_rad)) return sun;
+    if (height >= std::sin(k_min_height_rad)) return sun;
     const glm::dvec3 level = direction - height * upwards;
     const glm::dvec3 towards =
         glm::length(level) > 1e-6 ? glm::normalize(level) : any_perpendicular(upwards);
-    return std::cos(k_least_height_rad) * towards + std::sin(k_least_height_rad) * upwards;
+    return std::cos(k_min_height_rad) * towards + std::sin(k_min_height_rad) * upwards;
 }
 
 Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,

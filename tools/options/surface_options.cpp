@@ -15,7 +15,7 @@ constexpr double k_radians = std::numbers::pi / 180.0;
 
 void SurfaceOptions::add_to(CLI::App& app) {
     const char* group = "Umbrellas";
-    add_count(app, "-k", k_, 4, 32, "Nearest neighbours looked at")->group(group);
+    add_count(app, "-k", k_, 4, 32, "Nearest neighbors looked at")->group(group);
     app.add_option_function<std::string>(
            "--method",
            [this](const std::string& text) {
@@ -32,7 +32,7 @@ void SurfaceOptions::add_to(CLI::App& app) {
                "robust: a gap's circumradius over its corners' scale (2.75)")
         ->group(group);
     add_number(app, "--omega", omega_, 0.001, 89.999,
-               "thesis: degrees between a neighbour and the plane (30)")
+               "thesis: degrees between a neighbor and the plane (30)")
         ->group(group);
     add_number(app, "--omega-t", omega_t_, 0.0, 89.999,
                "thesis: degrees of the marginal band about omega (a third of it)")

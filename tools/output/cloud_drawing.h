@@ -1,7 +1,7 @@
 #pragma once
 
 // What a point cloud and what was found about it look like: discs that hide one another, darker the more a
-// point weighs; borders in a colour of their own; edges as ink. In the coordinates of its UmbrellaIndex,
+// point weighs; borders in a color of their own; edges as ink. In the coordinates of its UmbrellaIndex,
 // the same from wherever it is seen.
 
 #include <glm/vec3.hpp>
@@ -23,11 +23,11 @@ namespace rimline::tools {
 /// Of lines, in pixels, where nobody says otherwise.
 constexpr float k_cloud_line_width_px = 2.5f;
 constexpr PointColor k_cloud_ink{24, 24, 28};
-/// Of points without a colour of their own.
+/// Of points without a color of their own.
 constexpr PointColor k_cloud_clay{222, 219, 211};
 constexpr Color k_cloud_paper{248, 244, 236};
 
-/// A disc's or a line's colour, as records have it; `is_shaded` for discs that the camera lights.
+/// A disc's or a line's color, as records have it; `is_shaded` for discs that the camera lights.
 std::uint32_t packed(const PointColor& color, bool is_shaded = false);
 
 /// The points that have umbrellas, to look at.
@@ -48,8 +48,8 @@ public:
     CloudDrawing(const PointCloud& cloud, const PointSurface& surface,
                  const UmbrellaIndex& umbrellas, std::span<const float> weights);
 
-    /// Discs, with features and what is undecided in their colours, and borders; `clay` takes the place of
-    /// the points' own colours. O(points).
+    /// Discs, with features and what is undecided in their colors, and borders; `clay` takes the place of
+    /// the points' own colors. O(points).
     SplatCloud drawn(const std::optional<PointColor>& clay = {},
                      float line_width_px = k_cloud_line_width_px) const;
     /// Edges between points as lines.

@@ -10,8 +10,8 @@
 #include <future>
 #include <vector>
 
-#include "silhouette/picture.h"
 #include "engine/renderer.h"
+#include "silhouette/picture.h"
 #include "tools/options/animation.h"
 #include "tools/options/option_types.h"
 #include "tools/output/output_folder.h"

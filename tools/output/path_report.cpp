@@ -8,6 +8,7 @@
 
 #include "silhouette/field/steady_ups.h"
 #include "tools/options/option_types.h"
+#include "tools/output/json_vector.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -16,11 +17,9 @@ namespace {
 
 // Of the whole path, to see that it keeps its distance.
 constexpr int k_distance_samples = 20'000;
-constexpr std::uint32_t k_least_ups = 1440;
+constexpr std::uint32_t k_min_ups = 1440;
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
@@ -44,7 +43,7 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
     std::vector<glm::dvec3> samples;
     for (std::uint32_t i = 0; i < frames; ++i) samples.push_back(path.position(double(i) / frames));
     // The same cameras whatever the number of frames: eyes are close enough in any case.
-    const std::uint32_t each = (k_least_ups + frames - 1) / frames;
+    const std::uint32_t each = (k_min_ups + frames - 1) / frames;
     std::vector<glm::dvec3> eyes;
     for (std::uint32_t i = 0; i < frames * each; ++i)
         eyes.push_back(path.position(double(i) / (frames * each)));
@@ -75,13 +74,13 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
                const PlannedPath& planned) {
     Json nodes = Json::array(), node_views = Json::array(), node_votes = Json::array();
     for (const TourNode& node : planned.nodes) {
-        nodes.push_back(json_of(node.place));
+        nodes.push_back(json_vector(node.place));
         node_views.push_back(node.view ? Json(*node.view) : Json());
         node_votes.push_back(node.votes);
     }
     Json samples = Json::array(), ups = Json::array();
-    for (const glm::dvec3& sample : planned.samples) samples.push_back(json_of(sample));
-    for (const glm::dvec3& up : planned.ups) ups.push_back(json_of(up));
+    for (const glm::dvec3& sample : planned.samples) samples.push_back(json_vector(sample));
+    for (const glm::dvec3& up : planned.ups) ups.push_back(json_vector(up));
     return {{"model", model},
             {"nodes", std::move(nodes)},
             {"node_views", std::move(node_views)},
@@ -93,7 +92,7 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
             {"length", planned.path.length()},
             {"views", to_json(chosen)},
             {"asked", chosen.asked},
-            {"center", json_of(mesh.center())},
+            {"center", json_vector(mesh.center())},
             {"radius", mesh.radius()},
             {"inside_out", chosen.is_inside_out},
             {"views_ms", chosen.ms},

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "silhouette/points/pca_normals.h"
+#include "tools/options/drawing_device.h"
 #include "tools/output/cloud_drawing.h"
 #include "tools/output/contact_sheet.h"
-#include "tools/options/drawing_device.h"
 #include "tools/output/hidden_points.h"
 #include "tools/output/picture_file.h"
 

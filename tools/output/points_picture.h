@@ -2,7 +2,7 @@
 
 // Pictures of a point cloud and what was found about it.
 //
-//   drawn     discs, darker the more a point weighs; borders in a colour of their own; the silhouette's
+//   drawn     discs, darker the more a point weighs; borders in a color of their own; the silhouette's
 //             consensus edges as ink
 //   compare   six pictures: points that are not hidden alone, the same with silhouettes and features;
 //             silhouette points by thresholding normals (Zakaria and Seidel 2004), as many as ours, and ours;
@@ -15,8 +15,8 @@
 #include "silhouette/points/point_cloud.h"
 #include "silhouette/points/point_surface.h"
 #include "silhouette/points/umbrella_index.h"
-#include "tools/output/output_file.h"
 #include "tools/options/picture_options.h"
+#include "tools/output/output_file.h"
 
 namespace rimline::tools {
 
@@ -28,7 +28,7 @@ struct PointsPicture {
     const PointSurface& surface;
     const UmbrellaIndex& umbrellas;
     std::span<const float> weights;
-    std::uint32_t k;  ///< Neighbours for the comparison's normals.
+    std::uint32_t k;  ///< Neighbors for the comparison's normals.
     PointsMode mode;
     /// Where the camera stands and looks, in the cloud's own coordinates; chosen where not given.
     std::optional<glm::dvec3> eye, target;

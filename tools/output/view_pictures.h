@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "silhouette/picture.h"
-#include "engine/renderer.h"
 #include "engine/measure/visible_ratio.h"
+#include "engine/renderer.h"
 #include "silhouette/field/best_views.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/picture.h"
 #include "tools/command.h"
 #include "tools/options/drawing_device.h"
 #include "tools/options/option_types.h"

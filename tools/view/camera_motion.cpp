@@ -24,7 +24,7 @@ double elevation_of(const glm::dvec3& v, const glm::dvec3& up) {
 // A unit vector turned to the right and upwards, its elevation within the limits.
 glm::dvec3 turned_level(const glm::dvec3& v, const glm::dvec3& up, const glm::dvec3& right,
                         const glm::dvec2& turn_rad) {
-    const double most = glm::radians(k_greatest_elevation_deg);
+    const double most = glm::radians(k_max_elevation_deg);
     const double before = elevation_of(v, up);
     const double after = std::clamp(before + turn_rad.y, -most, most);
     // Towards up is counter-clockwise around v x up, which is v's right.

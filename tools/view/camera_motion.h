@@ -14,7 +14,7 @@
 namespace rimline::tools {
 
 /// No view is steeper than this against the horizon.
-constexpr double k_greatest_elevation_deg = 89.0;
+constexpr double k_max_elevation_deg = 89.0;
 
 /// Turns the eye around the target: x to the right around the up axis, y upwards. In radians.
 void orbit(Camera& camera, const glm::dvec2& turn_rad);

@@ -20,7 +20,7 @@ PointColor srgb_bytes(const glm::vec3& linear) {
 
 }  // namespace
 
-OpenedCloud::OpenedCloud(const CloudArgument& cloud, const BeginCall& begin)
+CloudDocument::CloudDocument(const CloudArgument& cloud, const BeginCall& begin)
     : name_(cloud.model),
       cloud_(cloud.load(begin)),
       surface_(about_model(
@@ -34,7 +34,7 @@ OpenedCloud::OpenedCloud(const CloudArgument& cloud, const BeginCall& begin)
                     name_ + ": no point has an umbrella; there is nothing to draw");
 }
 
-const SplatCloud& OpenedCloud::drawn(const std::optional<glm::vec3>& color, float line_width_px) {
+const SplatCloud& CloudDocument::drawn(const std::optional<glm::vec3>& color, float line_width_px) {
     if (drawn_width_px_ == line_width_px && drawn_color_ == color) return drawn_;
     const std::uint64_t revision = drawn_.revision + 1;
     std::optional<PointColor> clay;
@@ -46,9 +46,9 @@ const SplatCloud& OpenedCloud::drawn(const std::optional<glm::vec3>& color, floa
     return drawn_;
 }
 
-std::vector<gpu::StrokeRecord> OpenedCloud::follow(const HomogeneousPoint& point,
-                                                   const std::optional<glm::vec3>& ink,
-                                                   float line_width_px) {
+std::vector<gpu::StrokeRecord> CloudDocument::follow(const HomogeneousPoint& point,
+                                                     const std::optional<glm::vec3>& ink,
+                                                     float line_width_px) {
     if (!silhouette_ || silhouette_->point() != point) {
         const auto start = std::chrono::steady_clock::now();
         report_ = {};

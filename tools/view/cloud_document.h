@@ -23,13 +23,13 @@ struct CloudReport {
 };
 
 /// Stays where it is: a renderer knows what is drawn by its address.
-class OpenedCloud {
+class CloudDocument {
 public:
     /// Takes as long as reading, umbrellas and index do; `begin` is told of the parts (model_argument.h).
     /// Throws Error naming the cloud, also where no point has an umbrella.
-    OpenedCloud(const CloudArgument& cloud, const BeginCall& begin);
-    OpenedCloud(const OpenedCloud&) = delete;
-    OpenedCloud& operator=(const OpenedCloud&) = delete;
+    CloudDocument(const CloudArgument& cloud, const BeginCall& begin);
+    CloudDocument(const CloudDocument&) = delete;
+    CloudDocument& operator=(const CloudDocument&) = delete;
 
     const std::string& name() const noexcept { return name_; }
     const PointCloud& cloud() const noexcept { return cloud_; }
@@ -38,7 +38,7 @@ public:
     const UmbrellaIndex& umbrellas() const noexcept { return umbrellas_; }
     Subject subject() const { return subject_of(umbrellas_, cloud_.up()); }
 
-    /// What stays, with the points' own colours or one for all. Made again where that or the width has
+    /// What stays, with the points' own colors or one for all. Made again where that or the width has
     /// changed: O(points).
     const SplatCloud& drawn(const std::optional<glm::vec3>& color, float line_width_px);
     /// The consensus edges seen from `point`, as lines. Moves the silhouette there.

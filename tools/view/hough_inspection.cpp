@@ -7,12 +7,12 @@
 
 namespace rimline::tools {
 
-HoughInspection::HoughInspection(const OpenedModel& model)
+HoughInspection::HoughInspection(const ModelDocument& model)
     : unit_(model.mesh().radius() > 0.0 ? model.mesh().radius() : 1.0) {
     const HoughOctree& octree = model.octree();
     const std::uint32_t positions = octree.block_count() * k_block_size;
     point_count_ = octree.statistics().faces;
-    const std::uint32_t stride = point_count_ / k_most_points + 1;
+    const std::uint32_t stride = point_count_ / k_max_points + 1;
     for (std::uint32_t position = 0; position < positions; position += stride) {
         const FaceId face = octree.face_at(position).face;
         if (face == k_no_face) continue;
@@ -22,7 +22,7 @@ HoughInspection::HoughInspection(const OpenedModel& model)
     }
 }
 
-void HoughInspection::update(const OpenedModel& model, const HomogeneousPoint& point) {
+void HoughInspection::update(const ModelDocument& model, const HomogeneousPoint& point) {
     if (seen_from_ == point) return;
     seen_from_ = point;
     const glm::dvec3 origin = model.octree().origins()[0];

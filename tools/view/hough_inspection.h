@@ -17,7 +17,7 @@ namespace rimline::tools {
 class HoughInspection {
 public:
     /// More points than this are not shown: so many of them, spread evenly over the octree's order.
-    static constexpr std::uint32_t k_most_points = 6000;
+    static constexpr std::uint32_t k_max_points = 6000;
 
     struct Point {
         glm::vec3 place;
@@ -25,11 +25,11 @@ public:
     };
 
     /// Takes the points of `model`, which is not needed afterwards but by update(). O(faces shown).
-    explicit HoughInspection(const OpenedModel& model);
+    explicit HoughInspection(const ModelDocument& model);
 
     /// Looks from `point`. Does nothing where that is the point of the last time. O(boxes visited +
     /// points shown).
-    void update(const OpenedModel& model, const HomogeneousPoint& point);
+    void update(const ModelDocument& model, const HomogeneousPoint& point);
 
     const std::vector<Point>& points() const noexcept { return points_; }
     std::uint32_t point_count() const noexcept { return point_count_; }  ///< With those not shown.

@@ -23,13 +23,13 @@ const Mesh& checked(const std::string& name, const Mesh& mesh) {
 
 }  // namespace
 
-OpenedModel::Ground::Ground(const Mesh& model, const glm::dvec3& upwards)
+ModelDocument::Ground::Ground(const Mesh& model, const glm::dvec3& upwards)
     : up(upwards), mesh(make_ground(model, upwards, k_ground_end * model.radius())), octree(mesh) {}
 
-OpenedModel::OpenedModel(std::string name, std::uint32_t subdivide, const BeginCall& begin)
-    : OpenedModel(name, load_model(name, subdivide, FaceRequirement::faces, begin), begin) {}
+ModelDocument::ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin)
+    : ModelDocument(name, load_model(name, subdivide, FaceRequirement::faces, begin), begin) {}
 
-OpenedModel::OpenedModel(std::string name, const MeshSource& source, const BeginCall& begin)
+ModelDocument::ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin)
     : name_(std::move(name)),
       mesh_(about_model(
           name_,
@@ -40,7 +40,7 @@ OpenedModel::OpenedModel(std::string name, const MeshSource& source, const Begin
       is_solid_(rimline::is_solid(mesh_, begin("asking whether it is a solid"))),
       face_tree_(make_face_tree(octree_, 0)) {}
 
-const HoughOctree& OpenedModel::ground(const glm::dvec3& up) {
+const HoughOctree& ModelDocument::ground(const glm::dvec3& up) {
     const auto found = std::ranges::find_if(
         grounds_, [&](const std::unique_ptr<Ground>& ground) { return ground->up == up; });
     if (found != grounds_.end()) return (*found)->octree;

@@ -15,16 +15,16 @@
 namespace rimline::tools {
 
 /// Stays where it is: octrees know their meshes by address, and a renderer knows octrees by theirs.
-class OpenedModel {
+class ModelDocument {
 public:
     /// `name` is a file or shape:NAME[:FACES]. Takes as long as loading and indexing do; `begin` is told
     /// of the parts (model_argument.h). Throws Error naming the model; CLI::ValidationError where there
     /// is no such shape.
-    OpenedModel(std::string name, std::uint32_t subdivide, const BeginCall& begin);
+    ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin);
     /// The same of what was read already.
-    OpenedModel(std::string name, const MeshSource& source, const BeginCall& begin);
-    OpenedModel(const OpenedModel&) = delete;
-    OpenedModel& operator=(const OpenedModel&) = delete;
+    ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin);
+    ModelDocument(const ModelDocument&) = delete;
+    ModelDocument& operator=(const ModelDocument&) = delete;
 
     const std::string& name() const noexcept { return name_; }
     const Mesh& mesh() const noexcept { return mesh_; }

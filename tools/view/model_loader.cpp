@@ -10,7 +10,7 @@ namespace rimline::tools {
 namespace {
 
 // Of progress, between two wakes of the window.
-constexpr double k_least_step = 0.01;
+constexpr double k_min_step = 0.01;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void ModelLoader::load(std::stop_token stop, const CloudArgument& named) {
         return LongCall{stop, [this](double share) {
                             {
                                 const std::lock_guard lock(mutex_);
-                                if (share < stage_->share + k_least_step) return;
+                                if (share < stage_->share + k_min_step) return;
                                 stage_->share = share;
                             }
                             wake();

@@ -39,7 +39,7 @@ public:
     std::optional<Stage> stage() const;
 
     struct Result {
-        Opened opened;      ///< Nothing when it failed.
+        Document opened;    ///< Nothing when it failed.
         std::string error;  ///< Why.
     };
     /// What has come of the last open(), once.

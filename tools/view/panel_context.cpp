@@ -21,7 +21,7 @@ static_assert(sizeof(ImDrawVert) == sizeof(gpu::OverlayVertex) &&
 constexpr const char* k_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float k_font_size = 14.0f;
 
-// A sheet of drawing paper beside the picture, in its own tones: ink on warm grey.
+// A sheet of drawing paper beside the picture, in its own tones: ink on warm gray.
 void set_style(float scale) {
     ImGui::StyleColorsLight();
     ImGuiStyle& style = ImGui::GetStyle();

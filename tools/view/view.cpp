@@ -3,14 +3,14 @@
 #include <utility>
 
 #include "engine/vulkan/vulkan_instance.h"
-#include "tools/options/cloud_argument.h"
 #include "tools/command.h"
+#include "tools/options/cloud_argument.h"
 #include "tools/options/model_argument.h"
-#include "tools/output/output_file.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
-#include "tools/progress.h"
 #include "tools/options/scene_options.h"
+#include "tools/output/output_file.h"
+#include "tools/progress.h"
 #include "tools/view/view_loop.h"
 
 namespace rimline::tools {
@@ -103,7 +103,7 @@ private:
         CloudArgument named = cloud_;
         named.model = model_.model;
         named.subdivide = model_.subdivide;
-        Opened opened = open_named(named, [&](const std::string& doing) {
+        Document opened = open_named(named, [&](const std::string& doing) {
             progress.emplace(context, doing);
             return progress->call();
         });
@@ -115,14 +115,14 @@ private:
             show_model(session, std::move(opened));
     }
 
-    void show_cloud(ViewSession& session, Opened opened) const {
+    void show_cloud(ViewSession& session, Document opened) const {
         const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
                             picture_.has_chosen_sun || scene_.ground;
         if (is_lit || scene_.hidden || scene_.crease_degrees || scene_.style != "ink" || inspect_)
             throw UsageError(model_.model +
                              " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
                              "space are of models");
-        const OpenedCloud& cloud = *opened.cloud();
+        const CloudDocument& cloud = *opened.cloud();
         const auto exact = [](const std::optional<glm::vec3>& point) {
             return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
         };
@@ -142,8 +142,8 @@ private:
         freeze(session, from);
     }
 
-    void show_model(ViewSession& session, Opened opened) const {
-        const OpenedModel* const model = opened.model();
+    void show_model(ViewSession& session, Document opened) const {
+        const ModelDocument* const model = opened.model();
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.look = ViewLook(scene.style);

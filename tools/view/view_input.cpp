@@ -29,7 +29,7 @@ constexpr double k_longest_step_s = 0.1;
 
 }  // namespace
 
-void ViewHand::take_light(ViewSession& session, const glm::dvec2& size) {
+void ViewInput::take_light(ViewSession& session, const glm::dvec2& size) {
     const ImGuiIO& io = ImGui::GetIO();
     const SceneBounds bounds = session.bounds();
     const ScreenView view(session.camera, size);
@@ -56,7 +56,7 @@ void ViewHand::take_light(ViewSession& session, const glm::dvec2& size) {
     if (ImGui::IsMouseClicked(0)) held_ = hovered_;
 }
 
-void ViewHand::move_camera(ViewSession& session, const glm::dvec2& size) const {
+void ViewInput::move_camera(ViewSession& session, const glm::dvec2& size) const {
     const ImGuiIO& io = ImGui::GetIO();
     const glm::dvec2 moved(io.MouseDelta.x, io.MouseDelta.y);
     if (holds_picture_ && (moved.x != 0.0 || moved.y != 0.0)) {
@@ -75,7 +75,7 @@ void ViewHand::move_camera(ViewSession& session, const glm::dvec2& size) const {
     }
 }
 
-bool ViewHand::fly_on(ViewSession& session) const {
+bool ViewInput::fly_on(ViewSession& session) const {
     const ImGuiIO& io = ImGui::GetIO();
     if (!flies || io.WantTextInput) return false;
     const auto along = [&](int forwards, int backwards) {
@@ -95,7 +95,7 @@ bool ViewHand::fly_on(ViewSession& session) const {
     return true;
 }
 
-bool ViewHand::apply(ViewSession& session, const glm::dvec2& size) {
+bool ViewInput::apply(ViewSession& session, const glm::dvec2& size) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool any_down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     const bool clicked =

@@ -10,7 +10,7 @@
 
 namespace rimline::tools {
 
-class ViewHand {
+class ViewInput {
 public:
     /// Flying, the mouse looks around and W, A, S, D, Q and E move; else dragging turns around the
     /// target, with the right or middle button or Shift it moves the picture, and the wheel zooms.

@@ -83,10 +83,10 @@ private:
     WindowRenderer renderer_;
     ModelLoader loader_;
     ViewPanel panel_;
-    ViewHand hand_;
+    ViewInput hand_;
     HoughPanel hough_;
     std::optional<HoughInspection> inspection_;
-    const OpenedModel* inspected_ = nullptr;
+    const ModelDocument* inspected_ = nullptr;
     ViewCounters counters_;
     PanelRequests requests_;
     Picture captured_;

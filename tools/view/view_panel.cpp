@@ -69,7 +69,7 @@ void draw_cloud_counts(const PointSurface& surface) {
                         count(PointLabel::feature).c_str(), count(PointLabel::undecided).c_str());
 }
 
-// What is drawn between these is greyed out for clouds, and why is said.
+// What is drawn between these is grayed out for clouds, and why is said.
 void begin_models_only(const ViewSession& session, const char* reason) {
     if (session.is_cloud()) ImGui::TextDisabled("%s", reason);
     ImGui::BeginDisabled(session.is_cloud());
@@ -116,7 +116,7 @@ void ViewPanel::draw_model(const ViewSession& session, const Shown& shown,
     }
 }
 
-void ViewPanel::draw_view(ViewSession& session, ViewHand& hand, PanelRequests& requests) {
+void ViewPanel::draw_view(ViewSession& session, ViewInput& hand, PanelRequests& requests) {
     int mode = hand.flies ? 1 : 0;
     ImGui::RadioButton("orbit", &mode, 0);
     ImGui::SameLine();
@@ -217,8 +217,8 @@ void ViewPanel::draw_enabled_lights(ViewSession& session) {
         ImGui::PopID();
     }
     if (removed) session.remove_light(*removed);
-    constexpr std::size_t k_most_lights = 8;
-    if (session.lights.size() < k_most_lights && ImGui::Button("Add a light", {-1.0f, 0.0f}))
+    constexpr std::size_t k_max_lights = 8;
+    if (session.lights.size() < k_max_lights && ImGui::Button("Add a light", {-1.0f, 0.0f}))
         session.add_light();
     if (!session.lights.empty()) ImGui::TextDisabled("drag the handles; the wheel pushes them");
 }
@@ -279,7 +279,7 @@ void ViewPanel::draw_counters(const ViewSession& session, const Shown& shown) {
     ImGui::TextDisabled("%s", shown.device.c_str());
 }
 
-PanelRequests ViewPanel::draw(ViewSession& session, ViewHand& hand, HoughPanel& hough,
+PanelRequests ViewPanel::draw(ViewSession& session, ViewInput& hand, HoughPanel& hough,
                               const Shown& shown) {
     PanelRequests requests;
     const float margin = 10.0f * shown.scale;

@@ -48,11 +48,12 @@ public:
         float scale;  ///< Units of the panel for one of a desktop with letters of usual size.
     };
     /// Draws the panel and, where open, the inspector's; `hough` is what that one is opened by.
-    PanelRequests draw(ViewSession& session, ViewHand& hand, HoughPanel& hough, const Shown& shown);
+    PanelRequests draw(ViewSession& session, ViewInput& hand, HoughPanel& hough,
+                       const Shown& shown);
 
 private:
     void draw_model(const ViewSession& session, const Shown& shown, PanelRequests& requests);
-    void draw_view(ViewSession& session, ViewHand& hand, PanelRequests& requests);
+    void draw_view(ViewSession& session, ViewInput& hand, PanelRequests& requests);
     void draw_look(ViewSession& session);
     static void draw_colors(ViewSession& session);
     void draw_lights(ViewSession& session);

@@ -23,7 +23,7 @@ void ViewLook::set_style(Style chosen) {
     crease_angle_deg = defaults.crease_angle_deg;
 }
 
-void ViewSession::show(Opened opened, double aspect) {
+void ViewSession::show(Document opened, double aspect) {
     PictureOptions defaults;
     defaults.fov_degrees = look.fov_y_deg;
     const Subject subject = opened.subject();
@@ -37,7 +37,7 @@ void ViewSession::show(Opened opened, double aspect) {
     apply_lens();
 }
 
-void ViewSession::show(Opened opened, const Camera& chosen, std::vector<Light> chosen_lights) {
+void ViewSession::show(Document opened, const Camera& chosen, std::vector<Light> chosen_lights) {
     if (opened_) previous_ = std::move(opened_);
     opened_ = std::move(opened);
     camera = chosen;
@@ -105,7 +105,7 @@ ViewPicture ViewSession::picture() const {
 }
 
 SplatScene ViewSession::cloud_scene() const {
-    OpenedCloud& cloud = *opened_.cloud();
+    CloudDocument& cloud = *opened_.cloud();
     const SceneBounds around = bounds();
     SplatScene scene{
         .cloud = &cloud.drawn(look.color, look.line_width_px),
@@ -131,7 +131,7 @@ Scene ViewSession::scene() const {
                     look.hidden ? style_defaults(look.style).hidden_line_strength : 0.0f,
                 .crease_angle_deg = look.crease_angle_deg};
     scene.lights = lights;
-    OpenedModel& model = *opened_.model();
+    ModelDocument& model = *opened_.model();
     scene.instances.push_back({.octree = &model.octree(),
                                .name = model.name(),
                                .material = {.color = look.color.value_or(

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "engine/scene.h"
 #include "engine/clouds/splat_renderer.h"
+#include "engine/scene.h"
 #include "tools/options/option_types.h"
 #include "tools/view/document.h"
 
@@ -48,20 +48,20 @@ public:
 
     /// Shows another model or cloud, wholly in view, a model lit by a sun; the look stays, the silhouette thaws.
     /// What was shown before is kept until forget_previous(), for frames in flight know it by its address.
-    void show(Opened opened, double aspect);
+    void show(Document opened, double aspect);
     /// The same with a camera and lights that were chosen already; the look is taken to fit them.
-    void show(Opened opened, const Camera& chosen, std::vector<Light> chosen_lights);
+    void show(Document opened, const Camera& chosen, std::vector<Light> chosen_lights);
     /// Goes back to what was shown before, where there is something: the device could not hold the new one.
     bool show_previous(double aspect);
     /// A frame of the new one has been drawn.
     void forget_previous() noexcept { previous_ = {}; }
 
     bool is_empty() const noexcept { return !opened_; }
-    const Opened& opened() const noexcept { return opened_; }
+    const Document& opened() const noexcept { return opened_; }
     /// Where it is shown.
     bool is_cloud() const noexcept { return opened_.cloud() != nullptr; }
-    const OpenedModel& model() const noexcept { return *opened_.model(); }
-    const OpenedCloud& cloud() const noexcept { return *opened_.cloud(); }
+    const ModelDocument& model() const noexcept { return *opened_.model(); }
+    const CloudDocument& cloud() const noexcept { return *opened_.cloud(); }
     /// The sphere around what is shown, which handles and speeds are measured by.
     SceneBounds bounds() const;
 
@@ -92,8 +92,8 @@ public:
     SplatScene cloud_scene() const;
 
 private:
-    Opened opened_;
-    Opened previous_;
+    Document opened_;
+    Document previous_;
     std::optional<Camera> frozen_;
 };
 

@@ -30,7 +30,7 @@ public:
     /// Throws Error{no_device}.
     WindowSurface make_surface(VkInstance instance) const;
 
-    /// Of what is shown, in pixels; zero while minimised or hidden.
+    /// Of what is shown, in pixels; zero while minimized or hidden.
     VkExtent2D size_px() const;
     bool is_shown() const;
     /// Of the content in screen units, which the mouse is measured in.

@@ -4,9 +4,9 @@
 #include <utility>
 #include <variant>
 
+#include "engine/picture_readback.h"
 #include "engine/vulkan/barrier.h"
 #include "engine/vulkan/device_loss.h"
-#include "engine/picture_readback.h"
 
 namespace rimline::tools {
 
@@ -21,7 +21,7 @@ constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSF
 // The semaphore that presenting waits for orders the rest.
 constexpr StageAccess k_nothing_more{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
 
-OwnedFence make_signalled_fence(VkDevice device) {
+OwnedFence make_signaled_fence(VkDevice device) {
     const VkFenceCreateInfo info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
                                  .flags = VK_FENCE_CREATE_SIGNALED_BIT};
     VkFence fence = VK_NULL_HANDLE;
@@ -55,7 +55,7 @@ struct WindowRenderer::OnDevice {
                 .commandBufferCount = 1};
             vk_check(vkAllocateCommandBuffers(device.context().device, &info, &slot.commands),
                      "vkAllocateCommandBuffers");
-            slot.done = make_signalled_fence(device.context().device);
+            slot.done = make_signaled_fence(device.context().device);
         }
     }
     ~OnDevice() {
@@ -195,7 +195,7 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const ViewPicture& sce
             // again.
             const bool is_lost =
                 error.code() == ErrorCode::device_lost || error.code() == ErrorCode::no_device;
-            if (is_lost && losses < k_most_device_losses) continue;
+            if (is_lost && losses < k_max_device_losses) continue;
             gpu_.reset();
             throw;
         } catch (...) {

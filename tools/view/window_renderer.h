@@ -18,10 +18,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/vulkan/device.h"
+#include "engine/clouds/splat_renderer.h"
 #include "engine/passes/overlay_pass.h"
 #include "engine/renderer.h"
-#include "engine/clouds/splat_renderer.h"
+#include "engine/vulkan/device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/view/view_session.h"
 #include "tools/view/window.h"

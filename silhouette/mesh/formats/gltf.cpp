@@ -194,20 +194,19 @@ private:
         if (indices != primitive.attributes.end()) {
             // Triangles are counted, points and lines are not: of these each accessor is read once.
             const bool has_triangles = primitive.mode >= TINYGLTF_MODE_TRIANGLES;
-            const auto known = least_vertices_.find(indices->second);
-            if (!has_triangles && known != least_vertices_.end() &&
-                known->second <= positions.size())
+            const auto known = min_vertices_.find(indices->second);
+            if (!has_triangles && known != min_vertices_.end() && known->second <= positions.size())
                 return;
             corners = accessors_.indices(indices->second);
-            std::uint64_t least_vertices = 0;
+            std::uint64_t min_vertices = 0;
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 if (corners[i] >= positions.size())
                     fail("index " + std::to_string(corners[i]) + " (number " + std::to_string(i) +
                          ") is out of range; there are " + std::to_string(positions.size()) +
                          " vertices");
-                least_vertices = std::max(least_vertices, std::uint64_t{corners[i]} + 1);
+                min_vertices = std::max(min_vertices, std::uint64_t{corners[i]} + 1);
             }
-            least_vertices_[indices->second] = least_vertices;
+            min_vertices_[indices->second] = min_vertices;
         } else {
             corners.resize(positions.size());
             for (std::size_t i = 0; i < corners.size(); ++i)
@@ -247,7 +246,7 @@ private:
     GltfAccessors accessors_;
     MeshSource source_;
     std::vector<bool> visited_;
-    std::map<int, std::uint64_t> least_vertices_;  // That an accessor of indices asks for.
+    std::map<int, std::uint64_t> min_vertices_;  // That an accessor of indices asks for.
     std::string place_;
 };
 

@@ -27,8 +27,8 @@ bool is_unsigned(ScalarType type) noexcept {
     return type == ScalarType::uint8 || type == ScalarType::uint16 || type == ScalarType::uint32;
 }
 
-// What a normalised integer stands for (glTF 2, 3.6.2.2).
-double normalised(double value, ScalarType type) noexcept {
+// What a normalized integer stands for (glTF 2, 3.6.2.2).
+double normalized(double value, ScalarType type) noexcept {
     switch (type) {
         case ScalarType::int8: return std::max(value / 127.0, -1.0);
         case ScalarType::uint8: return value / 255.0;
@@ -110,7 +110,7 @@ std::vector<double> GltfAccessors::numbers(int accessor, int width) const {
     }
     if (a.sparse.isSparse) apply_sparse(accessor, width, values);
     if (a.normalized)
-        for (double& value : values) value = normalised(value, *type);
+        for (double& value : values) value = normalized(value, *type);
     return values;
 }
 
@@ -157,7 +157,7 @@ std::vector<std::uint32_t> GltfAccessors::indices(int accessor) const {
     const tinygltf::Accessor& a =
         accessor_of_type(accessor, TINYGLTF_TYPE_SCALAR, "SCALAR, as it holds indices");
     if (a.normalized || !is_unsigned(*scalar_type(a.componentType)))
-        fail(accessor, "holds indices, which should be unsigned integers and not normalised");
+        fail(accessor, "holds indices, which should be unsigned integers and not normalized");
     const std::vector<double> values = numbers(accessor, 1);
     std::vector<std::uint32_t> indices;
     indices.reserve(values.size());

@@ -24,7 +24,7 @@ public:
                   std::uint64_t file_bytes)
         : file_(file), model_(model), buffers_(buffers), file_bytes_(file_bytes) {}
 
-    /// Three numbers an element, of any component type, normalised where the accessor says so.
+    /// Three numbers an element, of any component type, normalized where the accessor says so.
     std::vector<glm::dvec3> positions(int accessor) const;
     /// One unsigned integer an element.
     std::vector<std::uint32_t> indices(int accessor) const;

@@ -9,7 +9,7 @@
 //
 // Vertices are numbered as the file numbers them; STL: 3 * facet + corner; glTF: primitives in scene
 // order, once for each node that names them. Left aside, as they say nothing about where faces lie:
-// normals, colours, texture coordinates, materials, images, lines, and glTF's skins and morph targets,
+// normals, colors, texture coordinates, materials, images, lines, and glTF's skins and morph targets,
 // which stay at rest.
 
 #include <filesystem>

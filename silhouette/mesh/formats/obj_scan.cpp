@@ -30,7 +30,7 @@ bool holds(std::span<const std::string_view> words, std::string_view word) {
 
 class Scan {
 public:
-    // With `points`, positions, normals and colours go there, and nothing is handed on.
+    // With `points`, positions, normals and colors go there, and nothing is handed on.
     Scan(const SourceFile& file, const LongCall& call, PointSource* points = nullptr,
          BadPoints bad = BadPoints::refuse)
         : file_(file),
@@ -94,7 +94,7 @@ private:
             scanner_.fail(excerpt(keyword) + " is no OBJ statement");
     }
 
-    // x y z, then perhaps a weight, or a colour (with or without alpha).
+    // x y z, then perhaps a weight, or a color (with or without alpha).
     void read_vertex() {
         if (points_)
             read_exact_position();
@@ -103,17 +103,17 @@ private:
         int more = 0;
         glm::vec3 color(0.0f);
         for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++more) {
-            const double value = scanner_.number(t, "a vertex's weight or colour");
+            const double value = scanner_.number(t, "a vertex's weight or color");
             if (more < 3) color[more] = static_cast<float>(value);
         }
         if (more != 0 && more != 1 && more != 3 && more != 4)
             scanner_.fail("a vertex with " + std::to_string(3 + more) +
-                          " numbers; it has 3, 4 (with a weight), 6 or 7 (with a colour)");
+                          " numbers; it has 3, 4 (with a weight), 6 or 7 (with a color)");
         if (vertices_.count == k_max_file_vertices)
             throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 vertices");
         ++vertices_.count;
         if (!points_ || more < 3) return;
-        // Most files give all vertices a colour or none; those without are black.
+        // Most files give all vertices a color or none; those without are black.
         colors_.resize(vertices_.count, glm::vec3(0.0f));
         colors_.back() = color;
     }

@@ -1,9 +1,9 @@
 // OFF and its kin: [ST][C][N]OFF, then counts, then vertices, then a line for each face. As Geomview
 // reads it: numbers, but for those at a face's end, may be spread over lines as one likes.
 //
-// A vertex is x y z, with N a normal (3 numbers), with C a colour (3 or 4), with ST a texture
+// A vertex is x y z, with N a normal (3 numbers), with C a color (3 or 4), with ST a texture
 // coordinate (2), in this order. A face is its corner count, its corners and up to four numbers of
-// colour. The kinds with a fourth coordinate or n of them, and the binary form, are refused by name.
+// color. The kinds with a fourth coordinate or n of them, and the binary form, are refused by name.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace rimline {
 namespace {
 
 struct OffKind {
-    bool texture = false, colour = false, normal = false;
+    bool texture = false, color = false, normal = false;
 };
 
 OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
@@ -29,7 +29,7 @@ OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
         return true;
     };
     kind.texture = take("ST");
-    kind.colour = take("C");
+    kind.color = take("C");
     kind.normal = take("N");
     if (rest.starts_with("4") || rest.starts_with("n"))
         scanner.fail(excerpt(keyword) +
@@ -57,23 +57,23 @@ public:
         const std::uint64_t line = scanner_.line();
         if (line == last_line_ && crowded_line_ == 0) crowded_line_ = line;
         const int fixed = 3 + (kind_.normal ? 3 : 0) + (kind_.texture ? 2 : 0);
-        // Geomview writes four numbers of colour, others three: where a vertex has a line to itself,
+        // Geomview writes four numbers of color, others three: where a vertex has a line to itself,
         // the line says how many.
-        if (kind_.colour && line != last_line_) colours_ = tokens_left() + 1 == fixed + 3 ? 3 : 4;
+        if (kind_.color && line != last_line_) colors_ = tokens_left() + 1 == fixed + 3 ? 3 : 4;
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis) {
             if (axis > 0) token = word_or_fail(scanner_, what);
             position[axis] = scanner_.coordinate(token, "a vertex's coordinate", bad_);
         }
-        const int more = fixed - 3 + (kind_.colour ? colours_ : 0);
+        const int more = fixed - 3 + (kind_.color ? colors_ : 0);
         for (int i = 0; i < more; ++i)
             scanner_.skip_number(word_or_fail(scanner_, what),
-                                 "a vertex's normal, colour or texture");
+                                 "a vertex's normal, color or texture");
         last_line_ = scanner_.line();
         return position;
     }
 
-    // A face ends its line, as up to four numbers of colour may follow its corners there.
+    // A face ends its line, as up to four numbers of color may follow its corners there.
     void read_face(std::uint64_t vertex_count, std::vector<std::uint32_t>& polygon) {
         const std::int64_t corners =
             scanner_.integer(word_or_fail(scanner_, "another face"), "a face's corner count");
@@ -89,9 +89,9 @@ public:
             polygon.push_back(static_cast<std::uint32_t>(v));
         }
         for (int i = 0; i < 4; ++i) {
-            const std::string_view colour = scanner_.token();
-            if (colour.empty()) return;
-            scanner_.skip_number(colour, "a face's colour");
+            const std::string_view color = scanner_.token();
+            if (color.empty()) return;
+            scanner_.skip_number(color, "a face's color");
         }
         scanner_.expect_end_of_line("a face");
     }
@@ -104,7 +104,7 @@ private:
         return count;
     }
 
-    // Undeclared colours shift every number behind them: then the vertices are where to look.
+    // Undeclared colors shift every number behind them: then the vertices are where to look.
     [[noreturn]] void fail(const std::string& what) const {
         scanner_.fail(crowded_line_ == 0
                           ? what
@@ -115,7 +115,7 @@ private:
     TextScanner& scanner_;
     OffKind kind_;
     BadPoints bad_;
-    int colours_ = 4;
+    int colors_ = 4;
     std::uint64_t last_line_ = 0;     // Where the last vertex ended.
     std::uint64_t crowded_line_ = 0;  // The first where one vertex ends and another begins.
 };

@@ -103,7 +103,7 @@ void check_counts(const SourceFile& file, const PlyHeader& header) {
         // In text a value takes a digit and what separates it from the next.
         const std::size_t size = header.encoding == PlyEncoding::ascii
                                      ? 2 * element.properties.size()
-                                     : element.least_binary_size();
+                                     : element.min_binary_size();
         if (size == 0) continue;
         if (element.count > left / size)
             bad_line(file.name, element.line,
@@ -121,7 +121,7 @@ bool PlyElement::has_lists() const noexcept {
                        [](const PlyProperty& p) { return p.is_list(); });
 }
 
-std::size_t PlyElement::least_binary_size() const noexcept {
+std::size_t PlyElement::min_binary_size() const noexcept {
     std::size_t size = 0;
     for (const PlyProperty& p : properties) size += size_bytes(p.count_type.value_or(p.type));
     return size;

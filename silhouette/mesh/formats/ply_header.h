@@ -28,7 +28,7 @@ struct PlyElement {
 
     bool has_lists() const noexcept;
     /// Bytes of one element in a binary file, lists counted as empty.
-    std::size_t least_binary_size() const noexcept;
+    std::size_t min_binary_size() const noexcept;
     /// The property of that name, or nothing.
     std::optional<std::size_t> find(std::string_view property) const noexcept;
     /// The property of that name; throws Error{bad_input} where there is none or it is a list.

@@ -15,7 +15,7 @@ constexpr std::array<const char*, 9> k_names{"x",  "y",   "z",     "nx",  "ny",
 constexpr std::size_t k_first_normal = 3;
 constexpr std::size_t k_first_color = 6;
 
-// What makes a colour of this type a share of 255.
+// What makes a color of this type a share of 255.
 float color_scale(ScalarType type) {
     if (is_floating(type)) return 255.0f;
     return type == ScalarType::uint16 ? 255.0f / 65535.0f : 1.0f;
@@ -45,7 +45,7 @@ public:
 
 private:
     // For each property the place of its value in a record, -1 for those that are stepped over: of
-    // normals and colours all three are kept or none.
+    // normals and colors all three are kept or none.
     std::vector<int> slots_of(const PlyElement& element) const {
         std::vector<int> slots(element.properties.size(), -1);
         for (std::size_t i = 0; i < k_first_normal; ++i)

@@ -6,13 +6,13 @@
 //
 //   PLY   x y z; nx ny nz; red green blue, whole numbers or shares of 1. All other properties are
 //         stepped over.
-//   OBJ   `v x y z [r g b]`, colours as shares of 1, or of 255 where one is above 1. `vn` are normals of
+//   OBJ   `v x y z [r g b]`, colors as shares of 1, or of 255 where one is above 1. `vn` are normals of
 //         corners; where there are as many as vertices, and no face gives a vertex another than the one of
 //         its number, they are the points'. Else they are not kept.
 //   XYZ   a point a line, numbers separated by blanks, as many in every line; lines that begin with # or
 //         // are comments. Three numbers are x y z. Of 4, 7 or 10 the fourth is an intensity; what
 //         then remains are triples. A triple whose values are all of length 1 (within
-//         1%, or zero) is a normal, a triple of whole numbers from 0 to 255 a colour, whichever comes
+//         1%, or zero) is a normal, a triple of whole numbers from 0 to 255 a color, whichever comes
 //         first of each kind. Other columns are stepped over.
 //   PTS   the same, with the number of points alone in the line before them, once or several times.
 //

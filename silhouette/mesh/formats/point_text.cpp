@@ -13,7 +13,7 @@ namespace rimline {
 
 namespace {
 
-constexpr std::size_t k_most_columns = 64;
+constexpr std::size_t k_max_columns = 64;
 constexpr float k_unit_tolerance = 0.01f;
 
 bool is_zero(const glm::vec3& v) { return v == glm::vec3(0.0f); }
@@ -63,8 +63,8 @@ private:
     bool read_numbers() {
         count_ = 0;
         for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token()) {
-            if (count_ == k_most_columns)
-                scanner_.fail("a point with more than " + std::to_string(k_most_columns) +
+            if (count_ == k_max_columns)
+                scanner_.fail("a point with more than " + std::to_string(k_max_columns) +
                               " numbers");
             if (count_ == 0 && (t.starts_with('#') || t.starts_with("//"))) return false;
             if (count_ == 0) first_token_ = t;
@@ -137,7 +137,7 @@ private:
     const LongCall& call_;
     TextScanner scanner_;
     PointRecords records_;
-    std::array<double, k_most_columns> numbers_{};
+    std::array<double, k_max_columns> numbers_{};
     std::size_t count_ = 0;  // Of the current line.
     std::string_view first_token_;
     std::size_t columns_ = 0;  // Of every point.

@@ -41,7 +41,7 @@ PointRecords read_point_text(const SourceFile& file, BadPoints bad, const LongCa
 std::string refusal(std::uint64_t number, const glm::dvec3& position, BadPoints bad);
 /// A share of 255 as a byte; NaN is 0.
 std::uint8_t color_byte(float value) noexcept;
-/// Colours that a file gives as numbers: as shares of 1, or of 255 where one is above 1.
+/// Colors that a file gives as numbers: as shares of 1, or of 255 where one is above 1.
 std::vector<PointColor> point_colors(const std::vector<glm::vec3>& numbers);
 
 /// The vertices a file may have: their numbers are 32 bits wide, with room for marks.

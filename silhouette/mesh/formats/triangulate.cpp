@@ -19,7 +19,7 @@ constexpr std::uint32_t k_no_waiting = 0xffffffffu;
 // What a polygon that crosses itself may cost. Where its corners lie scattered over the memory a test
 // takes tens of nanoseconds: the second bound is some seconds.
 constexpr std::uint64_t k_tests_a_corner = 2048;
-constexpr std::uint64_t k_most_tests = std::uint64_t{1} << 27;
+constexpr std::uint64_t k_max_tests = std::uint64_t{1} << 27;
 // Corners or tests between two looks at the stop token.
 constexpr std::uint32_t k_stop_interval = 1 << 13;
 
@@ -288,7 +288,7 @@ void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions,
         reflex_count_ += n.reflex;
     }
     build_grid();
-    tests_left_ = std::min(k_tests_a_corner * count, k_most_tests);
+    tests_left_ = std::min(k_tests_a_corner * count, k_max_tests);
     for (Corner i = 0; i < count; ++i) {
         if (i % k_stop_interval == 0) check_stop();
         consider(i);

@@ -16,7 +16,7 @@ bool is_crease(EdgeClass edge_class) {
     return edge_class == EdgeClass::border || edge_class == EdgeClass::nonmanifold;
 }
 
-// The neighbours of a vertex: all of them, and those along creases.
+// The neighbors of a vertex: all of them, and those along creases.
 struct Neighborhood {
     glm::dvec3 sum{0.0};
     glm::dvec3 crease_sum{0.0};
@@ -89,7 +89,7 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
         const auto [a, b, c] = mesh.triangles()[f];
         const auto [ab, bc, ca] = mesh.edges_of(FaceId{f});
         if (ab == k_no_edge) {
-            // Nothing to split, and no neighbour: four of it keep the count.
+            // Nothing to split, and no neighbor: four of it keep the count.
             refined.triangles.insert(refined.triangles.end(), 4, {index(a), index(b), index(c)});
             continue;
         }

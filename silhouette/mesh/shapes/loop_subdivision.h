@@ -4,7 +4,7 @@
 //
 //            /\             a new vertex on each edge ab of triangles abc, abd:
 //           /  \                3/8 (a + b) + 1/8 (c + d)
-//          /____\           a vertex v with neighbours u_1 .. u_n moves to:
+//          /____\           a vertex v with neighbors u_1 .. u_n moves to:
 //         /\    /\              (1 - n beta) v + beta (u_1 + ... + u_n)
 //        /  \  /  \             beta = 3/16 for n = 3, else 3 / (8 n)
 //       /____\/____\        .

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_turns = 4.0;
 constexpr double k_radius = 0.8;
-constexpr double k_rise = 0.55;  // A turn; neighbouring coils leave a gap of a third of it.
+constexpr double k_rise = 0.55;  // A turn; neighboring coils leave a gap of a third of it.
 constexpr double k_wire_radius = 0.18;
 
 // The helix in closed form: outward and binormal are at right angles to the tangent everywhere.

@@ -2,23 +2,23 @@
 
 namespace rimline {
 
-double asc_cost(std::span<const OctreeNode> nodes, std::span<const NeighbourNodes> neighbours,
+double asc_cost(std::span<const OctreeNode> nodes, std::span<const NeighborNodes> neighbors,
                 std::uint32_t node, const AscWeights& weights) {
     const double depth = nodes[node].depth;
     double difference = 0.0;
     std::uint32_t count = 0;
-    for (const std::uint32_t neighbour : neighbours[node]) {
-        if (neighbour == k_no_node) continue;
+    for (const std::uint32_t neighbor : neighbors[node]) {
+        if (neighbor == k_no_node) continue;
         // None is deeper.
-        difference += depth - nodes[neighbour].depth;
+        difference += depth - nodes[neighbor].depth;
         ++count;
     }
-    const double neighbour_cost = count > 0 ? difference / count : 0.0;
-    return weights.subtree * depth / nodes[node].child_count + weights.neighbour * neighbour_cost;
+    const double neighbor_cost = count > 0 ? difference / count : 0.0;
+    return weights.subtree * depth / nodes[node].child_count + weights.neighbor * neighbor_cost;
 }
 
 ActiveSetCandidates choose_active_set_candidates(std::span<const OctreeNode> nodes,
-                                                 std::span<const NeighbourNodes> neighbours,
+                                                 std::span<const NeighborNodes> neighbors,
                                                  const AscWeights& weights) {
     std::vector<bool> is_candidate(nodes.size(), false);
     for (auto i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
@@ -30,12 +30,12 @@ ActiveSetCandidates choose_active_set_candidates(std::span<const OctreeNode> nod
         for (const std::uint32_t child : node.children) {
             if (child == k_no_node || nodes[child].is_leaf()) continue;
             is_eligible = is_eligible && is_candidate[child];
-            children_cost += asc_cost(nodes, neighbours, child, weights);
+            children_cost += asc_cost(nodes, neighbors, child, weights);
             ++candidate_children;
         }
         if (!is_eligible) continue;
         if (candidate_children > 0 &&
-            !(asc_cost(nodes, neighbours, i, weights) < children_cost / candidate_children))
+            !(asc_cost(nodes, neighbors, i, weights) < children_cost / candidate_children))
             continue;
         is_candidate[i] = true;
         for (const std::uint32_t child : node.children)

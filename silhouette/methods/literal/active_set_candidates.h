@@ -4,7 +4,7 @@
 // so high that a walk is a traversal. Every leaf has exactly one active-set candidate, an ASC, at or
 // above it, so candidates and empty octants beside or above them fill the root.
 //
-//     cost(node) = w1 * depth / children + w2 * mean over neighbours n of |depth - depth(n)|
+//     cost(node) = w1 * depth / children + w2 * mean over neighbors n of |depth - depth(n)|
 //
 // A node whose children are all leaves is a candidate. A node whose children are leaves and candidates
 // replaces them when its cost is less than the mean of its candidates'. Costs do not change, so one pass
@@ -24,12 +24,12 @@
 namespace rimline {
 
 struct AscWeights {
-    double subtree = 2.0;     ///< The thesis's w1.
-    double neighbour = 0.25;  ///< The thesis's w2.
+    double subtree = 2.0;    ///< The thesis's w1.
+    double neighbor = 0.25;  ///< The thesis's w2.
 };
 
 /// The cost of a node that has children.
-double asc_cost(std::span<const OctreeNode> nodes, std::span<const NeighbourNodes> neighbours,
+double asc_cost(std::span<const OctreeNode> nodes, std::span<const NeighborNodes> neighbors,
                 std::uint32_t node, const AscWeights& weights);
 
 struct ActiveSetCandidates {
@@ -41,7 +41,7 @@ struct ActiveSetCandidates {
 
 /// O(nodes).
 ActiveSetCandidates choose_active_set_candidates(std::span<const OctreeNode> nodes,
-                                                 std::span<const NeighbourNodes> neighbours,
+                                                 std::span<const NeighborNodes> neighbors,
                                                  const AscWeights& weights = {});
 
 }  // namespace rimline

@@ -12,7 +12,7 @@ namespace rimline {
 struct LiteralCounters {
     std::uint64_t obv_checks = 0;       ///< Octants: only the incremental update asks for them.
     std::uint64_t pbv_checks = 0;       ///< Boxes of a node's own Hough points.
-    std::uint64_t ebv_checks = 0;       ///< Boxes of those and their neighbours: only extraction.
+    std::uint64_t ebv_checks = 0;       ///< Boxes of those and their neighbors: only extraction.
     std::uint64_t face_checks = 0;      ///< Face bits evaluated from planes.
     std::uint64_t contained_faces = 0;  ///< Faces turned untested, in nodes all inside the region.
     std::uint64_t edge_tests = 0;       ///< Edges examined for being on the silhouette.

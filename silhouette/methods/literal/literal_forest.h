@@ -20,10 +20,10 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/methods/literal/literal_counters.h"
-#include "silhouette/methods/literal/point_octree.h"
 #include "silhouette/hough/v_sphere.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/methods/literal/literal_counters.h"
+#include "silhouette/methods/literal/point_octree.h"
 
 namespace rimline {
 

@@ -8,7 +8,7 @@
 //   3.3    Octree with one point a leaf (point_octree.h). A node has three boxes: its octant (OBV, in
 //          search_cells.h), the tightest of its points (PBV), and the tightest of its points and those
 //          that share an edge with one of them that is not SFO (EBV).
-//   3.3.1  Neighbour graph (neighbour_graph.h).        3.4.4  Active-set candidates.
+//   3.3.1  Neighbor graph (neighbor_graph.h).        3.4.4  Active-set candidates.
 //   3.4.1  Static extraction. A subtree whose PBV is outside the v-sphere, or whose EBV is inside,
 //          has no silhouette edge of its own: an edge is found from the one of its points that is
 //          inside, so it is found once. "Recursion stops when the size of the node is sufficiently
@@ -27,13 +27,13 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/hough/v_sphere.h"
+#include "silhouette/mesh/mesh.h"
 #include "silhouette/methods/literal/active_set_candidates.h"
 #include "silhouette/methods/literal/literal_counters.h"
 #include "silhouette/methods/literal/neighbor_graph.h"
 #include "silhouette/methods/literal/point_octree.h"
 #include "silhouette/methods/literal/search_cells.h"
-#include "silhouette/hough/v_sphere.h"
-#include "silhouette/mesh/mesh.h"
 
 namespace rimline {
 
@@ -82,7 +82,7 @@ public:
 
     /// Replaces `edges` by the silhouette from `point`, in no particular order (3.4.1). Borders are not
     /// among them. `counters` is added to: PBVs, then EBVs; a face check for each face of a leaf, and
-    /// one for each of its neighbours where the face is inside; two for each edge listed apart.
+    /// one for each of its neighbors where the face is inside; two for each edge listed apart.
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  LiteralCounters& counters) const;
 
@@ -102,7 +102,7 @@ public:
     /// By node.
     std::span<const Box> point_boxes() const noexcept { return point_boxes_; }
     std::span<const Box> edge_boxes() const noexcept { return edge_boxes_; }
-    std::span<const NeighbourNodes> neighbours() const noexcept { return neighbours_; }
+    std::span<const NeighborNodes> neighbors() const noexcept { return neighbors_; }
     const ActiveSetCandidates& candidates() const noexcept { return candidates_; }
     const SearchCells& search_cells() const noexcept { return cells_; }
 
@@ -127,7 +127,7 @@ private:
     PointOctree octree_;
     std::vector<Box> point_boxes_;
     std::vector<Box> edge_boxes_;
-    std::vector<NeighbourNodes> neighbours_;
+    std::vector<NeighborNodes> neighbors_;
     ActiveSetCandidates candidates_;
     SearchCells cells_;
 

@@ -42,8 +42,8 @@ LiteralOctree::LiteralOctree(const Mesh& mesh, const LiteralOctreeOptions& optio
     list_edges();
     bound_nodes(ordered, position_of);
 
-    neighbours_ = build_neighbour_graph(octree_.nodes);
-    candidates_ = choose_active_set_candidates(octree_.nodes, neighbours_, options.asc_weights);
+    neighbors_ = build_neighbor_graph(octree_.nodes);
+    candidates_ = choose_active_set_candidates(octree_.nodes, neighbors_, options.asc_weights);
     cells_ = build_search_cells(octree_, candidates_, greatest_error);
     // All boxes of points lie within the root's octant, which was widened by as much as any of them.
     if (!cells_.reaches.empty()) greatest_reach_ = cells_.reaches[0];

@@ -87,7 +87,7 @@ void LiteralTracker::walk(const ActiveRegion& region) {
         const RegionSides sides = sides_of_cell(region, cell);
         if (sides.is_apart()) continue;
         if (!cells.cells[cell].is_leaf()) {
-            // Some tile's neighbour, as large as the tile and divided further.
+            // Some tile's neighbor, as large as the tile and divided further.
             for (const std::uint32_t child : cells.cells[cell].children) enqueue(child);
             continue;
         }
@@ -98,8 +98,8 @@ void LiteralTracker::walk(const ActiveRegion& region) {
             else
                 search(region, cells.node_of[cell]);
         }
-        for (const std::uint32_t neighbour : cells.neighbours[cell])
-            if (neighbour != k_no_node) enqueue(neighbour);
+        for (const std::uint32_t neighbor : cells.neighbors[cell])
+            if (neighbor != k_no_node) enqueue(neighbor);
     }
     active_.swap(next_active_);
 }

@@ -10,7 +10,7 @@
 //   full traversal   From the root, down every node whose PBV is not certainly apart from the region.
 //
 //   incremental      Breadth-first from the active set, the tiles (search_cells.h) that may meet the
-//                    previous v-sphere, to neighbours whose OBV may meet the region, and within them
+//                    previous v-sphere, to neighbors whose OBV may meet the region, and within them
 //                    as above. Those that may meet the new v-sphere are the next active set.
 //
 // Why the walk misses nothing. Let Z be the thin shell around a v-sphere where bits are uncertain, and A
@@ -38,16 +38,16 @@
 //          32              1,493           1,510      1,680
 //
 // Of the walk's 9,700 octants 2,671 are empty ones that it has to cross, and 4,141 are beside the region.
-// Going on only to the facing side of a divided neighbour saved 4% of them.
+// Going on only to the facing side of a divided neighbor saved 4% of them.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "silhouette/mesh/face_bits.h"
 #include "silhouette/methods/literal/active_region.h"
 #include "silhouette/methods/literal/literal_counters.h"
 #include "silhouette/methods/literal/literal_octree.h"
-#include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
 

@@ -35,10 +35,10 @@ void LiteralTracker::walk_as_written(const ActiveRegion& region) {
         const std::uint32_t node = queue_[head];
         search_as_written(region, node);
         if (sides_[node].is_apart()) continue;
-        for (const std::uint32_t neighbour : octree_->neighbours()[node]) {
-            if (neighbour == k_no_node) continue;
-            const std::uint32_t above = octree_->candidates().candidate_above[neighbour];
-            enqueue(above != k_no_node ? above : neighbour);
+        for (const std::uint32_t neighbor : octree_->neighbors()[node]) {
+            if (neighbor == k_no_node) continue;
+            const std::uint32_t above = octree_->candidates().candidate_above[neighbor];
+            enqueue(above != k_no_node ? above : neighbor);
         }
     }
     active_.swap(next_active_);

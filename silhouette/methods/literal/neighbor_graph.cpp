@@ -2,10 +2,10 @@
 
 namespace rimline {
 
-std::vector<NeighbourNodes> build_neighbour_graph(std::span<const OctreeNode> nodes) {
-    NeighbourNodes none;
+std::vector<NeighborNodes> build_neighbor_graph(std::span<const OctreeNode> nodes) {
+    NeighborNodes none;
     none.fill(k_no_node);
-    std::vector<NeighbourNodes> graph(nodes.size(), none);
+    std::vector<NeighborNodes> graph(nodes.size(), none);
     for (std::uint32_t parent = 0; parent < nodes.size(); ++parent) {
         for (std::uint32_t octant = 0; octant < 8; ++octant) {
             const std::uint32_t child = nodes[parent].children[octant];
@@ -14,7 +14,7 @@ std::vector<NeighbourNodes> build_neighbour_graph(std::span<const OctreeNode> no
                 const std::uint32_t axis = direction / 2;
                 const std::uint32_t mirrored = octant ^ (1u << axis);
                 const bool leaves_parent = (octant >> axis & 1u) == direction % 2;
-                // Whose octant holds the neighbour point, as far up as the parent's depth.
+                // Whose octant holds the neighbor point, as far up as the parent's depth.
                 const std::uint32_t around = leaves_parent ? graph[parent][direction] : parent;
                 if (around == k_no_node) continue;
                 // A shallower one holds it in an octant that is empty, or is a leaf.

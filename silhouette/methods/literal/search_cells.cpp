@@ -62,7 +62,7 @@ SearchCells build_search_cells(const PointOctree& octree, const ActiveSetCandida
                                double error) {
     CellBuilder builder(octree, candidates, error);
     if (!octree.nodes.empty()) builder.add(0, 0, octree.root, k_all_root_faces);
-    builder.result.neighbours = build_neighbour_graph(builder.result.cells);
+    builder.result.neighbors = build_neighbor_graph(builder.result.cells);
     return std::move(builder.result);
 }
 

@@ -4,7 +4,7 @@
 // candidates, with its empty octants filled in. Its leaves, the tiles, are candidates and empty octants;
 // they fill the root, side by side, without gaps.
 //
-// The text walks from node to node along their neighbour links, and those lead to an ancestor where an
+// The text walks from node to node along their neighbor links, and those lead to an ancestor where an
 // octant is empty: a walk then goes on in a part of the tree that it has no place in, or stops, and the
 // active region beyond is lost. An empty octant costs one box, and a walk crosses it like any other.
 
@@ -12,21 +12,21 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/hough/v_sphere.h"
 #include "silhouette/methods/literal/active_set_candidates.h"
 #include "silhouette/methods/literal/neighbor_graph.h"
 #include "silhouette/methods/literal/point_octree.h"
-#include "silhouette/hough/v_sphere.h"
 
 namespace rimline {
 
 struct SearchCells {
     /// A full octree: eight children or none. The root is cell 0; tiles have no children.
     std::vector<OctreeNode> cells;
-    std::vector<NeighbourNodes> neighbours;  ///< Of cells; no tile's neighbour is below a tile.
-    std::vector<std::uint32_t> node_of;      ///< The octree's node; k_no_node for empty octants.
-    std::vector<HoughBox> boxes;             ///< OBVs, widened as asked.
-    std::vector<float> reaches;              ///< Of the boxes.
-    /// By cell: bit i, when it touches the root's face in direction i (NeighbourNodes).
+    std::vector<NeighborNodes> neighbors;  ///< Of cells; no tile's neighbor is below a tile.
+    std::vector<std::uint32_t> node_of;    ///< The octree's node; k_no_node for empty octants.
+    std::vector<HoughBox> boxes;           ///< OBVs, widened as asked.
+    std::vector<float> reaches;            ///< Of the boxes.
+    /// By cell: bit i, when it touches the root's face in direction i (NeighborNodes).
     std::vector<std::uint8_t> root_faces;
     std::uint32_t empty_tiles = 0;
 };

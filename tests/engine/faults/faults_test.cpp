@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "engine/vulkan/barrier.h"
-#include "engine/stream/change_stream.h"
-#include "engine/passes/face_bits_pass.h"
 #include "engine/measure/visible_ratio.h"
+#include "engine/passes/face_bits_pass.h"
+#include "engine/stream/change_stream.h"
+#include "engine/vulkan/barrier.h"
 #include "silhouette/mesh/face_bits.h"
 #include "tests/engine/faults/stage.h"
 #include "tests/engine/support/gpu_fixture.h"

@@ -38,7 +38,7 @@ void Stage::note(const Error& error) {
 namespace {
 
 // More calls than any scenario makes: a count that never ends is a step that is never done.
-constexpr std::uint64_t k_most_faults = 20'000;
+constexpr std::uint64_t k_max_faults = 20'000;
 
 // Sanitizers make a play several times as long; what is right without them is tested without them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -89,10 +89,10 @@ void play_with_failures(Scenario scenario, Extent extent) {
     const std::vector<std::byte> expected = undisturbed(scenario, *gpu, models);
     std::uint64_t calls = 0;
     for (;; calls += stride(extent, 17)) {
-        REQUIRE(calls < k_most_faults);
+        REQUIRE(calls < k_max_faults);
         const LiveObjects live;
         Stage stage(gpu->instance(), gpu->context(), models);
-        // The results take turns from call to call, so that neighbours of one kind get all.
+        // The results take turns from call to call, so that neighbors of one kind get all.
         arm({.kind = FaultKind::failure, .call = calls, .result = calls});
         scenario(stage);
         const FaultReport report = disarm();
@@ -115,7 +115,7 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
     const std::vector<std::byte> expected = undisturbed(scenario, *gpu, models);
     std::uint64_t calls = 0;
     for (bool injected = true; injected; calls += stride(extent, 11)) {
-        REQUIRE(calls < k_most_faults);
+        REQUIRE(calls < k_max_faults);
         const LiveObjects live;
         CAPTURE(calls);
         ErrorCode code{};
@@ -159,7 +159,7 @@ void play_with_failing_new(Scenario scenario, Extent extent) {
     const std::vector<std::byte> expected = undisturbed(scenario, *gpu, models);
     std::uint64_t allocations = 0;
     for (;; allocations += stride(extent, 53)) {
-        REQUIRE(allocations < k_most_faults);
+        REQUIRE(allocations < k_max_faults);
         const LiveObjects live;
         CAPTURE(allocations);
         Stage stage(gpu->instance(), gpu->context(), models);

@@ -27,8 +27,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/vulkan/device.h"
 #include "engine/renderer.h"
+#include "engine/vulkan/device.h"
 #include "tests/engine/faults/failing_new.h"
 #include "tests/engine/faults/vulkan_faults.h"
 #include "tests/engine/support/test_pictures.h"

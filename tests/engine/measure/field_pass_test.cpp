@@ -8,9 +8,9 @@
 #include "silhouette/field/named_functions.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
-#include "tests/silhouette/field/reference_sum.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/models.h"
+#include "tests/silhouette/field/reference_sum.h"
 
 namespace rimline {
 namespace {

@@ -3,7 +3,7 @@
 // and nothing may be inked that is far from a sample that may be seen.
 //
 // What is seen is asked at the sample itself, where only the edge's own faces are left out: on a mesh
-// finer than pixels a silhouette is a zigzag, and half of it lies behind its own neighbours. A sample is
+// finer than pixels a silhouette is a zigzag, and half of it lies behind its own neighbors. A sample is
 // clearly seen when what lies a pixel outwards is free too, and clearly hidden when a pixel all around
 // is covered by faces that do not touch the edge. A crease has surface on both sides: it is clearly seen
 // when a pixel to either side is free too, so far in front of it that the surface beside it, unless it is

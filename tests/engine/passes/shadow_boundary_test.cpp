@@ -1,6 +1,6 @@
 // The volumes that the shaders emit are closed: their boundary is zero, for every mesh, light and form.
 //
-// What is emitted is modelled by the shaders' own text (shaders/shadow_emission.h, compiled as C++)
+// What is emitted is modeled by the shaders' own text (shaders/shadow_emission.h, compiled as C++)
 // over the edge records that are uploaded. A chain of triangles is closed when every edge between two
 // corners, near or far, is run as often one way as the other; no position enters but through the bits.
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/stream/gpu_mesh.h"
 #include "engine/shadow_choice.h"
+#include "engine/stream/gpu_mesh.h"
 #include "shaders/shadow_emission.h"
 #include "silhouette/mesh/face_bits.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
@@ -31,9 +31,9 @@ namespace {
 // Sums of directed edges between corners, in an open hash table that is emptied by counting up.
 class Boundary {
 public:
-    explicit Boundary(std::size_t most_edges) {
+    explicit Boundary(std::size_t max_edges) {
         std::size_t size = 64;
-        while (size < 4 * most_edges) size *= 2;
+        while (size < 4 * max_edges) size *= 2;
         slots_.resize(size);
     }
 
@@ -191,10 +191,10 @@ TEST_CASE("the boundary of every emitted volume is zero") {
         casters.emplace_back(crowded(5 + i % 12, 10 + 5 * i, random));
     for (std::uint32_t i = 0; i < 10; ++i)  // Nothing shared.
         casters.emplace_back(crowded(300, 20, random));
-    std::size_t most_edges = 0;
+    std::size_t max_edges = 0;
     for (const Caster& caster : casters)
-        most_edges = std::max<std::size_t>(most_edges, 12 * caster.mesh.face_count());
-    Boundary boundary(most_edges);
+        max_edges = std::max<std::size_t>(max_edges, 12 * caster.mesh.face_count());
+    Boundary boundary(max_edges);
     int singles = 0;
     int open = 0;
     for (int pair = 0; pair < k_pairs; ++pair) {

@@ -2,7 +2,7 @@
 // every kind that volumes are known to break on.
 //
 // A pixel may differ from the rays only where the rays themselves change within a pixel: next to the
-// edge of a shadow or a silhouette, where the rasteriser's grid of places within a pixel decides. How
+// edge of a shadow or a silhouette, where the rasterizer's grid of places within a pixel decides. How
 // near that was found is printed with how many pixels there were. In one of several million pixels, by
 // itself in what is all lit or all dark, sides of volumes and the surface are within the rounding of
 // depths (rounded_pixels.h); those are counted apart. (At a silhouette a face that is seen
@@ -41,9 +41,9 @@ constexpr std::uint32_t k_size = 256;
 constexpr int k_nothing = -1;  // A pixel without a surface; others are the number of lights there.
 
 // Of the pixels with a surface, over all draws of a case.
-constexpr double k_greatest_differing_share = 2e-4;
+constexpr double k_max_differing_share = 2e-4;
 // And of those on sides of volumes.
-constexpr double k_greatest_rounded_share = 1e-6;
+constexpr double k_max_rounded_share = 1e-6;
 
 // Of many random draws, counted from 1, those that RIMLINE_TEST_DRAWS names ("73,108"), or all.
 bool is_wanted(int draw) {
@@ -124,11 +124,11 @@ public:
                     differing_, surface_, 100.0 * share);
         std::printf("at most %.3f px off, and %d on sides of volumes\n", farthest_, rounded_);
         if (draws_ < number_) return;  // Draws picked out are no sample.
-        CHECK(rounded_ <= std::ceil(k_greatest_rounded_share * surface_));
+        CHECK(rounded_ <= std::ceil(k_max_rounded_share * surface_));
         CHECK(surface_ > 1000.0 * draws_);
         CHECK(lit_ > 0.01 * surface_);
         CHECK(lit_ < 0.99 * surface_);
-        CHECK(share <= k_greatest_differing_share);
+        CHECK(share <= k_max_differing_share);
     }
 
     const Model& keep(const MeshSource& source) { return models_.emplace_back(source); }

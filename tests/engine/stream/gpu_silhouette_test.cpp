@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "shaders/silhouette_job.h"
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/moving_face.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
+#include "tests/models.h"
 #include "tests/silhouette/hough/support/generated_meshes.h"
 #include "tests/silhouette/hough/support/random_walk.h"
 #include "tests/silhouette/hough/test_size.h"
-#include "tests/models.h"
 
 namespace rimline {
 namespace {

@@ -11,7 +11,7 @@ namespace rimline::tests {
 
 namespace {
 
-// Nearer than this, in scene radii, a triangle is one that the ray starts on: a neighbour in the same
+// Nearer than this, in scene radii, a triangle is one that the ray starts on: a neighbor in the same
 // plane, of whose distance only the rounding is left.
 constexpr double k_touching = 1e-10;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pixels that a rasteriser decides by its roundings, found from edges in double.
+// Pixels that a rasterizer decides by its roundings, found from edges in double.
 //
 // Rays at a pixel's center know no roundings, and rays around it do not always find what is near: a
 // silhouette before something close behind it, the start of a volume inside another volume's shadow. So
@@ -22,7 +22,7 @@
 
 namespace rimline::tests {
 
-/// Whether a silhouette or border of what the camera sees passes `place` within the rasteriser's grid, not
+/// Whether a silhouette or border of what the camera sees passes `place` within the rasterizer's grid, not
 /// hidden by the surface that is seen at `place`.
 bool is_on_silhouette(const RayReference& rays, glm::dvec2 place, glm::dvec2 picture_size);
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "silhouette/picture.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/picture.h"
 
 namespace rimline::tests {
 

@@ -8,7 +8,7 @@ namespace rimline {
 namespace {
 
 TEST_CASE("a call on a device that is lost is made again on a new one, and not for ever") {
-    for (int losses = 0; losses <= k_most_device_losses + 1; ++losses) {
+    for (int losses = 0; losses <= k_max_device_losses + 1; ++losses) {
         CAPTURE(losses);
         int calls = 0;
         int made = 0;
@@ -17,11 +17,11 @@ TEST_CASE("a call on a device that is lost is made again on a new one, and not f
             return calls;
         };
         const auto make_again = [&] { ++made; };
-        if (losses > k_most_device_losses) {
+        if (losses > k_max_device_losses) {
             CHECK_THROWS_WITH_AS(
                 surviving_device_loss(lose, make_again),
                 "the device was lost: vkQueueSubmit2 failed with VK_ERROR_DEVICE_LOST", Error);
-            CHECK(made == k_most_device_losses);
+            CHECK(made == k_max_device_losses);
         } else {
             CHECK(surviving_device_loss(lose, make_again) == losses + 1);
             CHECK(made == losses);

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <random>
 
-#include "engine/stream/change_stream.h"
 #include "engine/renderer.h"
+#include "engine/stream/change_stream.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"

@@ -98,7 +98,7 @@ TEST_CASE("a batch larger than what may be staged at once is sent in parts") {
     RIMLINE_OPEN_GPU(gpu);
     Uploads uploads(gpu->context());
     UploadBatch batch(gpu->context(), uploads);
-    constexpr std::size_t k_count = (UploadBatch::k_most_staged_bytes / 4) * 2 / 3;
+    constexpr std::size_t k_count = (UploadBatch::k_max_staged_bytes / 4) * 2 / 3;
     std::vector<Buffer> buffers;
     for (std::uint32_t i = 0; i < 3; ++i)
         buffers.push_back(

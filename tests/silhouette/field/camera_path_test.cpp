@@ -39,7 +39,7 @@ std::vector<glm::dvec3> random_nodes(Random& random, std::size_t count, const gl
     const auto fits = [&](const glm::dvec3& a, const glm::dvec3& b) {
         const double cosine = glm::dot(glm::normalize(a - center), glm::normalize(b - center));
         const double angle_deg = glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
-        return angle_deg > 0.1 && angle_deg < CameraPath::k_most_turn_deg - 0.1;
+        return angle_deg > 0.1 && angle_deg < CameraPath::k_max_turn_deg - 0.1;
     };
     while (nodes.size() < count) {
         const glm::dvec3 node = center + between(random, k_inner, 2.0) * random_direction(random);

@@ -9,8 +9,8 @@
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/points_of_interest.h"
 #include "silhouette/mesh/formats/mesh_file.h"
-#include "tests/silhouette/field/reference_sum.h"
 #include "tests/models.h"
+#include "tests/silhouette/field/reference_sum.h"
 #include "tests/skip.h"
 
 namespace rimline {
@@ -32,7 +32,7 @@ std::vector<glm::dvec3> lattice(const SearchDomain& domain, int half, std::size_
 }
 
 SearchDomain domain_of(const NamedFunction& named) {
-    return {named.least_radius, named.greatest_radius};
+    return {named.min_radius, named.greatest_radius};
 }
 
 void check_bounds(const UnitPlanes& planes, const NamedFunction& named, std::size_t stride) {

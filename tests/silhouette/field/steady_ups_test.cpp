@@ -71,7 +71,7 @@ double energy(const std::vector<glm::dvec3>& eyes, const std::vector<glm::dvec3>
     return sum;
 }
 
-double most_roll(const std::vector<glm::dvec3>& eyes, const std::vector<glm::dvec3>& ups) {
+double max_roll(const std::vector<glm::dvec3>& eyes, const std::vector<glm::dvec3>& ups) {
     double most = 0.0;
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         const std::size_t next = (i + 1) % eyes.size();
@@ -99,8 +99,8 @@ TEST_CASE("over the poles a camera turns slowly, and stands upright away from th
         const std::vector<glm::dvec3> ups = steady_ups(eyes, k_target, k_up, k_lean);
         std::vector<glm::dvec3> upright;
         for (const glm::dvec3& eye : eyes) upright.push_back(upright_at(eye));
-        CHECK(most_roll(eyes, upright) > 3.4);
-        CHECK(most_roll(eyes, ups) < 2.0);
+        CHECK(max_roll(eyes, upright) > 3.4);
+        CHECK(max_roll(eyes, ups) < 2.0);
         for (std::size_t i = 0; i < eyes.size(); ++i) {
             CHECK(glm::length(ups[i]) == doctest::Approx(1.0));
             CHECK(std::abs(glm::dot(ups[i], back_of(eyes[i]))) < 1e-9);

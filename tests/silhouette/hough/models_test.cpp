@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "silhouette/mesh/formats/mesh_file.h"
+#include "tests/models.h"
 #include "tests/silhouette/hough/against_brute_force.h"
 #include "tests/silhouette/hough/test_size.h"
-#include "tests/models.h"
 #include "tests/skip.h"
 
 namespace rimline {

@@ -44,7 +44,7 @@ std::vector<glm::dvec3> grid(std::uint32_t side, std::uint64_t seed) {
     return points;
 }
 
-TEST_CASE("the order of a grid steps from neighbour to neighbour") {
+TEST_CASE("the order of a grid steps from neighbor to neighbor") {
     for (const std::uint32_t side : {2u, 4u, 16u}) {
         CAPTURE(side);
         const std::vector<glm::dvec3> points = grid(side, 41);

@@ -33,7 +33,7 @@ Value value_of(const BlockFrame& frame, const PlaneBlock& block, std::uint32_t l
     CHECK(std::abs(sum) < 1'050'000'000);
     return {std::trunc(double{threshold}) + static_cast<double>(sum),
             std::min(double{frame.step_inverse} * double{point.spread} + double{k_block_margin},
-                     double{k_block_greatest_margin})};
+                     double{k_block_max_margin})};
 }
 
 TEST_CASE("beyond the margin the sign is the face bit, and planes are seldom within it") {
@@ -98,8 +98,7 @@ TEST_CASE("where floats say nothing, nothing is certain, however large the sum")
         const Value value = value_of(frame, block, i, point);
         CHECK(std::abs(value.sum) < value.margin);
     }
-    CHECK(double{k_block_threshold_limit} + 2.0 * 16383.0 * 32002.0 <
-          double{k_block_greatest_margin});
+    CHECK(double{k_block_threshold_limit} + 2.0 * 16383.0 * 32002.0 < double{k_block_max_margin});
 }
 
 TEST_CASE("a negated plane has the negated value") {

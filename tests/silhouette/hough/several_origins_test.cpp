@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/hough_point.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/origin_lists.h"

@@ -9,8 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/mesh/brute_force.h"
 
 namespace rimline::tests {
 

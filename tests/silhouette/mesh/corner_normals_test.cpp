@@ -140,14 +140,14 @@ TEST_CASE("faces that meet only at a vertex or a non-manifold edge do not mix") 
         CHECK(glm::length(glm::dvec3(normals[i]) - face_normal(mesh, i / 3)) < 1e-6);
 }
 
-TEST_CASE("degenerate faces weigh nothing and take a neighbour's normal") {
+TEST_CASE("degenerate faces weigh nothing and take a neighbor's normal") {
     // A flat square with a collinear sliver along its diagonal, and a triangle of equal corners.
     const Mesh mesh({{{0, 0, 0}, {0, 0, 1}, {0, -1, 1}, {0, -1, 0}, {0, -0.5f, 0.5f}, {5, 5, 5}},
                      {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}, {5, 5, 0}}});
     REQUIRE(mesh.degenerate_face_count() == 2);
     const auto normals = corner_normals(mesh, radians(30));
     check_unit(mesh, normals);
-    // The triangle of equal corners has no neighbour.
+    // The triangle of equal corners has no neighbor.
     for (std::uint32_t i = 0; i < normals.size(); ++i)
         CHECK(glm::length(normals[i] - (i < 12 ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0))) < 1e-6f);
 }

@@ -177,7 +177,7 @@ TEST_CASE("a mesh of nothing but degenerate triangles is not closed") {
     CHECK(counts_of(mesh) == Counts{2, 2, 0, 0, 0, 0, 2, 0, false, true});
 }
 
-TEST_CASE("a collinear triangle is counted as degenerate but joins its neighbours") {
+TEST_CASE("a collinear triangle is counted as degenerate but joins its neighbors") {
     const MeshSource source{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}},
                             {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}}};
     const Mesh mesh = checked(source);

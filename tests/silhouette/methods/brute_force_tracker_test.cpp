@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/hough/allocation_count.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "silhouette/methods/plane_space.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/methods/plane_space.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/probe_points.h"
 

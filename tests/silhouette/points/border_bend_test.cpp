@@ -78,14 +78,14 @@ std::vector<bool> straighten(const Points& border, bool is_reversed) {
                 border[i] + 0.3 * glm::dvec3(std::cos(angle), std::sin(angle), 0.0);
         }
     }
-    const NeighbourLists neighbours(points, static_cast<std::uint32_t>(points.size()) - 1, {});
+    const NeighborLists neighbors(points, static_cast<std::uint32_t>(points.size()) - 1, {});
     std::vector<OpenPoint> open;
     for (std::uint32_t n = 0; n < k_points; ++n) {
         const std::uint32_t i = number(n);
         if (i == 0 || i == k_points - 1) continue;
         OpenPoint point{n, {}, {}, OpenPoint::Verdict::border};
         const auto add = [&](std::uint32_t other) {
-            const auto list = neighbours.of(n);
+            const auto list = neighbors.of(n);
             point.fan.ring[point.fan.size++] =
                 static_cast<std::uint8_t>(std::ranges::find(list, other) - list.begin());
         };
@@ -95,7 +95,7 @@ std::vector<bool> straighten(const Points& border, bool is_reversed) {
         point.fan.open(k_own + 1);
         open.push_back(point);
     }
-    straighten_borders(points, neighbours, open);
+    straighten_borders(points, neighbors, open);
     std::vector<bool> is_left(k_points, true);
     for (const OpenPoint& point : open)
         is_left[number(point.point)] = point.verdict == OpenPoint::Verdict::border;

@@ -67,7 +67,7 @@ TEST_CASE("a sphere weighs little, and the less the denser it is sampled") {
     }
 }
 
-TEST_CASE("a weight is the greatest angle between neighbours' normals over all edges") {
+TEST_CASE("a weight is the greatest angle between neighbors' normals over all edges") {
     std::vector<glm::dvec3> points = tests::make_sphere(1500);
     tests::Random random(4);
     for (glm::dvec3& p : points) p *= 1.0 + 0.02 * tests::jitter(random);

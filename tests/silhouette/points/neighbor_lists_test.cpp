@@ -75,7 +75,7 @@ TEST_CASE("a point's list is its nearest, ties by number, and whoever counts it 
             others.push_back(sorted_others(points, i));
         for (const std::uint32_t k : {4u, 8u, 16u, 32u}) {
             CAPTURE(k);
-            const NeighbourLists lists(points, k, {});
+            const NeighborLists lists(points, k, {});
             const std::uint32_t nearest =
                 points.empty() ? 0 : std::min(k, static_cast<std::uint32_t>(points.size()) - 1);
             REQUIRE(lists.nearest_count() == nearest);
@@ -93,7 +93,7 @@ TEST_CASE("a point's list is its nearest, ties by number, and whoever counts it 
                     is_mutual |= n < nearest && is_counted;
                     if (n < nearest || is_row || is_counted) expected.push_back(others[i][n]);
                 }
-                if (expected.size() > k_most_neighbours) expected.resize(k_most_neighbours);
+                if (expected.size() > k_max_neighbors) expected.resize(k_max_neighbors);
                 const std::span<const std::uint32_t> found = lists.of(i);
                 CHECK(std::ranges::equal(found, expected));
                 CHECK(lists.is_mutual(i) == is_mutual);
@@ -102,7 +102,7 @@ TEST_CASE("a point's list is its nearest, ties by number, and whoever counts it 
     }
 }
 
-// Islands of about as many points as neighbours are asked for, on fine lattices: of many a point the nearest
+// Islands of about as many points as neighbors are asked for, on fine lattices: of many a point the nearest
 // of the point before are all there are, and the farthest of both is one.
 TEST_CASE("a nearest point is found where it is known to be just as far") {
     constexpr std::uint32_t k = 16;
@@ -119,7 +119,7 @@ TEST_CASE("a nearest point is found where it is known to be just as far") {
                 if (std::ranges::find(points, p) == points.end()) points.push_back(p);
             }
         }
-        const NeighbourLists lists(points, k, {});
+        const NeighborLists lists(points, k, {});
         for (std::uint32_t i = 0; i < points.size(); ++i) {
             CAPTURE(i);
             const std::vector<std::uint32_t> others = sorted_others(points, i);
@@ -128,23 +128,23 @@ TEST_CASE("a nearest point is found where it is known to be just as far") {
     }
 }
 
-TEST_CASE("who lies in a row, straight or bent, has more neighbours, and no other has") {
+TEST_CASE("who lies in a row, straight or bent, has more neighbors, and no other has") {
     constexpr std::uint32_t k_along = 70;
     for (const double bend : {0.0, 0.1, 0.4}) {
         CAPTURE(bend);
         const std::vector<glm::dvec3> points = make_rows(k_along, bend);
-        const NeighbourLists lists(points, 16, {});
+        const NeighborLists lists(points, 16, {});
         // At its ends a row's other points are as far away as the next row.
         for (std::uint32_t i = 0; i < points.size(); ++i) {
             const bool is_end = i % k_along < 3 || i % k_along >= k_along - 3;
             CAPTURE(i);
-            CHECK(lists.spanning_count(i) == (is_end ? 16 : k_most_neighbours));
+            CHECK(lists.spanning_count(i) == (is_end ? 16 : k_max_neighbors));
         }
     }
     for (const std::vector<glm::dvec3>& points :
          {make_lattice(20, 21, 1), tests::make_patch(20, 0.3, 73).points,
           tests::make_sphere(400)}) {
-        const NeighbourLists lists(points, 16, {});
+        const NeighborLists lists(points, 16, {});
         for (std::uint32_t i = 0; i < points.size(); ++i) {
             CAPTURE(i);
             CHECK(lists.spanning_count(i) == 16);

@@ -34,12 +34,12 @@ bool is_same(const Fan& a, const Fan& b) {
 struct Around {
     std::vector<glm::dvec3> points;
     std::vector<std::uint32_t> list;
-    Neighbourhood neighbourhood;
+    Neighborhood neighborhood;
 
     explicit Around(std::vector<glm::dvec3> all) : points(std::move(all)), list(points.size() - 1) {
         std::iota(list.begin(), list.end(), 1u);
         std::ranges::sort(list, {}, [&](std::uint32_t i) { return glm::length(points[i]); });
-        neighbourhood.look_from(points, 0, list);
+        neighborhood.look_from(points, 0, list);
     }
 };
 
@@ -53,7 +53,7 @@ TEST_CASE("a star's triangles have empty circles, and what turns by π or more i
             points.push_back(
                 {n % 3 == 0 ? std::abs(jitter(random)) : jitter(random), jitter(random), 0.0});
         const Around around(points);
-        const Neighbourhood& seen = around.neighbourhood;
+        const Neighborhood& seen = around.neighborhood;
         const Fan star = seen.star({0.0, 0.0, 1.0}, 0.5);
         REQUIRE(star.size >= 2);
         // Counterclockwise from one direction to another.
@@ -96,18 +96,18 @@ TEST_CASE(
                          {0, -1, 0},
                          {0.5, 0.5, 3.0},
                          {0.4, 0.4, 0.0}});
-    const Fan star = around.neighbourhood.star({0.0, 0.0, 1.0}, 0.5);
+    const Fan star = around.neighborhood.star({0.0, 0.0, 1.0}, 0.5);
     std::vector<std::uint32_t> ring;
     for (std::size_t j = 0; j < star.size; ++j)
-        ring.push_back(around.neighbourhood.number(star.ring[j]));
+        ring.push_back(around.neighborhood.number(star.ring[j]));
     std::ranges::sort(ring);
     CHECK(ring == std::vector<std::uint32_t>{1, 3, 4, 5, 7});
     CHECK(star.gaps == 0);
     // Among some places only.
     std::uint64_t among = 0;
-    for (std::uint32_t place = 0; place < around.neighbourhood.size(); ++place)
-        if (around.neighbourhood.number(place) != 7) among |= std::uint64_t{1} << place;
-    CHECK(around.neighbourhood.star({0.0, 0.0, 1.0}, 0.5, among).size == 4);
+    for (std::uint32_t place = 0; place < around.neighborhood.size(); ++place)
+        if (around.neighborhood.number(place) != 7) among |= std::uint64_t{1} << place;
+    CHECK(around.neighborhood.star({0.0, 0.0, 1.0}, 0.5, among).size == 4);
 }
 
 TEST_CASE("gaps in a row become one, round the end of the ring too") {

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> list(std::span<const std::uint32_t> numbers) {
 
 }  // namespace
 
-TEST_CASE("Of equal positions the first stands for all, with its normal and colour") {
+TEST_CASE("Of equal positions the first stands for all, with its normal and color") {
     PointSource source;
     source.positions = {{1, 0, 0}, {0.0, 2, 0}, {1, 0, 0}, {-0.0, 2, 0}, {1, 0, 1e-300}};
     source.normals = {{0, 0, 3}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, -2, 0}};

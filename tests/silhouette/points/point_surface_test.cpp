@@ -77,7 +77,7 @@ TEST_CASE("a flat patch has its outline for border and exact normals") {
 }
 
 TEST_CASE(
-    "a lattice's inner points have their four neighbours for ring and their distance for scale") {
+    "a lattice's inner points have their four neighbors for ring and their distance for scale") {
     const tests::Patch patch = tests::make_patch(17, 0.0, 1);
     const PointSurface surface(patch.points);
     for (std::uint32_t i = 0; i < surface.size(); ++i) {

@@ -95,7 +95,7 @@ TEST_CASE("planes that touch a sphere have Hough and dual points at distance one
 TEST_CASE("a mesh of more faces than asked for is clustered first") {
     const Mesh mesh(make_built_in_shape("knot", 3000));
     FigureOptions options = few();
-    options.most_faces = 800;
+    options.max_faces = 800;
     const FigureData data = bench_figures("knot", mesh, options, k_context);
     CHECK(data.faces <= 800);
     CHECK(data.resolutions.size() == 2);

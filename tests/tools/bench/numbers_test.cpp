@@ -11,9 +11,9 @@
 #include "tools/bench/fresh_tracker.h"
 #include "tools/bench/growth.h"
 #include "tools/bench/targets.h"
-#include "tools/timing.h"
 #include "tools/commands/stream_bytes.h"
 #include "tools/options/track_path.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 namespace {

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/spread_viewpoints.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/points/point_silhouette.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Vertices = std::set<std::uint32_t>;
 
-Vertices with_neighbours(const Mesh& mesh, const Vertices& vertices) {
+Vertices with_neighbors(const Mesh& mesh, const Vertices& vertices) {
     Vertices wide = vertices;
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
         const std::uint32_t a = index(mesh.edge(EdgeId{e}).vertices[0]);
@@ -40,8 +40,8 @@ void add(SilhouetteHits& hits, const Mesh& mesh, const Vertices& found, const Ve
     hits.truth += truth.size();
     hits.found += found.size();
     hits.hits += common(found, truth);
-    hits.near_found += common(found, with_neighbours(mesh, truth));
-    hits.near_truth += common(truth, with_neighbours(mesh, found));
+    hits.near_found += common(found, with_neighbors(mesh, truth));
+    hits.near_truth += common(truth, with_neighbors(mesh, found));
 }
 
 void check_equal(const SilhouetteHits& a, const SilhouetteHits& b) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "silhouette/mesh/brute_force.h"
-#include "silhouette/methods/literal/literal_tracker.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/methods/literal/literal_tracker.h"
 #include "tools/options/track_path.h"
 
 using namespace rimline;

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "tests/silhouette/points/sample_clouds.h"
 #include "engine/clouds/disc_pieces.h"
 #include "engine/clouds/disc_radii.h"
+#include "tests/silhouette/points/sample_clouds.h"
 #include "tools/output/hidden_points.h"
 
 using namespace rimline;

@@ -21,11 +21,11 @@ bool is_inside(const HoughInspection& inspection, const glm::dvec3& h) {
 }  // namespace
 
 TEST_CASE("the inspector's points and settled boxes lie on their sides of the v-sphere") {
-    const OpenedModel model("shape:knot:30000", 0, no_call);
+    const ModelDocument model("shape:knot:30000", 0, no_call);
     HoughInspection inspection(model);
     CHECK(inspection.point_count() == model.octree().statistics().faces);
-    CHECK(inspection.points().size() <= HoughInspection::k_most_points);
-    CHECK(inspection.points().size() > HoughInspection::k_most_points / 3);
+    CHECK(inspection.points().size() <= HoughInspection::k_max_points);
+    CHECK(inspection.points().size() > HoughInspection::k_max_points / 3);
     const HomogeneousPoint near = HomogeneousPoint::viewpoint({1.0f, 2.0f, 4.0f});
     const HomogeneousPoint sun = HomogeneousPoint::direction({1.0f, 2.0f, -1.0f});
     for (const HomogeneousPoint& point : {near, sun}) {
@@ -64,7 +64,7 @@ TEST_CASE("the inspector's points and settled boxes lie on their sides of the v-
 }
 
 TEST_CASE("from the origin of Hough space nothing is inside the v-sphere") {
-    const OpenedModel model("shape:box", 0, no_call);
+    const ModelDocument model("shape:box", 0, no_call);
     HoughInspection inspection(model);
     inspection.update(model, HomogeneousPoint::viewpoint({0.0f, 0.0f, 0.0f}));
     // The v-sphere is that point alone.

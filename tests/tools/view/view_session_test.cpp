@@ -12,13 +12,13 @@ using namespace rimline::tools;
 
 namespace {
 
-std::unique_ptr<OpenedModel> open(const std::string& name) {
-    return std::make_unique<OpenedModel>(name, 0, [](const std::string&) { return LongCall{}; });
+std::unique_ptr<ModelDocument> open(const std::string& name) {
+    return std::make_unique<ModelDocument>(name, 0, [](const std::string&) { return LongCall{}; });
 }
 
-std::unique_ptr<OpenedCloud> open_cloud(const std::string& name) {
-    return std::make_unique<OpenedCloud>(CloudArgument{.model = name, .as_points = true},
-                                         [](const std::string&) { return LongCall{}; });
+std::unique_ptr<CloudDocument> open_cloud(const std::string& name) {
+    return std::make_unique<CloudDocument>(CloudArgument{.model = name, .as_points = true},
+                                           [](const std::string&) { return LongCall{}; });
 }
 
 // Whether every vertex of the shown model is in a picture of this aspect.

@@ -13,8 +13,8 @@
 #include <optional>
 #include <thread>
 
-#include "engine/vulkan/device.h"
 #include "engine/view_defaults.h"
+#include "engine/vulkan/device.h"
 #include "tests/skip.h"
 #include "tests/tools/scratch_folder.h"
 #include "tests/tools/view/virtual_display.h"
@@ -229,7 +229,7 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
     vkDeviceWaitIdle(device.context().device);
 }
 
-// As a window manager takes a minimised window off the screen, and puts it back.
+// As a window manager takes a minimized window off the screen, and puts it back.
 void show_window(const Window& window, bool is_shown) {
     if (is_shown)
         glfwShowWindow(window.handle());

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/service/published_change.h"
+#include "silhouette/mesh/brute_force.h"
 
 namespace rimline::tests {
 

@@ -151,7 +151,7 @@ TEST_CASE("glTF: node graphs with cycles, shared or missing nodes are refused") 
     CHECK(points_of(with_nodes(chain + "]")).size() == 3);
 }
 
-TEST_CASE("glTF: positions of every component type, normalised or not, strided and offset") {
+TEST_CASE("glTF: positions of every component type, normalized or not, strided and offset") {
     Bytes bytes;
     bytes.add<std::uint32_t>(0xffffffffu);
     for (int i = 0; i < 2; ++i)

@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "silhouette/mesh/mesh.h"
-#include "tests/silhouette/mesh/formats/scratch_file.h"
 #include "tests/models.h"
+#include "tests/silhouette/mesh/formats/scratch_file.h"
 #include "tests/skip.h"
 
 using namespace rimline;

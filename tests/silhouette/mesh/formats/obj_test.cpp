@@ -42,7 +42,7 @@ TEST_CASE("OBJ: lines end with LF, CRLF or CR") {
     }
 }
 
-TEST_CASE("OBJ: positions are correctly rounded, with weights and colours left aside") {
+TEST_CASE("OBJ: positions are correctly rounded, with weights and colors left aside") {
     const MeshSource source = read_text(
         "a.obj", "v 0.1 16777217.0000001 1e-50\nv 1 2 3 1.0\nv 1 2 3 0.5 0.5 0.5\nf 1 2 3\n");
     CHECK(source.positions[0] == glm::vec3(0.1f, 16777218.0f, 0.0f));

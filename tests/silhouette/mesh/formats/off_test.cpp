@@ -14,7 +14,7 @@ TEST_CASE("OFF: the plain kind is read, with or without its word and its edge co
     }
 }
 
-TEST_CASE("OFF: normals, colours and texture coordinates are stepped over") {
+TEST_CASE("OFF: normals, colors and texture coordinates are stepped over") {
     struct Kind {
         const char* word;
         const char* extra;
@@ -70,7 +70,7 @@ TEST_CASE("OFF: vertices may share lines and be spread over several") {
         CHECK(source.positions == expected);
         CHECK(source.triangles == Triangles{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}});
     }
-    // Where the line does not say how many numbers a colour has, it has Geomview's four.
+    // Where the line does not say how many numbers a color has, it has Geomview's four.
     CHECK(read_text("a.off", "COFF\n3 1 0\n0 0 0 1 1 1 1 1 0 0\n1 1 1 1 1 1 0 1 1 1 1\n3 0 1 2\n")
               .positions == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
     CHECK(has(error_of("a.off", "OFF\n4 1 0\n0 0 0 1 0 0\n1 1 0 0 1            \n"),

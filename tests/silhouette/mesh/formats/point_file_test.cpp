@@ -145,7 +145,7 @@ TEST_CASE("Positions are doubles: a surveyor's coordinates keep their micrometre
     }
 }
 
-TEST_CASE("PLY: normals and colours are kept where all three parts are there") {
+TEST_CASE("PLY: normals and colors are kept where all three parts are there") {
     for (const std::endian order : {std::endian::little, std::endian::big}) {
         const PointSource source = read_points("a.ply", sample_cloud_ply(order));
         CHECK(source.normals == std::vector(13, glm::vec3(0.0f, 0.6f, -0.8f)));
@@ -169,7 +169,7 @@ TEST_CASE("PLY: normals and colours are kept where all three parts are there") {
     CHECK(with(list, "0 1 2 5 5").normals.empty());
 }
 
-TEST_CASE("OBJ: colours are shares of one, or of 255 where one is above") {
+TEST_CASE("OBJ: colors are shares of one, or of 255 where one is above") {
     CHECK(read_points("a.obj", "v 0 0 0 1 0.5 0\nv 1 0 0\nv 2 0 0 0 0 0.2 1\n").colors ==
           std::vector<PointColor>{{255, 128, 0}, {0, 0, 0}, {0, 0, 51}});
     CHECK(read_points("a.obj", "v 0 0 0 1 200 0\nv 1 0 0\n").colors ==
@@ -188,7 +188,7 @@ TEST_CASE("OBJ: colours are shares of one, or of 255 where one is above") {
     CHECK(has(point_error("a.obj", "v 0 0 0 1 2\n"), "a.obj:1: a vertex with 5 numbers"));
 }
 
-TEST_CASE("Text: columns are positions, intensities, normals and colours as their values say") {
+TEST_CASE("Text: columns are positions, intensities, normals and colors as their values say") {
     const auto columns = [](const std::string& rest) {
         std::string text;
         for (const char* position : {"1 2 3 ", "4 5 6 ", "7 8 9 "})

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
-#include "tests/silhouette/mesh/small_meshes.h"
 #include "tests/silhouette/mesh/shapes/measures.h"
+#include "tests/silhouette/mesh/small_meshes.h"
 
 namespace rimline {
 namespace {
@@ -37,7 +37,7 @@ struct ByCoordinates {
 };
 using PointSet = std::set<glm::vec3, ByCoordinates>;
 
-// One step by the textbook, from sets of neighbours; for meshes whose positions all differ.
+// One step by the textbook, from sets of neighbors; for meshes whose positions all differ.
 PointSet textbook_step(const MeshSource& source) {
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
     std::map<Pair, std::vector<std::uint32_t>> opposite;
@@ -179,7 +179,7 @@ TEST_CASE("two steps are one step twice") {
 
 TEST_CASE("corners converge to their limits, tetrahedron and octahedron") {
     // The limit of a vertex is (1 - n x) v + x (u_1 + ... + u_n), x = 1 / (3 / (8 beta) + n):
-    // v / 5 for the tetrahedron's, v / 2 for the octahedron's, whose neighbours cancel.
+    // v / 5 for the tetrahedron's, v / 2 for the octahedron's, whose neighbors cancel.
     const MeshSource tetrahedron = subdivide_loop(tests::tetrahedron(), 7);
     const MeshSource octahedron = subdivide_loop(tests::octahedron(), 7);
     for (std::size_t v = 0; v < 4; ++v)
@@ -207,7 +207,7 @@ TEST_CASE("solids become smooth: the sharpest bend falls with every step") {
 TEST_CASE("borders follow the cubic B-spline of the border alone") {
     const MeshSource source = make_built_in_shape("terrain", 200);
     const Mesh mesh(source);
-    // Each border vertex has two border neighbours.
+    // Each border vertex has two border neighbors.
     std::map<std::uint32_t, std::vector<glm::dvec3>> neighbors;
     PointSet expected;
     const Mesh::EdgeRange border = mesh.edges_of_class(EdgeClass::border);

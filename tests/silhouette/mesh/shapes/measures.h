@@ -33,15 +33,15 @@ inline int euler_characteristic(const Mesh& mesh) {
 
 /// The greatest angle between the normals of two faces that share an edge, in radians.
 inline double sharpest_bend(const Mesh& mesh) {
-    double least_cos = 1.0;
+    double min_cos = 1.0;
     for (const Edge& edge : mesh.edges()) {
         if (edge.faces[1] == k_no_face) continue;
         const Plane& a = mesh.plane(edge.faces[0]);
         const Plane& b = mesh.plane(edge.faces[1]);
-        least_cos =
-            std::min(least_cos, double(a.nx) * b.nx + double(a.ny) * b.ny + double(a.nz) * b.nz);
+        min_cos =
+            std::min(min_cos, double(a.nx) * b.nx + double(a.ny) * b.ny + double(a.nz) * b.nz);
     }
-    return std::acos(least_cos);
+    return std::acos(min_cos);
 }
 
 /// For each face the component it belongs to, numbered by their first faces.
@@ -79,7 +79,7 @@ inline bool segment_hits(const Mesh& mesh, const glm::dvec3& a, const glm::dvec3
     const glm::dvec3 along = b - a;
     const glm::dvec3 h = glm::cross(along, v);
     const double det = glm::dot(u, h);
-    // Parallel but for rounding: neighbours in one plane would seem to cut each other.
+    // Parallel but for rounding: neighbors in one plane would seem to cut each other.
     if (std::abs(det) <= 1e-6 * glm::length(along) * glm::length(u) * glm::length(v)) return false;
     const glm::dvec3 s = a - p;
     const double x = glm::dot(s, h) / det;

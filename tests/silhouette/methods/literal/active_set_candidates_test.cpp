@@ -20,7 +20,7 @@ struct Parents {
 
 // 3.4.4 as it reads: sweep over all nodes, from the root, until nothing changes.
 std::vector<bool> iterated(const std::vector<OctreeNode>& nodes,
-                           const std::vector<NeighbourNodes>& graph, std::uint32_t& sweeps) {
+                           const std::vector<NeighborNodes>& graph, std::uint32_t& sweeps) {
     const Parents parents(nodes);
     std::vector<bool> is_candidate(nodes.size(), false);
     const auto is_below_one = [&](std::uint32_t node) {
@@ -58,7 +58,7 @@ TEST_CASE("candidates are those that the text's iteration ends with, and the lea
     for (const std::uint32_t bucket_size : {1u, 4u}) {
         const PointOctree octree =
             build_point_octree(tests::clustered_points(4000, seed), {bucket_size});
-        const std::vector<NeighbourNodes> graph = build_neighbour_graph(octree.nodes);
+        const std::vector<NeighborNodes> graph = build_neighbor_graph(octree.nodes);
         const ActiveSetCandidates found = choose_active_set_candidates(octree.nodes, graph);
         std::uint32_t sweeps = 0;
         const std::vector<bool> expected = iterated(octree.nodes, graph, sweeps);
@@ -79,7 +79,7 @@ TEST_CASE("candidates are those that the text's iteration ends with, and the lea
 
 TEST_CASE("every leaf has exactly one candidate at or above it") {
     const PointOctree octree = build_point_octree(tests::clustered_points(4000, 4));
-    const std::vector<NeighbourNodes> graph = build_neighbour_graph(octree.nodes);
+    const std::vector<NeighborNodes> graph = build_neighbor_graph(octree.nodes);
     const ActiveSetCandidates found = choose_active_set_candidates(octree.nodes, graph);
     const Parents parents(octree.nodes);
     for (std::uint32_t i = 0; i < octree.nodes.size(); ++i) {
@@ -94,16 +94,16 @@ TEST_CASE("every leaf has exactly one candidate at or above it") {
 }
 
 TEST_CASE("costs are divided as reals") {
-    // The root has leaves and one divided child, whose three neighbours have its own depth.
+    // The root has leaves and one divided child, whose three neighbors have its own depth.
     const std::vector<glm::dvec3> points{glm::dvec3(0.0), glm::dvec3(1.0), {0.51, 0.0, 0.0},
                                          {1.0, 0.0, 0.0}, {1.0, 0.4, 0.4}, {1.0, 1.0, 0.0},
                                          {1.0, 0.0, 1.0}};
     const PointOctree octree = build_point_octree(points);
-    const std::vector<NeighbourNodes> graph = build_neighbour_graph(octree.nodes);
+    const std::vector<NeighborNodes> graph = build_neighbor_graph(octree.nodes);
     const std::uint32_t child = octree.nodes[0].children[1];
     REQUIRE(octree.nodes[child].child_count == 3);
     CHECK(asc_cost(octree.nodes, graph, child, {}) == 2.0 * 1.0 / 3.0);
-    CHECK(asc_cost(octree.nodes, graph, 0, {}) == 0.0);  // No depth, no neighbours.
+    CHECK(asc_cost(octree.nodes, graph, 0, {}) == 0.0);  // No depth, no neighbors.
     // So the root takes over, and with it no leaf is left.
     const ActiveSetCandidates found = choose_active_set_candidates(octree.nodes, graph);
     CHECK(found.candidates == std::vector<std::uint32_t>{0});
@@ -111,11 +111,11 @@ TEST_CASE("costs are divided as reals") {
     CHECK(choose_active_set_candidates({}, {}).candidates.empty());
 }
 
-TEST_CASE("a neighbour's depth counts as w2 says") {
-    // Octants 0 and 7 only: the neighbours of what lies in octant 0 are in it, or are the root.
+TEST_CASE("a neighbor's depth counts as w2 says") {
+    // Octants 0 and 7 only: the neighbors of what lies in octant 0 are in it, or are the root.
     const std::vector<glm::dvec3> points{glm::dvec3(0.0), glm::dvec3(0.3), glm::dvec3(1.0)};
     const PointOctree octree = build_point_octree(points);
-    const std::vector<NeighbourNodes> graph = build_neighbour_graph(octree.nodes);
+    const std::vector<NeighborNodes> graph = build_neighbor_graph(octree.nodes);
     const std::uint32_t child = octree.nodes[0].children[0];
     REQUIRE(octree.nodes[child].child_count == 2);
     CHECK(asc_cost(octree.nodes, graph, child, {}) == 2.0 * 1.0 / 2.0 + 0.25 * 1.0);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/hough_octree.h"
-#include "silhouette/methods/literal/literal_octree.h"
 #include "silhouette/hough/orbit.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/methods/literal/literal_octree.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/probe_points.h"
 

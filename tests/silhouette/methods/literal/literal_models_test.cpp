@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "silhouette/mesh/formats/mesh_file.h"
-#include "tests/silhouette/methods/literal/literal_walk.h"
-#include "tests/silhouette/hough/test_size.h"
 #include "tests/models.h"
+#include "tests/silhouette/hough/test_size.h"
+#include "tests/silhouette/methods/literal/literal_walk.h"
 #include "tests/skip.h"
 
 namespace rimline {

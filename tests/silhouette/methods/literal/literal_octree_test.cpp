@@ -6,8 +6,8 @@
 #include <numeric>
 #include <type_traits>
 
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/hough/orbit.h"
+#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/probe_points.h"

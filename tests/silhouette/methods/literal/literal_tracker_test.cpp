@@ -9,9 +9,9 @@
 
 #include "silhouette/hough/orbit.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
-#include "tests/silhouette/methods/literal/literal_walk.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/random_walk.h"
+#include "tests/silhouette/methods/literal/literal_walk.h"
 
 namespace rimline {
 namespace {

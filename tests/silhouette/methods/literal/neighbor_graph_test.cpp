@@ -7,9 +7,9 @@
 namespace rimline {
 namespace {
 
-// The definition of 3.3.1, by the neighbour point and all nodes.
-std::uint32_t neighbour_by_point(const PointOctree& octree, const std::vector<Octant>& octants,
-                                 std::uint32_t node, int direction) {
+// The definition of 3.3.1, by the neighbor point and all nodes.
+std::uint32_t neighbor_by_point(const PointOctree& octree, const std::vector<Octant>& octants,
+                                std::uint32_t node, int direction) {
     const Octant& own = octants[node];
     glm::dvec3 point = own.center();
     const int axis = direction / 2;
@@ -23,12 +23,12 @@ std::uint32_t neighbour_by_point(const PointOctree& octree, const std::vector<Oc
     return deepest;
 }
 
-TEST_CASE("neighbours are the deepest nodes, no deeper, that hold the neighbour points") {
+TEST_CASE("neighbors are the deepest nodes, no deeper, that hold the neighbor points") {
     const std::uint64_t seed = 2;
     CAPTURE(seed);
     const PointOctree octree = build_point_octree(tests::clustered_points(900, seed));
     const std::vector<Octant> octants = tests::octants_of(octree.nodes, octree.root);
-    const std::vector<NeighbourNodes> graph = build_neighbour_graph(octree.nodes);
+    const std::vector<NeighborNodes> graph = build_neighbor_graph(octree.nodes);
     REQUIRE(graph.size() == octree.nodes.size());
     std::uint32_t same_depth = 0;
     std::uint32_t shallower = 0;
@@ -38,7 +38,7 @@ TEST_CASE("neighbours are the deepest nodes, no deeper, that hold the neighbour 
             const std::uint32_t found = graph[i][static_cast<std::size_t>(direction)];
             CAPTURE(i);
             CAPTURE(direction);
-            REQUIRE(found == neighbour_by_point(octree, octants, i, direction));
+            REQUIRE(found == neighbor_by_point(octree, octants, i, direction));
             if (found == k_no_node)
                 ++none;
             else
@@ -50,12 +50,12 @@ TEST_CASE("neighbours are the deepest nodes, no deeper, that hold the neighbour 
     CHECK(none > 100);
 }
 
-TEST_CASE("the relation is not symmetric, and a node's neighbour may be its parent") {
+TEST_CASE("the relation is not symmetric, and a node's neighbor may be its parent") {
     // Figure 3.5: octants 0, 1 and 3 hold points, octant 2 is empty, and octant 1 is divided.
     const std::vector<glm::dvec3> points{
         glm::dvec3(0.0), glm::dvec3(1.0), {0.51, 0.0, 0.0}, {1.0, 0.0, 0.49}, {1.0, 1.0, 0.0}};
     const PointOctree octree = build_point_octree(points);
-    const std::vector<NeighbourNodes> graph = build_neighbour_graph(octree.nodes);
+    const std::vector<NeighborNodes> graph = build_neighbor_graph(octree.nodes);
     const OctreeNode& root = octree.nodes[0];
     REQUIRE(root.children[2] == k_no_node);
     constexpr std::size_t k_plus_x = 1;
@@ -69,7 +69,7 @@ TEST_CASE("the relation is not symmetric, and a node's neighbour may be its pare
     REQUIRE(!divided.is_leaf());
     REQUIRE(divided.children[0] != k_no_node);
     CHECK(graph[divided.children[0]][k_minus_x] == root.children[0]);
-    for (const std::uint32_t neighbour : graph[0]) CHECK(neighbour == k_no_node);
+    for (const std::uint32_t neighbor : graph[0]) CHECK(neighbor == k_no_node);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ struct Walkable {
     explicit Walkable(std::uint32_t points)
         : octree(build_point_octree(tests::clustered_points(points, 5))),
           candidates(
-              choose_active_set_candidates(octree.nodes, build_neighbour_graph(octree.nodes))),
+              choose_active_set_candidates(octree.nodes, build_neighbor_graph(octree.nodes))),
           cells(build_search_cells(octree, candidates, 0.0)),
           octants(tests::octants_of(cells.cells, octree.root)) {}
 
@@ -65,29 +65,29 @@ TEST_CASE("boxes hold the octants, and know the root's faces that they touch") {
     }
 }
 
-TEST_CASE("a tile's neighbours lie along all of its face, or are what covers it") {
+TEST_CASE("a tile's neighbors lie along all of its face, or are what covers it") {
     const Walkable walkable(1000);
     const SearchCells& cells = walkable.cells;
     for (std::size_t i = 0; i < cells.cells.size(); ++i) {
         if (!cells.cells[i].is_leaf()) continue;
         for (std::size_t direction = 0; direction < 6; ++direction) {
-            const std::uint32_t neighbour = cells.neighbours[i][direction];
-            if (neighbour == k_no_node) {
+            const std::uint32_t neighbor = cells.neighbors[i][direction];
+            if (neighbor == k_no_node) {
                 CHECK((cells.root_faces[i] >> direction & 1u) == 1u);
                 continue;
             }
             const int axis = static_cast<int>(direction) / 2;
             const bool high = direction % 2 == 1;
             const Octant& own = walkable.octants[i];
-            const Octant& other = walkable.octants[neighbour];
+            const Octant& other = walkable.octants[neighbor];
             CHECK((high ? own.high : own.low)[axis] == (high ? other.low : other.high)[axis]);
             for (int k = 0; k < 3; ++k) {
                 if (k == axis) continue;
                 CHECK(other.low[k] <= own.low[k]);
                 CHECK(other.high[k] >= own.high[k]);
             }
-            if (!cells.cells[neighbour].is_leaf())
-                CHECK(cells.cells[neighbour].depth == cells.cells[i].depth);
+            if (!cells.cells[neighbor].is_leaf())
+                CHECK(cells.cells[neighbor].depth == cells.cells[i].depth);
         }
     }
 }

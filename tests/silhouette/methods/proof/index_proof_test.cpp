@@ -9,10 +9,10 @@
 
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
-#include "tests/silhouette/methods/proof/proof.h"
+#include "tests/models.h"
 #include "tests/silhouette/hough/support/generated_meshes.h"
 #include "tests/silhouette/hough/test_size.h"
-#include "tests/models.h"
+#include "tests/silhouette/methods/proof/proof.h"
 #include "tests/skip.h"
 
 namespace rimline {

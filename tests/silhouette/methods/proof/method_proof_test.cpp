@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "silhouette/mesh/formats/mesh_file.h"
-#include "tests/silhouette/methods/proof/proof.h"
+#include "tests/models.h"
 #include "tests/silhouette/hough/support/generated_meshes.h"
 #include "tests/silhouette/hough/test_size.h"
-#include "tests/models.h"
+#include "tests/silhouette/methods/proof/proof.h"
 #include "tests/skip.h"
 
 namespace rimline {

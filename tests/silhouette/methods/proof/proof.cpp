@@ -7,8 +7,8 @@
 #include <memory>
 #include <sstream>
 
-#include "silhouette/methods/silhouette_method.h"
 #include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/methods/silhouette_method.h"
 #include "tests/silhouette/hough/shadow_consumer.h"
 #include "tests/silhouette/hough/support/hostile_walk.h"
 #include "tests/silhouette/hough/support/instruction_sets.h"
@@ -170,7 +170,7 @@ void prove_methods(const Mesh& mesh, const Quota& quota, std::uint64_t seed, Tal
         const std::string method_name(info.name);
         CAPTURE(method_name);
         std::vector<Origins> lists{{}};
-        if (info.most_origins > 0 && is_allowed(elsewhere)) lists.push_back(elsewhere);
+        if (info.max_origins > 0 && is_allowed(elsewhere)) lists.push_back(elsewhere);
         const Quota part{share(quota.extractions, lists.size()), share(quota.moves, lists.size())};
         for (const Origins& origins : lists) {
             CAPTURE(origins.size());

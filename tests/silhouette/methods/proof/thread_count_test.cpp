@@ -12,10 +12,10 @@
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/models.h"
 #include "tests/silhouette/hough/shadow_consumer.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/hostile_walk.h"
-#include "tests/models.h"
 #include "tests/skip.h"
 
 namespace rimline {
@@ -50,7 +50,7 @@ void add_index(const HoughOctree& octree, Trace& trace) {
     for (std::uint32_t i = 0; i < octree.block_count() * k_block_size; ++i) {
         const HoughOctree::PlacedFace& placed = octree.face_at(i);
         trace.add(index(placed.face));
-        for (const std::uint32_t n : placed.neighbours) trace.add(n);
+        for (const std::uint32_t n : placed.neighbors) trace.add(n);
         trace.add_ids(std::span<const EdgeId>(placed.edges));
     }
 }
