@@ -162,7 +162,7 @@ struct InstanceData {
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
     vec4 viewpoint;        // The camera's silhouette point, homogeneous.
-    vec3 middle;           // Of the mesh.
+    vec3 center;           // Of the mesh.
     vec3 color;
     vec3 ink;           // Of its strokes.
     float fade_radius;  // Over 0: the surface fades into the background towards this distance ...

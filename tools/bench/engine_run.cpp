@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "engine/tested_device.h"
+#include "engine/vulkan/vulkan_instance.h"
 #include "tools/bench/engine.h"
 #include "tools/bench/engine_growth.h"
 #include "tools/bench/machine.h"
@@ -38,7 +40,6 @@ void print_result(const EngineResult& result) {
     print_times("frame with lines, 1024x1024", result.lines, 0);
     print_times("frame without lines, one sun, 1024x1024", result.shadows, 0);
     print_times("visible ratios of all viewpoints, 256x256", result.ratios, 0);
-    print_times("tangential distance field, a lattice of 17 a side", result.field, 0);
 }
 
 Json to_json(const std::vector<EngineTime>& times) {
@@ -63,8 +64,7 @@ Json to_json(const EngineResult& result) {
     object.update({{"bytes", std::move(bytes)},
                    {"lines", to_json(result.lines)},
                    {"shadows", to_json(result.shadows)},
-                   {"visible_ratios", to_json(result.ratios)},
-                   {"field", to_json(result.field)}});
+                   {"visible_ratios", to_json(result.ratios)}});
     return object;
 }
 
@@ -145,7 +145,7 @@ ExitStatus run_growth(const EngineBenchRequest& request, const Device& device,
 
 ExitStatus run_bench_engine(const EngineBenchRequest& request, const Context& context) {
     const VulkanInstance instance;
-    const Device device(instance, request.device);
+    const TestedDevice device(instance, request.device);
     if (request.growth) return run_growth(request, device, context);
 
     Json models = Json::array();

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/bench/machine.h"
 #include "tools/bench/report.h"
@@ -79,7 +80,7 @@ Json to_json(const ViewsResult& result) {
 
 ExitStatus run_bench_views(const ViewsBenchRequest& request, const Context& context) {
     const VulkanInstance instance;
-    const Device device(instance, request.device);
+    const TestedDevice device(instance, request.device);
     Json models = Json::array();
     Json targets_json = Json::array();
     std::string missed;
