@@ -284,7 +284,7 @@ private:
     // Not before the first model is there: what cannot be read leaves standard output empty.
     Mesh load(const std::string& model, const Context& context) {
         Mesh mesh = load_mesh(model, subdivide_, context);
-        check_room_around(model, mesh);
+        check_viewing_range(model, mesh);
         say_machine(context);
         return mesh;
     }
