@@ -79,7 +79,7 @@ public:
             ->capture_default_str()
             ->group("Output");
         path_.frames = 120;
-        path_.add_to(app, "the least that shows the whole model");
+        path_.add_to(app, "chosen to show the whole model");
         constexpr const char* k_group = "Motion";
         light_step_option_ = add_number(app, "--light-step", light_step_degrees_, -360.0, 360.0,
                                         "Turn the lights around the model by this angle per frame, "

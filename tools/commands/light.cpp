@@ -26,8 +26,9 @@ public:
         model_.add_to(app);
         add_point(app, "--eye", eye_, "Position of the viewer")->required()->group("Camera");
         app.footer(
-            "The faces that face the viewer vote for light at a grazing angle, which shows small "
-            "changes of\n"
+            "Faces seen from the front vote for light at a grazing angle, which shows small "
+            "changes "
+            "of\n"
             "slope, and against directions that leave them unlit. If no face is seen from the "
             "front, as of a\n"
             "sheet seen from behind, the back sides vote. `sun` is a direction from the model "
