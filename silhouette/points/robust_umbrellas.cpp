@@ -22,7 +22,7 @@ UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
     Neighborhood around;
     for (const OpenPoint& open : open_points) {
         const std::uint32_t point = open.point;
-        around.look_from(points, point, neighbors.of(point));
+        around.assign(points, point, neighbors.of(point));
         // A gap of no border closes again, where the point's star is whole.
         const bool is_whole = open.fan.gaps == 0;
         const bool is_spurious = open.verdict == OpenPoint::Verdict::none && !is_whole;

@@ -107,7 +107,7 @@ public:
         Neighborhood around;
         for (std::uint32_t i = 0; i < count_; ++i) {
             PointFans& fans = fans_[i];
-            around.look_from(points_, i, neighbors_.of(i));
+            around.assign(points_, i, neighbors_.of(i));
             // What folds back onto itself has no side.
             const auto end = std::remove_if(
                 fans.fans.begin(), fans.fans.begin() + fans.count,
@@ -137,7 +137,7 @@ private:
         each_point(count_, part, [&](std::uint32_t first, std::uint32_t last) {
             Neighborhood around;
             for (std::uint32_t i = first; i < last; ++i) {
-                around.look_from(points_, i, neighbors_.of(i));
+                around.assign(points_, i, neighbors_.of(i));
                 body(i, around);
             }
         });
