@@ -15,7 +15,7 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/edge_convexity.h"
 #include "silhouette/mesh/mesh.h"
-#include "silhouette/methods/silhouette_method.h"
+#include "silhouette/methods/method_registry.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
