@@ -1,11 +1,10 @@
 #pragma once
 
-// One interface for all methods that find silhouettes, so that a bench, a test or a command can compare them.
-// method_registry.h makes them by name.
+// The interface of all methods that find silhouettes. A bench, a test or a command uses any of them in the
+// same way. method_info.h lists the methods, method_registry.h makes one by its name.
 //
-// A method is made for one mesh and may remember what it likes between calls. `extract` starts afresh;
-// `update` may use what the last call left behind, and is only a fresh extraction for methods that have
-// no way of their own to follow a moving point.
+// A method is made for one mesh and may keep state between calls. `extract` starts afresh. `update` may
+// use the state that the previous call left; a method that cannot follow a moving point extracts afresh.
 
 #include <cstdint>
 #include <string_view>
@@ -31,16 +30,16 @@ public:
     SilhouetteMethod& operator=(const SilhouetteMethod&) = delete;
     virtual ~SilhouetteMethod() = default;
 
-    /// Replaces `edges` by the silhouette from `point`, in no particular order. Borders are not among
-    /// them. `counters` is added to.
+    /// Replaces `edges` by the silhouette from `point`, in no particular order, without borders. Adds its
+    /// work to `counters`.
     virtual void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                          TraversalCounters& counters) = 0;
-    /// The same, by way of what the last call left.
+    /// The same result as `extract`. May start from the state that the previous call left.
     virtual void update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                         TraversalCounters& counters) {
         extract(point, edges, counters);
     }
-    /// What the last call counted beside the counters that all methods share.
+    /// Counters of the last call that other methods do not have.
     virtual std::vector<NamedCount> own_counts() const { return {}; }
 };
 
