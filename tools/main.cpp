@@ -23,6 +23,7 @@
 #include "tools/help_formatter.h"
 #include "tools/interrupt.h"
 #include "tools/options/option_types.h"
+#include "tools/output/output_file.h"
 
 namespace {
 
@@ -91,11 +92,28 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
     return arguments;
 }
 
+// The subcommands that the command line names, from the program down.
+std::vector<const CLI::App*> parsed_chain(const CLI::App& app) {
+    std::vector<const CLI::App*> chain{&app};
+    while (!chain.back()->get_subcommands().empty())
+        chain.push_back(chain.back()->get_subcommands().front());
+    return chain;
+}
+
+// Of a line that ends with `rimline bench`, or with a suite that does not exist.
+std::string missing_suite(const CLI::App& bench) {
+    std::string names;
+    for (const CLI::App* suite : bench.get_subcommands([](const CLI::App*) { return true; }))
+        names += (names.empty() ? "" : ",") + suite->get_name();
+    const std::vector<std::string> rest = bench.remaining();
+    return "SUITE: expected one of {" + names + "}" +
+           (rest.empty() ? "" : ", not '" + rest.front() + "'");
+}
+
 ExitStatus report_usage(const std::string& message, const CLI::App& app) {
-    const auto parsed = app.get_subcommands();
-    const std::string help =
-        "rimline " + (parsed.empty() ? "" : parsed.front()->get_name() + " ") + "--help";
-    print_error(message + " (see " + help + ")");
+    std::string help;
+    for (const CLI::App* named : parsed_chain(app)) help += named->get_name() + " ";
+    print_error(message + " (see " + help + "--help)");
     return ExitStatus::wrong_usage;
 }
 
@@ -119,17 +137,22 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     bool json = false;
     std::uint32_t threads = 0;
     const std::vector<std::unique_ptr<Command>> commands = make_commands();
+    const auto add_shared_options = [&](CLI::App& sub) {
+        sub.add_flag("--json", json, k_json_description)->group("Output");
+        rimline::tools::add_count(sub, "--threads", threads, 1, 1024,
+                                  "Threads of the parallel parts (default: all)")
+            ->default_str("")
+            ->group("Machine");
+        // Works everywhere. Only the program's own help lists it.
+        sub.set_version_flag("--version", k_version)->group("");
+    };
     for (const auto& command : commands) {
         CLI::App* sub = app.add_subcommand(command->name(), command->summary());
         sub->set_help_flag("-h,--help", "Print this help and exit");
         command->add_options(*sub);
-        sub->add_flag("--json", json, k_json_description)->group("Output");
-        rimline::tools::add_count(*sub, "--threads", threads, 1, 1024,
-                                  "Threads for what uses several (default: all)")
-            ->default_str("")
-            ->group("Machine");
-        // Works everywhere, stands in one help only.
-        sub->set_version_flag("--version", k_version)->group("");
+        add_shared_options(*sub);
+        for (CLI::App* nested : sub->get_subcommands([](CLI::App*) { return true; }))
+            add_shared_options(*nested);
     }
     app.add_flag("--json", json, k_json_description);
 
@@ -151,7 +174,9 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
             flush_output();
             return ExitStatus::success;
         }
-        return report_usage(plain_words(e), app);
+        const CLI::App& last = *parsed_chain(app).back();
+        const bool lacks_suite = &last != &app && last.get_require_subcommand_min() > 0;
+        return report_usage(lacks_suite ? missing_suite(last) : plain_words(e), app);
     }
     if (app.get_subcommands().empty()) {
         std::string names;
@@ -184,7 +209,8 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
 int main(int argc, char** argv) {
     ExitStatus status = ExitStatus::failed;
     try {
-        status = parse_and_run(argc, argv, rimline::tools::stop_on_interrupt());
+        status = parse_and_run(
+            argc, argv, rimline::tools::stop_on_interrupt(rimline::tools::remove_temporary_files));
     } catch (const Error& e) {
         print_error(e.what());
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();

@@ -1,18 +1,8 @@
 #include "silhouette/hough/block_kernels.h"
 
-// Vectors are members of structs here, which registers of unknown size cannot be; where there are those,
-// NEON is there as well. AVX-512's later additions bring nothing here.
-#define HWY_DISABLED_TARGETS \
-    (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "silhouette/hough/block_kernels.cpp"
-#include <hwy/foreach_target.h>
-// Before all else that is compiled once for each target.
-#include <hwy/cache_control.h>
-#include <hwy/highway.h>
-
-#include "silhouette/squeezed_lanes-inl.h"
+#include "silhouette/vector_targets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rimline::kernels::HWY_NAMESPACE {

@@ -8,17 +8,11 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/rounded_float.h"
 
 namespace rimline {
 
 namespace {
-
-float rounded_up(double value) {
-    const auto rounded = static_cast<float>(value);
-    return double{rounded} >= value
-               ? rounded
-               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
 
 void set_child(BoxNode& node, std::uint32_t lane, const HoughBounds& box) {
     double squares = 0.0;

@@ -36,14 +36,14 @@ struct TraversalCounters {
     }
 };
 
-/// slots[slot] = edge. Shared with shaders/change_stream.h.
+/// slots[slot] = edge. Shared with shaders/layout.h (PlacedWrite).
 struct SlotWrite {
     std::uint32_t slot;
     EdgeId edge;
     bool operator==(const SlotWrite&) const noexcept = default;
 };
 
-/// face_words[word] = bits. Shared with shaders/change_stream.h.
+/// face_words[word] = bits. Shared with shaders/layout.h (PlacedWrite).
 struct WordWrite {
     std::uint32_t word;
     std::uint32_t bits;

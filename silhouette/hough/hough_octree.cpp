@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/hough/block_kernels.h"
+#include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
 
@@ -142,6 +143,18 @@ void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::u
         for (std::uint32_t j = 0; j < found; ++j)
             own_bits[scratch.found_block[j]] = static_cast<std::uint16_t>(scratch.found_lanes[j]);
     }
+}
+
+std::vector<std::uint32_t> HoughOctree::face_words(std::span<const std::uint16_t> bits) const {
+    RIMLINE_CHECK(bits.size() == block_count());
+    std::vector<std::uint32_t> words(face_word_count(mesh_->face_count()), 0);
+    for (std::uint32_t b = 0; b < bits.size(); ++b)
+        for (std::uint32_t lanes = bits[b]; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            const FaceId face = face_at(b * k_block_size + lane).face;
+            words[index(face) / 32] |= 1u << (index(face) % 32);
+        }
+    return words;
 }
 
 std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,

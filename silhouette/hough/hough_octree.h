@@ -118,6 +118,8 @@ public:
     /// Sets `bits`, one word for each block, to the bits seen from `point`.
     void evaluate_faces(const HomogeneousPoint& point, std::span<std::uint16_t> bits,
                         BlockScratch& scratch) const noexcept;
+    /// The same bits by face, packed as silhouette/mesh/face_bits.h says. `bits` has one word for each block.
+    std::vector<std::uint32_t> face_words(std::span<const std::uint16_t> bits) const;
     /// Writes to `flipped` the positions of the faces whose bits differ between the two points, each
     /// once, flips them in `bits`, which must hold the bits seen from `from`, and returns their number.
     /// `flipped` must have room for all positions. Does not allocate. `counters` is added to.

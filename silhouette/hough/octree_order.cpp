@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/interleaved_bits.h"
 
 namespace rimline {
 
@@ -44,15 +45,6 @@ struct Cube {
     }
 };
 
-// Spreads 16 bits to every third of 48.
-std::uint64_t spread(std::uint64_t bits) {
-    bits = (bits | bits << 32) & 0x001f00000000ffffu;
-    bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-    return (bits | bits << 2) & 0x1249249249249249u;
-}
-
 // As many points at a time as keep vector registers busy: the loops over them are the compiler's to
 // vectorize, and a tenth of the time of one point after another.
 constexpr std::size_t k_batch = 64;
@@ -83,8 +75,7 @@ void make_hilbert_codes(std::array<BatchAxis, 3>& x, std::array<std::uint64_t, k
         parity ^= parity >> 4;
         parity ^= parity >> 8;
         parity >>= 1;
-        codes[i] = spread(x[0][i] ^ parity) << 2 | spread(x[1][i] ^ parity) << 1 |
-                   spread(x[2][i] ^ parity);
+        codes[i] = interleaved_bits(x[2][i] ^ parity, x[1][i] ^ parity, x[0][i] ^ parity);
     }
 }
 

@@ -1,7 +1,5 @@
 #include "silhouette/hough/silhouette_tracker.h"
 
-#include <bit>
-
 #include "silhouette/hough/reserved_bytes.h"
 
 namespace rimline {
@@ -25,16 +23,7 @@ SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
     const Mesh& m = octree_->mesh();
     bits_.resize(octree_->block_count());
     octree_->evaluate_faces(point, bits_, scratch_);
-    std::vector<std::uint32_t> face_words(face_word_count(m.face_count()), 0);
-    for (std::uint32_t b = 0; b < bits_.size(); ++b) {
-        for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
-            const FaceId face = octree_
-                                    ->face_at(b * k_block_size +
-                                              static_cast<std::uint32_t>(std::countr_zero(lanes)))
-                                    .face;
-            face_words[index(face) / 32] |= 1u << (index(face) % 32);
-        }
-    }
+    std::vector<std::uint32_t> face_words = octree_->face_words(bits_);
     construction_counters_.face_checks = std::uint64_t{octree_->block_count()} * k_block_size;
 
     flips_.assign(octree_->block_count() + 1, 0);

@@ -35,6 +35,7 @@
 #include <limits>
 
 #include "silhouette/hough/hough_point.h"
+#include "silhouette/hough/rounded_float.h"
 #include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline {
@@ -74,13 +75,6 @@ struct HoughBox {
         }
         return rounded_up(std::sqrt(squares) * (1.0 + 0x1p-50));
     }
-
-private:
-    static float rounded_down(double value) noexcept {
-        const auto rounded = static_cast<float>(value);
-        return double{rounded} <= value ? rounded : std::nextafter(rounded, -k_infinity);
-    }
-    static float rounded_up(double value) noexcept { return -rounded_down(-value); }
 };
 
 /// On which side all planes of a box lie, so far that each face's bit is certain; or that it is not.

@@ -5,19 +5,9 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/rounded_float.h"
 
 namespace rimline {
-
-namespace {
-
-float rounded_up(double value) noexcept {
-    const auto rounded = static_cast<float>(value);
-    return double{rounded} >= value
-               ? rounded
-               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
-
-}  // namespace
 
 PointForm form_of(const HomogeneousPoint& point, const glm::dvec3& origin) noexcept {
     const glm::dvec3 q = glm::dvec3(point.xyz()) - double{point.w} * origin;

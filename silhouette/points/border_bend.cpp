@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "silhouette/mesh/angle_between.h"
-#include "silhouette/points/border_tracing.h"
+#include "silhouette/points/neighborhood.h"
+#include "silhouette/points/open_point.h"
 
 namespace rimline {
 
@@ -97,7 +98,7 @@ private:
         if (!of_a.has(e) || !of_b.has(e) || of_a.has(b) || of_b.has(a)) return 0.0;
         // Back, not out.
         const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
-        around_.look_from(points_, e, neighbors_.of(e));
+        around_.assign(points_, e, neighbors_.of(e));
         if (glm::dot(around_.cross(open.fan, gap), around_.normal(open.fan)) <= 0.0) return 0.0;
         const double bend =
             bend_through(points_, of_a.other(e), a, e, b, of_b.other(e), k_noise_bend);

@@ -45,8 +45,8 @@ bool is_inside(const Image& a, const Image& b, const Image& c) {
 
 }  // namespace
 
-void Neighborhood::look_from(std::span<const glm::dvec3> points, std::uint32_t point,
-                             std::span<const std::uint32_t> list) {
+void Neighborhood::assign(std::span<const glm::dvec3> points, std::uint32_t point,
+                          std::span<const std::uint32_t> list) {
     list_ = list;
     size_ = static_cast<std::uint32_t>(list.size());
     for (std::uint32_t i = 0; i < size_; ++i) {

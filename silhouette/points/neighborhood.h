@@ -23,8 +23,8 @@ inline constexpr double k_tie = 1e-9;
 class Neighborhood {
 public:
     /// Both must outlive it. list: NeighborLists::of(point).
-    void look_from(std::span<const glm::dvec3> points, std::uint32_t point,
-                   std::span<const std::uint32_t> list);
+    void assign(std::span<const glm::dvec3> points, std::uint32_t point,
+                std::span<const std::uint32_t> list);
 
     std::uint32_t size() const noexcept { return size_; }
     std::uint32_t number(std::size_t place) const noexcept { return list_[place]; }

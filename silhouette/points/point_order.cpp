@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/interleaved_bits.h"
 
 namespace rimline {
 
@@ -32,18 +33,9 @@ bool is_less(const glm::dvec3& a, const glm::dvec3& b) {
     return a.z < b.z;
 }
 
-// Bits 0, 3, 6, .. of the result.
-std::uint64_t spread(std::uint64_t x) {
-    x = (x | x << 32) & 0x001f00000000ffffu;
-    x = (x | x << 16) & 0x001f0000ff0000ffu;
-    x = (x | x << 8) & 0x100f00f00f00f00fu;
-    x = (x | x << 4) & 0x10c30c30c30c30c3u;
-    return (x | x << 2) & 0x1249249249249249u;
-}
-
 std::uint64_t morton_code(const glm::dvec3& p) {
     const auto cell = [](double x) { return static_cast<std::uint64_t>((x + 1.0) * 0x1p20); };
-    return spread(cell(p.x)) | spread(cell(p.y)) << 1 | spread(cell(p.z)) << 2;
+    return interleaved_bits(cell(p.x), cell(p.y), cell(p.z));
 }
 
 }  // namespace

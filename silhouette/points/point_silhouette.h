@@ -10,7 +10,6 @@
 // About 8 bytes a point: a byte for its count, a bit a spoke, 5 for walking the tree; and what is on the
 // silhouette.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -21,9 +20,6 @@
 #include "silhouette/points/umbrella_index.h"
 
 namespace rimline {
-
-/// Two points, the lesser first.
-using PointEdge = std::array<PointId, 2>;
 
 class PointSilhouette {
 public:

@@ -8,21 +8,21 @@
 
 namespace rimline {
 
-FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call) {
+UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call) {
     Stars stars = choose_stars(points, neighbors, options.gap_ratio, call.part(0.0, 0.7));
     const std::vector<OpenPoint> open_points =
         trace_borders(points, neighbors, stars, options.gap_ratio, call.part(0.7, 1.0));
 
-    FoundUmbrellas found{
+    UmbrellaSet found{
         std::move(stars.fans),    std::move(stars.normals),
         std::move(stars.scales),  std::vector<PointLabel>(points.size(), PointLabel::interior),
         std::move(stars.reasons), {}};
     Neighborhood around;
     for (const OpenPoint& open : open_points) {
         const std::uint32_t point = open.point;
-        around.look_from(points, point, neighbors.of(point));
+        around.assign(points, point, neighbors.of(point));
         // A gap of no border closes again, where the point's star is whole.
         const bool is_whole = open.fan.gaps == 0;
         const bool is_spurious = open.verdict == OpenPoint::Verdict::none && !is_whole;

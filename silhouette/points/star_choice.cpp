@@ -156,7 +156,7 @@ private:
             reason = list.empty() ? UndecidedReason::alone : UndecidedReason::isolated;
             return;
         }
-        around.look_from(points_, point, list);
+        around.assign(points_, point, list);
         Choice best;
         for (const std::uint32_t fit : k_fits) {
             const glm::dvec3 plane =
@@ -217,7 +217,7 @@ private:
     }
 
     Choice ask_neighbors(std::uint32_t point, Asking asking, Neighborhood& around) const {
-        around.look_from(points_, point, neighbors_.of(point));
+        around.assign(points_, point, neighbors_.of(point));
         std::array<glm::dvec3, k_asked + 1> tried;
         std::size_t count = 0;
         Choice best = judge_among(point, around, stars_.fans[point], k_infinity);

@@ -98,8 +98,8 @@ public:
         fans_.swap(result);
     }
 
-    FoundUmbrellas found() {
-        FoundUmbrellas found;
+    UmbrellaSet found() {
+        UmbrellaSet found;
         found.fans.resize(count_);
         found.normals.assign(count_, glm::dvec3(0.0));
         found.scales.assign(count_, 0.0);
@@ -107,7 +107,7 @@ public:
         Neighborhood around;
         for (std::uint32_t i = 0; i < count_; ++i) {
             PointFans& fans = fans_[i];
-            around.look_from(points_, i, neighbors_.of(i));
+            around.assign(points_, i, neighbors_.of(i));
             // What folds back onto itself has no side.
             const auto end = std::remove_if(
                 fans.fans.begin(), fans.fans.begin() + fans.count,
@@ -137,7 +137,7 @@ private:
         each_point(count_, part, [&](std::uint32_t first, std::uint32_t last) {
             Neighborhood around;
             for (std::uint32_t i = first; i < last; ++i) {
-                around.look_from(points_, i, neighbors_.of(i));
+                around.assign(points_, i, neighbors_.of(i));
                 body(i, around);
             }
         });
@@ -323,9 +323,9 @@ private:
 
 }  // namespace
 
-FoundUmbrellas find_thesis_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call) {
+UmbrellaSet find_thesis_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call) {
     Passes passes(points, neighbors, options);
     passes.first({call, 0.0, 0.4});
     passes.second({call, 0.4, 0.7});

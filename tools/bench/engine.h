@@ -14,11 +14,16 @@
 
 #include "engine/vulkan/device.h"
 #include "silhouette/mesh/mesh.h"
-#include "tools/bench/engine_request.h"
 #include "tools/bench/targets.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
+
+struct EngineBenchOptions {
+    std::uint32_t viewpoints = 64;  ///< Of the visible ratio.
+    std::uint32_t frames = 24;      ///< Of an orbit, half a degree a frame.
+    std::uint32_t rounds = 5;       ///< Of the visible ratio.
+};
 
 /// Bytes that frames of one step size cost.
 struct StreamedBytes {

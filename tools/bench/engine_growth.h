@@ -11,9 +11,16 @@
 #include <string>
 #include <vector>
 
-#include "tools/bench/engine.h"
+#include "engine/vulkan/device.h"
+#include "tools/command.h"
 
 namespace rimline::tools {
+
+struct EngineGrowthOptions {
+    std::uint32_t min_faces = 10'000;
+    std::uint32_t max_faces = 300'000;
+    std::uint32_t frames = 24;  ///< Of an orbit, half a degree a frame.
+};
 
 /// Medians over the frames of an orbit, half a degree a frame.
 struct EngineGrowthStep {
@@ -31,7 +38,7 @@ struct EngineGrowthStep {
 
 /// Calls `on_step` after each size, 1, 3, 10 ... of 10,000 faces, of a knot.
 std::vector<EngineGrowthStep> bench_engine_growth(
-    const EngineBenchRequest& request, const Device& device,
+    const EngineGrowthOptions& options, const Device& device,
     const std::function<void(const EngineGrowthStep&)>& on_step, const Context& context);
 
 /// The least size from which on the stream is faster than compute, by the clock; nothing where it

@@ -19,10 +19,10 @@
 
 #include "silhouette/mesh/mesh.h"
 #include "tools/bench/ceiling.h"
+#include "tools/bench/contenders.h"
 #include "tools/bench/vtk.h"
 #include "tools/command.h"
 #include "tools/commands/stream_bytes.h"
-#include "tools/timing.h"
 
 namespace rimline::tools {
 

@@ -8,9 +8,9 @@
 
 #include "silhouette/hough/spread_viewpoints.h"
 #include "silhouette/methods/brute_force_packed.h"
-#include "silhouette/methods/silhouette_method.h"
+#include "silhouette/methods/method_registry.h"
 #include "tools/bench/hough.h"
-#include "tools/bench/report.h"
+#include "tools/bench/hough_report.h"
 #include "tools/bench/viewpoints.h"
 #include "tools/progress.h"
 

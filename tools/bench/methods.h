@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
+#include "tools/bench/contenders.h"
 #include "tools/command.h"
-#include "tools/timing.h"
 
 namespace rimline::tools {
 

@@ -53,9 +53,4 @@ struct PointsBenchResult {
 PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, double noise,
                                const Context& context);
 
-/// The whole suite, printed: of `models`, or where there are none of all in the folders of RIMLINE_MODELS
-/// that hold a mesh, or else of built-in shapes. With `check`, one at least has to be wide or smooth.
-ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_t subdivide,
-                            double noise, bool check, const Context& context);
-
 }  // namespace rimline::tools

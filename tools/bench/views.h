@@ -17,10 +17,17 @@
 #include "engine/vulkan/device.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/bench/targets.h"
-#include "tools/bench/views_request.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
+
+struct ViewsBenchOptions {
+    std::uint32_t views = 4;
+    std::uint32_t candidates = 256;  ///< Of the other measures.
+    std::uint32_t random_sets = 20;
+    std::uint32_t random_lights = 10;
+    std::uint32_t seed = 1;
+};
 
 /// What one way of choosing views is worth.
 struct ViewSet {

@@ -15,8 +15,9 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/edge_convexity.h"
 #include "silhouette/mesh/mesh.h"
-#include "silhouette/methods/silhouette_method.h"
+#include "tools/absent_part.h"
 #include "tools/command.h"
+#include "tools/commands/method_choice.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/line_output.h"
@@ -37,8 +38,7 @@ struct Extraction {
 
 Extraction extract_by(const SilhouetteMethodInfo& info, const Mesh& mesh,
                       const HomogeneousPoint& point, const SilhouetteMethodOptions& options) {
-    const std::unique_ptr<SilhouetteMethod> method =
-        make_silhouette_method(info.name, mesh, options);
+    const std::unique_ptr<SilhouetteMethod> method = make_method(info, mesh, options);
     Extraction result;
     const auto start = std::chrono::steady_clock::now();
     method->extract(point, result.edges, result.counters);
@@ -69,11 +69,17 @@ std::string method_names(Belongs&& belongs) {
 
 std::string method_table() {
     std::string table;
+    std::string absent;
     for (const SilhouetteMethodInfo& info : silhouette_methods()) {
         std::string name(info.name);
+        if (!is_in_build(info)) {
+            absent += " " + name;
+            continue;
+        }
         name.resize(std::max<std::size_t>(name.size() + 1, 14), ' ');
         table += "  " + name + std::string(info.summary) + "\n";
     }
+    if (!absent.empty()) table += "Not in this build:" + absent + "\n";
     return table;
 }
 
@@ -148,6 +154,8 @@ public:
     ExitStatus run(const Context& context) override {
         const HomogeneousPoint point = point_from_options();
         check_method_options();
+        if (!is_in_build(*method_))
+            require_methods("silhouette --method " + std::string(method_->name));
         std::optional<OutputFile> file;
         LineFormat format{};
         if (output_option_->count() > 0) {

@@ -12,10 +12,10 @@ install(DIRECTORY silhouette DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
     REGEX "/shapes/(circle|shape_makers|tube)\\.h$" EXCLUDE
     REGEX "/formats/(byte_scanner|file_format|gltf_[a-z]+|obj_scan|ply_body|ply_header|readers|source_file|text_scanner|tinygltf)\\.h$"
         EXCLUDE
-    REGEX "/hough/(block_kernels|octree_order|reserved_bytes|v_sphere)\\.h$" EXCLUDE
+    REGEX "/hough/(block_kernels|interleaved_bits|octree_order|reserved_bytes|rounded_float|v_sphere)\\.h$" EXCLUDE
     REGEX "/field/(field_kernels|field_sums|many_values|plane_clusters)\\.h$" EXCLUDE
-    REGEX "/points/(border_tracing|each_point|fan|neighbor_lists|neighborhood|point_order|robust_umbrellas|star_choice|supplement|thesis_fan|thesis_umbrellas)\\.h$" EXCLUDE
-    REGEX "/squeezed_lanes-inl\\.h$" EXCLUDE
+    REGEX "/points/(border_(bend|chains|gaps|repair|tracing)|each_point|fan|neighbor_lists|neighborhood|open_point|point_order|robust_umbrellas|star_choice|supplement|thesis_fan|thesis_umbrellas)\\.h$" EXCLUDE
+    REGEX "/[a-z_]+-inl\\.h$" EXCLUDE
     
     REGEX "/hough/service/latest_value\\.h$" EXCLUDE
     REGEX "/hough/baselines/(alias_table|brute_force_methods|cone_tree|dual_tree|edge_[a-z]+|followed_silhouette|gauss_map|instruction_set|octree_methods|packed_tree|plane_[a-z]+|quadric_tree|randomised|scaled_direction)\\.h$"

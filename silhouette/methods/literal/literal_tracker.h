@@ -45,6 +45,7 @@
 #include <vector>
 
 #include "silhouette/mesh/face_bits.h"
+#include "silhouette/methods/followed_silhouette.h"
 #include "silhouette/methods/literal/active_region.h"
 #include "silhouette/methods/literal/literal_counters.h"
 #include "silhouette/methods/literal/literal_octree.h"
@@ -73,8 +74,8 @@ public:
 
     const HomogeneousPoint& point() const noexcept { return point_; }
     /// In no particular order. Valid until the tracker moves, as the other spans are.
-    std::span<const EdgeId> silhouette() const noexcept { return silhouette_; }
-    std::span<const std::uint32_t> face_words() const noexcept { return face_words_; }
+    std::span<const EdgeId> silhouette() const noexcept { return followed_.edges(); }
+    std::span<const std::uint32_t> face_words() const noexcept { return followed_.face_words(); }
     /// The faces that turned in the last move, each once.
     std::span<const FaceId> turned() const noexcept { return turned_; }
     /// Tiles, or nodes as written, that the next incremental move starts from; none otherwise.
@@ -98,17 +99,14 @@ private:
     void turn_node(const OctreeNode& node, VSphereSide side);
     void check_faces(const OctreeNode& node);
     void set_bit(FaceId face, bool front);
-    void update_edges();
 
     const LiteralOctree* octree_;
     LiteralTrackerOptions options_;
     HomogeneousPoint point_;
     LiteralCounters counters_;
 
-    std::vector<std::uint32_t> face_words_;
+    FollowedSilhouette followed_;
     std::vector<FaceId> turned_;
-    std::vector<EdgeId> silhouette_;
-    std::vector<std::uint32_t> slot_of_;  // By edge: where it is in silhouette_, or k_no_slot.
 
     // The walk. What a move has tested and enqueued is stamped with its number.
     std::vector<std::uint32_t> active_;

@@ -1,4 +1,4 @@
-#include "tools/bench/report.h"
+#include "tools/bench/hough_report.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -157,17 +157,6 @@ nlohmann::ordered_json cases_json(const ModelResult& result) {
                          {"methods", std::move(methods)}});
     }
     return cases;
-}
-
-nlohmann::ordered_json to_json(const Target& target, const std::string& model) {
-    return {{"model", model},
-            {"target", target.what},
-            {"value", target.value},
-            {"reach", target.reach},
-            {"aim", target.aim},
-            {"less_is_better", target.less_is_better},
-            {"is_time", target.is_time},
-            {"reached", target.is_reached()}};
 }
 
 }  // namespace rimline::tools

@@ -1,4 +1,4 @@
-#include "silhouette/methods/silhouette_method.h"
+#include "silhouette/methods/method_registry.h"
 
 #include <doctest/doctest.h>
 
