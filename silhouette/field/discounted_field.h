@@ -31,7 +31,7 @@ class DiscountedField {
 public:
     /// `field` must outlive this.
     explicit DiscountedField(const TangentialField& field);
-    explicit DiscountedField(TangentialField&&) = delete;  // The temporary would be destroyed.
+    explicit DiscountedField(TangentialField&&) = delete;  // `field` must outlive this.
     ~DiscountedField();
     DiscountedField(DiscountedField&&) noexcept;
     DiscountedField& operator=(DiscountedField&&) noexcept;
@@ -54,8 +54,8 @@ private:
                       kernels::FieldWork& work) const;
 
     const TangentialField* field_;
-    std::vector<double>
-        previous_;  // By plane, in leaf order. Empty before the first point is chosen.
+    // Previous votes by plane, in leaf order. Empty before the first point is chosen.
+    std::vector<double> previous_;
     std::unique_ptr<kernels::Discount> discount_;
 };
 

@@ -34,8 +34,8 @@ struct OriginOptions {
 
 struct FoundOrigins {
     std::vector<glm::dvec3> origins;  ///< In the mesh's coordinates.
-    std::vector<double>
-        votes;  ///< By origin: the votes that earlier origins left, as a share of all planes.
+    /// By origin: the votes that earlier origins left, as a share of all planes.
+    std::vector<double> votes;
 };
 
 /// Returns fewer than `count` origins if no plane has votes left. For a box, for example, the center gets

@@ -12,8 +12,7 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_min_turn =
-    1e-9;  // Turn of the line of sight for two eyes in the same direction.
+constexpr double k_min_turn = 1e-9;     // Of the line of sight, for eyes in the same direction.
 constexpr double k_min_weight = 1e-12;  // Below this all eyes are on the axis.
 
 // Rotates `v` by the smallest rotation from unit vector `from` to unit vector `to`.
