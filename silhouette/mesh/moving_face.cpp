@@ -18,7 +18,7 @@ glm::vec3 snapped(glm::vec3 v, float smallest) {
     return {snap(v.x), snap(v.y), snap(v.z)};
 }
 
-// Times the power of two that takes the greatest component into [1, 2).
+// Multiplies by the power of two that brings the largest component into [1, 2).
 glm::vec3 scaled(glm::vec3 v) {
     const float greatest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (greatest == 0.0f) return v;
@@ -26,7 +26,7 @@ glm::vec3 scaled(glm::vec3 v) {
     return snapped(v * std::bit_cast<float>((254u - exponent) << 23), k_min_scaled_component);
 }
 
-// Each component in two parts of at most 12 bits (Veltkamp).
+// Splits each component into two parts of at most 12 bits (Veltkamp).
 struct Halves {
     glm::vec3 high, low;
 };
@@ -37,7 +37,7 @@ Halves halves(glm::vec3 v) {
     return {high, v - high};
 }
 
-// What rounding took from a * b.
+// The rounding error of `product`: a * b - product.
 glm::vec3 product_error(glm::vec3 a, glm::vec3 b, glm::vec3 product) {
     const auto [a_high, a_low] = halves(a);
     const auto [b_high, b_low] = halves(b);
