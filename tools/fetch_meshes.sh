@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fetches the meshes of CGAL's demo that the figures of docs/points.md are of into build/meshes, from
+# Fetches the meshes of CGAL's demo that the figures of docs/results/points.md are of into build/meshes, from
 # Debian's libcgal-demo, which is not installed for it: 24 MB from the network, 29 MB on disk. Then
 #
 #   RIMLINE_MODELS=build/meshes build/release/rimline bench points --check
