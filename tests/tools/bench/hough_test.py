@@ -4,7 +4,7 @@ import json
 import os
 import tempfile
 
-from program import fail, has_methods, have_methods, model, run, succeed
+from program import fail, has_methods, have_methods, run, succeed
 
 
 BENCH_FEW = ("--rounds", "1", "--viewpoints", "10", "--frames", "10")
