@@ -9,7 +9,7 @@ def test_bench_engine_compares_and_then_measures():
     assert result["device"]["name"] and result["viewpoints"] == 4
     [model] = result["models"]
     assert model["verified"] is True and model["closed"] is True
-    assert all(0 < b["streamed"] <= b["full"] for b in model["bytes"])["bytes"]
+    assert all(0 < b["streamed"] <= b["full"] for b in model["bytes"]), model["bytes"]
     for table in ("lines", "visible_ratios"):
         assert len(model[table]) >= 2 and model[table][0]["ratio"] == 1
         assert all(way["median_ms"] > 0 for way in model[table])
