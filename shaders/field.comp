@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "field_job.h"
 
-// The tangential distance field at many points (engine/measure/field_pass.h): a column of workgroups for some points,
-// a row for each chunk of planes. An invocation has a plane at a time and votes for all its group's points,
-// so that a piece of the function is read once for all of them.
+// The tangential distance field at many points (engine/measure/field_pass.h). A column of workgroups computes
+// some points, and each row a chunk of planes. An invocation evaluates one plane at a time for all points of
+// its group, so that each piece of the function is read only once for them.
 
 layout(local_size_x = 64) in;
 

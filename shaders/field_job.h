@@ -1,7 +1,7 @@
 #ifndef RIMLINE_SHADERS_FIELD_JOB_H
 #define RIMLINE_SHADERS_FIELD_JOB_H
 
-// What field.comp sums: planes, the pieces of a tangential distance function, points.
+// The input of field.comp: planes, pieces of a tangential distance function, points.
 
 #include "layout.h"
 
@@ -9,17 +9,17 @@
 namespace rimline::gpu {
 #endif
 
-const uint k_field_tile = 64u;         // Planes that a workgroup has at a time, ...
-const uint k_field_group_points = 8u;  // ... and the points they vote for.
-const uint k_field_chunk_tiles = 16u;  // What a sum is of; the host adds up the sums.
+const uint k_field_tile = 64u;         // Planes that a workgroup evaluates at a time.
+const uint k_field_group_points = 8u;  // Points per workgroup.
+const uint k_field_chunk_tiles = 16u;  // Tiles per partial sum. The host adds the sums.
 
 struct FieldPlane {
     vec3 normal;
     float offset;
-    float weight;  // 0 for what fills up the last tile.
+    float weight;  // 0 for padding in the last tile.
 };
 
-// From the distance `from` on: ((c3*t + c2)*t + c1)*t + c0 with t = distance - start.
+// For distances >= from: ((c3*t + c2)*t + c1)*t + c0 with t = distance - start.
 struct FieldPiece {
     float from;
     float start;
@@ -45,7 +45,7 @@ struct FieldJob {
     RIMLINE_ADDRESS(FieldPlanes) planes;
     RIMLINE_ADDRESS(FieldPieces) pieces;
     RIMLINE_ADDRESS(Positions) points;
-    RIMLINE_ADDRESS(FieldSums) sums;  // By chunk, each by point.
+    RIMLINE_ADDRESS(FieldSums) sums;  // Indexed by chunk, then point.
     uint tile_count;
     uint piece_count;
     uint point_count;

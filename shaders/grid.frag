@@ -1,12 +1,12 @@
 #version 460
 
-// The paper's grid, to be blended over the surfaces by alpha: lines a pixel of the picture wide, one of them
-// through the middle, every fifth one of full strength.
+// The paper's grid, blended over the surfaces by alpha. Lines are one picture pixel wide. One line goes
+// through the center, and every fifth line has full strength.
 
 layout(push_constant) uniform Constants {
-    vec4 grid;   // Linear; alpha is the strength of every fifth line.
-    ivec2 size;  // Of the picture, whose pixels are ...
-    int scale;   // ... so many of the surfaces' wide and high.
+    vec4 grid;   // Linear. Alpha is the strength of every fifth line.
+    ivec2 size;  // Of the picture, in its pixels.
+    int scale;   // Surface pixels per picture pixel, along each axis.
 };
 
 layout(location = 0) out vec4 color;

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "silhouette_job.h"
 
-// Second of four: which edges are on the silhouette, by the rules of silhouette/mesh/face_bits.h, and
-// which joined or left it.
+// Step 2 of 4: finds the edges on the silhouette, by the rules of silhouette/mesh/face_bits.h, and
+// the edges that joined or left it.
 
 layout(local_size_x = RIMLINE_GROUP_WORDS) in;
 
@@ -29,7 +29,7 @@ bool is_on_silhouette(uint edge) {
     return false;
 }
 
-// A word's bits for edges before `end`.
+// A mask of a word's bits for edges before `end`.
 uint mask_before(uint word, uint end) {
     if (end <= word * 32u) return 0u;
     const uint count = end - word * 32u;

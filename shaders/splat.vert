@@ -7,12 +7,12 @@
 layout(location = 0) out vec2 place;
 layout(location = 1) flat out vec3 color;
 layout(location = 2) flat out vec4 cuts;  // In the axes of `place`.
-layout(location = 3) flat out float fall;  // Of depth, from the middle to the edge.
+layout(location = 3) flat out float fall;  // Depth difference from center to edge.
 
-// What is left of a disc's color where it is seen from its edge: the camera carries the light.
+// The share of a disc's color when it is seen edge-on. The light is at the camera.
 const float k_ambient = 0.35;
-// A disc is a flat cone: so much of its radius its edge lies behind its middle. Where discs overlap, the
-// nearest point's is seen, so each point has its own cell and no two fight for a pixel.
+// A disc is a flat cone: its edge lies behind its center by this share of its radius. If discs overlap,
+// the one with the nearest center is visible, so each point has its own cell without z-fighting.
 const float k_slope = 0.15;
 
 void main() {

@@ -16,14 +16,16 @@ namespace {
 
 constexpr double k_middle = 0.5 * (k_view_shell.inner_radius + k_view_shell.outer_radius);
 
-// How far a node climbs, in unit coordinates: 7 degrees or so, and of the way to the views on both sides.
+// Limits for the movement of a node: in unit coordinates, about 7 degrees, and as a share of the distance
+// to either view.
 constexpr double k_climb = 0.25;
 constexpr double k_climb_share = 1.0 / 3.0;
 
-// Beyond the one, views are opposite each other; below the other, in one direction.
+// Views farther apart than the first angle are opposite. Views nearer than the second have the same
+// direction.
 constexpr double k_opposite_deg = 175.0;
 constexpr double k_same_deg = 0.5;
-// Of the circle around views in one direction.
+// The circle around views in the same direction.
 constexpr double k_circle_deg = 20.0;
 constexpr int k_circle_samples = 72;
 
@@ -32,7 +34,8 @@ struct Between {
     double votes;
 };
 
-// The best of the places so many radians from a direction, in the middle of the shell.
+// The point with the most votes on a circle at `angle_rad` around `axis`, at the middle radius of the
+// shell.
 glm::dvec3 best_on_circle(const TangentialField& field, const glm::dvec3& axis, double angle_rad) {
     const glm::dvec3 seed = std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 first = glm::normalize(seed - glm::dot(seed, axis) * axis);

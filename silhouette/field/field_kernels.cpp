@@ -9,13 +9,13 @@ namespace rimline::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Eight lanes, or as many as there are, several times.
+// Eight lanes. With shorter vectors, several vectors cover them.
 using Floats = hn::CappedTag<float, k_cluster_fan>;
 using Ints = hn::RebindToSigned<Floats>;
 using Unsigneds = hn::RebindToUnsigned<Floats>;
 using V = hn::Vec<Floats>;
 
-// Float sums that are moved to a double before they grow long.
+// Float sums that are flushed to a double at short intervals.
 class Sum {
 public:
     HWY_INLINE Sum() : part_(hn::Zero(Floats())) {}
@@ -37,12 +37,12 @@ private:
     double total_ = 0.0;
 };
 
-// Of the piece that a distance lies in.
+// The cubic of the piece that contains a distance.
 struct Cubic {
     V start, c0, c1, c2, c3;
 };
 
-// Pieces found by going through the knots.
+// Finds pieces by testing all knots.
 class PiecesByKnot {
 public:
     explicit PiecesByKnot(const FunctionTable& table) : table_(table) {}
@@ -65,7 +65,7 @@ private:
     const FunctionTable& table_;
 };
 
-// Few enough pieces for a register each: looked up by number.
+// For few pieces: each coefficient fits into one register and is looked up by the piece's number.
 class PiecesInRegisters {
 public:
     static bool fits(const FunctionTable& table) {
@@ -104,7 +104,7 @@ struct Point {
           z(hn::Set(Floats(), static_cast<float>(p.z))) {}
 };
 
-// What the planes from `first` to `last`, whole vectors, vote.
+// Adds the votes of planes [first, last), in whole vectors.
 template <class Pieces>
 HWY_INLINE void add_planes(const LeafPlanes& planes, const Pieces& pieces, const float* previous,
                            const Point& p, std::size_t first, std::size_t last, Sum& sum) {
@@ -146,7 +146,7 @@ double SumPlanes(const PlaneClusters& clusters, const FunctionTable& function,
                : SumPlanesWith<PiecesByKnot>(clusters, function, discount, point);
 }
 
-// q = (p, -1), its products, and what bounds them.
+// q = (p, -1), the products of its components, and bounds.
 struct Query {
     explicit Query(const glm::dvec3& p) {
         const double q[4] = {p.x, p.y, p.z, -1.0};
@@ -164,14 +164,14 @@ struct Query {
             }
         }
         norm_square = static_cast<float>(square);
-        // Of a mean distance, in float.
+        // Rounding error of a mean distance in float.
         margin = 0x1p-21f * (magnitude[0] + magnitude[1] + magnitude[2] + 1.0f);
     }
     float q1[4], magnitude[4], q2[10], q3[20];
     float norm_square, margin;
 };
 
-// Nodes lie far apart, and a large mesh's do not fit in the nearer caches.
+// The nodes of a large mesh do not fit into the inner caches.
 constexpr std::uint32_t k_prefetch_ahead = 2;
 
 template <class T>
@@ -180,7 +180,7 @@ HWY_INLINE void prefetch(const T* data) {
         hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(data) + offset);
 }
 
-// The clusters of a node from a lane on: their sums and by how much these may err, both for a weight of 1.
+// Sums of a node's clusters from a lane on, with upper bounds of their errors. Both are for a weight of 1.
 struct Estimate {
     V value, error, greatest_vote, min_vote;
 };
@@ -229,7 +229,7 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
             hn::MulAdd(hn::Set(d, function.jump3[k]), beyond, hn::Set(d, function.jump2[k])),
             error);
     }
-    // Where a variance rounds to nothing, part of the slack stands for it.
+    // If a variance rounds to 0, a part of the slack replaces it.
     const V share =
         hn::Div(hn::MulAdd(slack, hn::Set(d, 0x1p-12f), variance), hn::Mul(radius, radius));
     result.error = hn::Mul(error, hn::Min(share, hn::Set(d, 1.0f)));
@@ -246,7 +246,7 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
     return result;
 }
 
-// Clusters whose sums are not exact.
+// Clusters with inexact sums.
 class Candidates {
 public:
     HWY_INLINE explicit Candidates(FieldScratch& scratch) : scratch_(scratch) {}
@@ -265,8 +265,8 @@ public:
     }
     void flush() { weight_.flush(); }
 
-    // Adds the values of those good enough to `sum`, takes their errors from `budget`, and writes the
-    // others to `opened`. Returns the number of those.
+    // Adds the values of sufficiently exact clusters to `sum` and subtracts their errors from `budget`.
+    // Writes the other clusters to `opened` and returns their number.
     std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* opened) {
         const Floats d;
         const Unsigneds du;
@@ -426,15 +426,15 @@ FunctionTable::FunctionTable(const TangentialFunction& function)
     least = to_float(function.least());
     greatest = to_float(function.greatest());
     curvature = to_float(0.5 * bend);
-    // Distances: of normals, points and products, of the offset, and of three sums. Votes and sums: their
-    // terms'.
+    // Rounding errors of distances come from normals, points and products, the offset, and three sums.
+    // Those of votes and sums come from their terms.
     const double distances = 3.0 * k_near_radius + 1.0 + 3.0 * (k_near_radius + 1.0);
     rounding_share = 0x1p-24 * (distances * function.greatest_slope() + 8.0 * terms +
                                 32.0 * function.greatest_magnitude());
 }
 
 void FieldScratch::reserve(const PlaneClusters& planes) {
-    // Whole vectors are stored, also of the last.
+    // Stores always write whole vectors, so the last one needs additional memory.
     const std::size_t most =
         (planes.leaf_count() + k_cluster_fan) / k_cluster_fan * k_cluster_fan + k_cluster_fan;
     for (auto* numbers : {&nodes, &next, &clusters})

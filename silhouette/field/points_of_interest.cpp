@@ -12,14 +12,14 @@ namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_max_rounds = 200;  // Of a climb, each of 26 samples: usual are 15.
+constexpr std::uint32_t k_max_rounds = 200;  // Rounds of a climb, 26 samples each. Usually 15.
 constexpr std::size_t k_max_fine_climbs = 2;
 
 double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
     return 2.0 * domain.outer_radius / (lattice - 1);
 }
 
-// The other 26 points of a pattern around the middle, moved into the domain.
+// The 26 points of a pattern around its center, moved into the domain.
 std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3& middle,
                                    double width) {
     std::array<glm::dvec3, 26> points;
@@ -32,7 +32,7 @@ std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3&
     return points;
 }
 
-// Of them, the six along the axes.
+// The six points of a pattern along the axes.
 std::array<glm::dvec3, 6> axis_pattern(const SearchDomain& domain, const glm::dvec3& middle,
                                        double width) {
     std::array<glm::dvec3, 6> points;
@@ -49,17 +49,17 @@ struct Sample {
     double votes;
 };
 
-// Follows patterns uphill, all climbs side by side.
+// Runs all climbs in parallel steps.
 class Climbs {
 public:
     Climbs(const SearchDomain& domain, double width, double tolerance)
         : domain_(domain), width_(width), tolerance_(tolerance) {}
 
     void start(const Sample& from) { climbs_.push_back({from, width_}); }
-    /// No climb leaves this ball.
+    /// Limits all climbs to this ball.
     void stay_within(const glm::dvec3& center, double radius) { ball_ = {center, radius}; }
 
-    /// Only the best are to be followed to the end.
+    /// Continues only the best climbs after all patterns have become small.
     void prune_when_fine() { prunes_ = true; }
 
     template <typename Values>
@@ -94,7 +94,7 @@ private:
         Sample best;
         double width;
     };
-    // When all patterns are small against where they began, hardly one overtakes another.
+    // When all patterns are much smaller than at the start, the order of the climbs rarely changes.
     void prune() {
         if (climbs_.size() <= k_max_fine_climbs) return;
         for (const Climb& climb : climbs_)
@@ -115,8 +115,7 @@ private:
     std::vector<Climb> climbs_;
 };
 
-// The lattice's samples in the domain, those with greater x, then y, then z first, and which of them have
-// no greater neighbor.
+// The lattice's samples in the domain, in descending order of x, then y, then z. Also finds local maxima.
 class Lattice {
 public:
     Lattice(const SearchDomain& domain, std::uint32_t size)
@@ -132,7 +131,7 @@ public:
                     points_.push_back(point);
                     places_.push_back({x, y, z});
                 }
-        // A thin shell may miss them all.
+        // A thin shell may contain no sample.
         if (points_.empty()) {
             for (const glm::dvec3& p : pattern(domain, glm::dvec3(0.0), domain.outer_radius))
                 points_.push_back(p);
@@ -141,7 +140,7 @@ public:
 
     std::span<const glm::dvec3> points() const { return points_; }
 
-    /// Whether a sample is one of every `stride`th along each axis, counted from the middle.
+    /// Whether a sample is a multiple of `stride` from the center along each axis.
     bool is_at_stride(std::size_t sample, std::uint32_t stride) const {
         if (places_.empty()) return true;
         return std::ranges::all_of(places_[sample], [&](int place) {
@@ -149,7 +148,7 @@ public:
         });
     }
 
-    /// The best of those that have no greater neighbor, best first.
+    /// The best local maxima, best first.
     std::vector<Sample> tops(std::span<const double> votes, std::size_t most) const {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < points_.size(); ++i)
@@ -182,7 +181,7 @@ private:
     }
 
     int size_;
-    std::vector<int> number_;  // By place; -1 outside the domain.
+    std::vector<int> number_;  // By lattice position. -1 outside the domain.
     std::vector<glm::dvec3> points_;
     std::vector<std::array<int, 3>> places_;
 };
@@ -218,13 +217,13 @@ private:
     }
 
     std::optional<PointOfInterest> find_next(const LongCall& call) {
-        // A lattice is about as dear as what follows it.
+        // The lattice takes about half of the time.
         std::vector<double> votes(lattice_.points().size());
         evaluate(lattice_.points(), votes,
                  {call.stop, [&](double done) { call.checkpoint(0.5 * done); }});
         const LongCall silent{call.stop, {}};
         Climbs climbs(domain_, 0.5 * spacing_of(domain_, options_.lattice), options_.tolerance);
-        // With weights, any of the peaks may win.
+        // With weights, any peak may win.
         if (!options_.weigh) climbs.prune_when_fine();
         for (const Sample& top : lattice_.tops(votes, options_.climbs)) climbs.start(top);
         const std::vector<Sample> peaks =
@@ -249,7 +248,7 @@ private:
         return best;
     }
 
-    // The same point, or a better one near it.
+    // Returns the same point, or a better one near it.
     PointOfInterest refine(PointOfInterest best, const LongCall& call) {
         double width = 0.5 * spacing_of(domain_, options_.lattice) * options_.weighed_stride;
         for (std::uint32_t round = 0; round < k_max_rounds && width >= options_.weighed_tolerance;
@@ -268,8 +267,8 @@ private:
         return best;
     }
 
-    // The candidate with the best score; none where none has votes. Those that cannot exceed `bar` may be
-    // left out.
+    // The candidate with the best score, or nothing if none has votes. May skip candidates that cannot
+    // exceed `bar`.
     std::optional<PointOfInterest> best_of(std::span<const Sample> candidates,
                                            std::optional<double> bar, const LongCall& call) {
         std::vector<std::size_t> order;
@@ -298,7 +297,7 @@ private:
                 greatest = std::max(greatest, weighed.back().score());
             }
         }
-        // Of those that tie with the greatest.
+        // Resolves ties with the maximum score.
         std::optional<PointOfInterest> best;
         for (const PointOfInterest& point : weighed) {
             if (point.score() < greatest - tie_ || point.score() <= 0.0) continue;
@@ -316,7 +315,7 @@ private:
         return weights;
     }
 
-    // Of equal scores. Positions of symmetric peaks differ by a few tolerances.
+    // The order among equal scores. Positions of symmetric peaks have errors of a few tolerances.
     bool comes_before(const glm::dvec3& a, const glm::dvec3& b) const {
         const auto key = [&](const glm::dvec3& p) {
             const glm::dvec3 q = glm::round(p / (8.0 * options_.tolerance));

@@ -9,7 +9,7 @@ namespace rimline {
 
 namespace {
 
-// With fewer, summing them all is faster.
+// For fewer planes, summing all of them is faster.
 constexpr std::size_t k_min_clustered = 1024;
 
 bool is_finite(const glm::dvec3& p) {

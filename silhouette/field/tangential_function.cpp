@@ -61,8 +61,8 @@ TangentialFunction::TangentialFunction(std::vector<Knot> knots) : knots_(std::mo
     };
     for (const Piece& piece : pieces_) {
         if (!std::isfinite(piece.from) || !std::isfinite(piece.to)) continue;
-        if (piece.c3 != 0.0) visit(piece, -piece.c2 / (3.0 * piece.c3));  // Where it is steepest.
-        // Where it is flat: 3*c3*t^2 + 2*c2*t + c1 = 0.
+        if (piece.c3 != 0.0) visit(piece, -piece.c2 / (3.0 * piece.c3));  // Maximum slope.
+        // Extrema: 3*c3*t^2 + 2*c2*t + c1 = 0.
         const double root = piece.c2 * piece.c2 - 3.0 * piece.c3 * piece.c1;
         if (root < 0.0) continue;
         const double q = -(piece.c2 + std::copysign(std::sqrt(root), piece.c2));
@@ -114,7 +114,8 @@ TangentialFunction TangentialFunction::operator*(double factor) const {
 }
 
 TangentialFunction TangentialFunction::operator+(const TangentialFunction& other) const {
-    // Cubics between all knots of both are the Hermite cubics of their own values and slopes.
+    // With the knots of both functions, each piece of the sum is the Hermite cubic of its values
+    // and slopes.
     std::vector<double> distances;
     for (const Knot& k : knots_) distances.push_back(k.distance);
     for (const Knot& k : other.knots_) distances.push_back(k.distance);

@@ -8,7 +8,7 @@ namespace {
 
 template <typename T>
 void copy(std::span<const T> from, std::vector<T>& to) {
-    // Sizes differ from frame to frame: with no slack, every frame larger than all before would allocate.
+    // Sizes differ between frames. Without extra capacity, every new maximum would allocate.
     if (from.size() > to.capacity()) {
         to.clear();
         to.reserve(from.size() + from.size() / 2);

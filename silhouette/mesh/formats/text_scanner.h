@@ -18,9 +18,8 @@ namespace rimline {
 
 /// How a format's lines are read.
 struct TextRules {
-    char comment = '\0';  ///< Begins a comment up to the end of the line. 0 for none.
-    bool continuations =
-        false;  ///< A backslash at the end of a line continues it on the next line.
+    char comment = '\0';         ///< Begins a comment up to the end of the line. 0 for none.
+    bool continuations = false;  ///< A backslash at the end of a line continues the line.
 };
 
 class TextScanner {
