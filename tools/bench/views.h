@@ -62,7 +62,7 @@ struct ViewsResult {
 ViewsResult bench_views(const std::string& model, const Mesh& mesh, const Device& device,
                         const ViewsBenchOptions& options, const Context& context);
 
-/// Targets for the bunny, and for the first view of every model.
+/// Targets for the bunny; none for other models.
 std::vector<Target> targets_of(const ViewsResult& result);
 
 }  // namespace rimline::tools
