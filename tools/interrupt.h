@@ -15,8 +15,9 @@ namespace rimline::tools {
 /// supervisors wait before they kill a program.
 constexpr int k_grace_seconds = 5;
 
-/// Call it once, before any thread is started: every thread must inherit the signal mask. `clean_up` is called
-/// on another thread, while the others still run, before the program is ended without its destructors.
+/// Call it once, before any thread is started: every thread must inherit the signal mask. `clean_up` is
+/// called on another thread, while the others still run, before the program is ended without its
+/// destructors.
 std::stop_token stop_on_interrupt(void (*clean_up)() noexcept);
 
 /// Ends the program by the signal that stopped it, so that a shell's loop stops as well. Does nothing when no

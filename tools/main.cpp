@@ -1,5 +1,5 @@
-// The rimline program: builds the commands, parses the line, runs one of them, and turns what it throws
-// into an exit status and one line on standard error.
+// The rimline program. It builds the commands, parses the command line and runs one command. It reports an
+// exception as an exit status and one line on standard error.
 
 #include <tbb/global_control.h>
 #include <CLI/App.hpp>
@@ -39,7 +39,7 @@ constexpr const char* k_version = "rimline " RIMLINE_VERSION;
 constexpr const char* k_json_description = "Print one JSON object and nothing else";
 constexpr const char* k_footer =
     "MODEL is a file (OBJ, PLY, STL, OFF, glTF, GLB) or shape:NAME[:FACES].\n"
-    "rimline SUBCOMMAND --help tells a subcommand's options.\n\n"
+    "rimline SUBCOMMAND --help lists a subcommand's options.\n\n"
     "Examples:\n"
     "  rimline render                     (draws a picture, rimline.png, without any model)\n"
     "  rimline render bunny.obj -o bunny.png\n"
@@ -66,7 +66,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     return commands;
 }
 
-// CLI11's messages are NAME: WHAT. Where WHAT is not a plain sentence, ours.
+// CLI11's messages are NAME: WHAT. Returns our own words where WHAT is no plain sentence.
 std::string plain_words(const CLI::ParseError& e) {
     const std::string message = e.what();
     const std::string name = message.substr(0, message.find(": "));
@@ -92,7 +92,7 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
     return arguments;
 }
 
-// The subcommands that the command line names, from the program down.
+// The program and the subcommands that the command line names, outermost first.
 std::vector<const CLI::App*> parsed_chain(const CLI::App& app) {
     std::vector<const CLI::App*> chain{&app};
     while (!chain.back()->get_subcommands().empty())
@@ -100,7 +100,7 @@ std::vector<const CLI::App*> parsed_chain(const CLI::App& app) {
     return chain;
 }
 
-// Of a line that ends with `rimline bench`, or with a suite that does not exist.
+// The message for a command line without a suite, or with a suite that does not exist.
 std::string missing_suite(const CLI::App& bench) {
     std::string names;
     for (const CLI::App* suite : bench.get_subcommands([](const CLI::App*) { return true; }))
@@ -117,7 +117,7 @@ ExitStatus report_usage(const std::string& message, const CLI::App& app) {
     return ExitStatus::wrong_usage;
 }
 
-// A full disk behind standard output shows only when the buffer is emptied.
+// A full disk is reported only when the buffer of standard output is flushed.
 void flush_output() {
     errno = 0;
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
@@ -156,14 +156,14 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     }
     app.add_flag("--json", json, k_json_description);
 
-    // Before CLI11 takes the --help that follows for the program's own.
+    // Checked first: CLI11 would take a following --help as the program's own.
     std::vector<std::string> arguments = arguments_of(argc, argv);
     const auto first = std::ranges::find_if_not(
         arguments, [](const std::string& argument) { return argument.starts_with('-'); });
     const auto is_first = [&](const auto& command) { return command->name() == *first; };
     if (first != arguments.end() && std::ranges::none_of(commands, is_first))
         return report_usage("there is no subcommand '" + *first + "'", app);
-    std::ranges::reverse(arguments);  // As CLI11 takes them.
+    std::ranges::reverse(arguments);  // The order that CLI11 expects.
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::ParseError& e) {

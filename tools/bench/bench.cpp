@@ -30,8 +30,8 @@ public:
         app.require_subcommand(1);
         app.footer(
             "rimline bench SUITE --help describes a suite: its options, its tables, its JSON and\n"
-            "what --check requires. Every suite compares its results with a baseline before it\n"
-            "measures, and exits with status 3 where one differs.\n\n"
+            "what --check requires. A suite that measures times compares its results first, and\n"
+            "exits with status 3 where one differs.\n\n"
             "Without MODELS a suite takes known files from the folders of RIMLINE_MODELS, or\n"
             "built-in shapes.\n\n"
             "Examples:\n"

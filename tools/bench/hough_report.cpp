@@ -20,7 +20,7 @@ void print_case(const CaseResult& c) {
     const Times& ours = c.methods.front();
     for (const Times& times : c.methods) print_row(times, ours);
     if (c.name == "worst")
-        return;  // Its baseline is ours as well; what may be lost is said after it.
+        return;  // Its baseline is ours too; print_result() prints the comparison after it.
     for (const Times& times : c.methods)
         if (!times.is_part && ratio(times, ours) < 1.0)
             std::printf("  here the %s LOSES to %s: it takes %.2f times as long\n",

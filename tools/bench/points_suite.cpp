@@ -33,7 +33,7 @@ const char* name_of(Kind kind) {
     return "";
 }
 
-// Of models of a kind, how many there are and how many a method finds.
+// The number of models of a kind, and of those that a method finds.
 struct Tally {
     std::uint32_t all = 0, found = 0;
 };
@@ -157,7 +157,7 @@ void print_summary(const std::vector<PointsBenchResult>& results) {
         std::printf("robust, one thread, all models: %.0f points a second\n", points / seconds);
 }
 
-// Those that have silhouettes: a flat one has none.
+// The models with silhouettes: a flat model has none.
 std::vector<ComparedModel> compared_models(const std::vector<PointsBenchResult>& results) {
     std::vector<ComparedModel> models;
     for (const PointsBenchResult& result : results)

@@ -41,7 +41,7 @@ nlohmann::ordered_json to_json(const OriginTrial& trial) {
             {"work", trial.work}};
 }
 
-// For each set of origins that was tried.
+// One a set of origins that was tried.
 using LiteralTrials = std::vector<std::vector<LiteralTrial>>;
 
 nlohmann::ordered_json to_json(std::span<const LiteralTrial> trials) {
@@ -56,8 +56,8 @@ nlohmann::ordered_json to_json(std::span<const LiteralTrial> trials) {
     return list;
 }
 
-// Microseconds of an extraction from each first few of `origins`, all in turn: the least of some rounds, on
-// one thread.
+// Microseconds of an extraction for each trial, with its first few `origins`, on one thread. The trials
+// alternate; the least time of all rounds counts.
 std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec3> origins,
                                      std::span<const OriginTrial> trials, std::uint32_t viewpoints,
                                      const Context& context) {
@@ -167,7 +167,7 @@ private:
                            : (is_z_up ? glm::dvec3(0.9, -0.7, 0.4) : glm::dvec3(0.9, 0.4, 0.7));
             write_picture(*file, draw_groups(octree, towards, up, 700));
         }
-        // Of what was tried, or of the origins asked for.
+        // One a trial, or of the requested origins.
         LiteralTrials literal;
         for (const OriginTrial& t : chosen.trials)
             if (literal_)

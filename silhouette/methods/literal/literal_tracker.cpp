@@ -64,7 +64,7 @@ void LiteralTracker::begin_active_set(const ActiveRegion& region, std::uint32_t 
         if (child != k_no_node) begin_active_set(region, child);
 }
 
-// 3.4.3, with what the header says starts and carries a walk.
+// 3.4.3, with the starts and cells that the header describes.
 void LiteralTracker::walk(const ActiveRegion& region) {
     const SearchCells& cells = octree_->search_cells();
     queue_.clear();
@@ -77,7 +77,7 @@ void LiteralTracker::walk(const ActiveRegion& region) {
         const RegionSides sides = sides_of_cell(region, cell);
         if (sides.is_apart()) continue;
         if (!cells.cells[cell].is_leaf()) {
-            // Some tile's neighbor, as large as the tile and divided further.
+            // A neighbor of a tile, as large as the tile and divided further.
             for (const std::uint32_t child : cells.cells[cell].children) enqueue(child);
             continue;
         }
@@ -121,7 +121,7 @@ RegionSides LiteralTracker::sides_of_cell(const ActiveRegion& region, std::uint3
     return sides_[cell];
 }
 
-// 3.4.2 from any node downwards.
+// 3.4.2, from any node downwards.
 void LiteralTracker::search(const ActiveRegion& region, std::uint32_t number) {
     const OctreeNode& node = octree_->nodes()[number];
     if (!octree_->is_small_leaf(node)) {
@@ -139,7 +139,8 @@ void LiteralTracker::search(const ActiveRegion& region, std::uint32_t number) {
         if (child != k_no_node) search(region, child);
 }
 
-// All its faces, whose points are certainly on one side of the new v-sphere and so not on the origin.
+// Turns all faces of a node. Their points are certainly on one side of the new v-sphere, so none is the
+// origin.
 void LiteralTracker::turn_node(const OctreeNode& node, VSphereSide after) {
     counters_.contained_faces += node.size();
     for (std::uint32_t i = node.begin; i < node.end; ++i)

@@ -136,7 +136,8 @@ TEST_CASE("counters are added to, and tell PBVs from EBVs") {
     std::vector<EdgeId> edges;
     LiteralCounters once;
     octree.extract(p, edges, once);
-    CHECK(once.pbv_checks > once.ebv_checks);  // An EBV is asked only where the PBV is not outside.
+    CHECK(once.pbv_checks >
+          once.ebv_checks);  // An EBV is tested only where the PBV is not outside.
     CHECK(once.ebv_checks > 0);
     CHECK(once.obv_checks == 0);
     CHECK(once.box_checks() == once.pbv_checks + once.ebv_checks);
