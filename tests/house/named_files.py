@@ -3,8 +3,8 @@
 Read are the comments of C++, GLSL, CMake and shell scripts, and all of *.md but its code blocks. A name is
 a word that ends in one of SUFFIXES. A path has to exist from the root or from the folder of the file that
 names it, a bare name anywhere in the tree; `*` and `<word>` stand for any part of a name. Not checked are
-addresses, what is in angle brackets, absolute paths, paths that begin with a folder that the project does
-not have (a library's), and headers that the build makes from a shader or a script.
+addresses, absolute paths, headers of libraries (those that the tree includes in angle brackets), and headers
+that the build makes from a shader or a script.
 """
 
 import fnmatch
@@ -15,6 +15,7 @@ import sys
 SUFFIXES = "h cpp py md cmake sh gp glsl vert geom frag comp".split()
 NAME = re.compile(r"(?<![\w./*<>:$~{-])(?:<\w+>|[\w*./-])*\.(?:" + "|".join(SUFFIXES) + r")(?![\w*-]|\.\w)")
 CODE = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+INCLUDED = re.compile(r"^\s*#\s*include\s*<([^>]+)>", re.MULTILINE)
 FENCED = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 SKIPPED_FOLDERS = ("build", ".git")
 
@@ -51,7 +52,9 @@ def main():
     paths = [path for entry in sorted(root.iterdir()) if entry.name not in SKIPPED_FOLDERS
              for path in ([entry] if entry.is_file() else sorted(entry.rglob("*"))) if path.is_file()]
     names = {path.name for path in paths}
-    folders = {folder for path in paths for folder in path.relative_to(root).parts[:-1]}
+    of_libraries = {name for path in paths if path.suffix in (".h", ".cpp")
+                    for header in INCLUDED.findall(path.read_text(encoding="utf-8"))
+                    for name in (header, pathlib.PurePath(header).name)}
     from_root = {path.relative_to(root).as_posix() for path in paths}
     found = []
     for path in paths:
@@ -60,12 +63,10 @@ def main():
             name = match[0]
             pattern = re.sub(r"<\w+>", "*", name)
             if "/" in name:
-                if name.partition("/")[0] not in folders | {".", ".."}:
-                    continue
                 exists = (path.parent / name).exists() or fnmatch.filter(from_root, pattern)
             else:
                 exists = fnmatch.filter(names, pattern)
-            if not exists and not made_by_the_build(name, names):
+            if not exists and name not in of_libraries and not made_by_the_build(name, names):
                 line = text.count("\n", 0, match.start()) + 1
                 found.append(f"{path.relative_to(root)}:{line}: there is no {name}")
     print("\n".join(found))
