@@ -42,9 +42,6 @@ list(APPEND rimline_silhouette_headers
     silhouette/hough/hough_point.h
     silhouette/hough/plane_block.h
     silhouette/hough/silhouette_record.h
-    silhouette/hough/service/change_outbox.h
-    silhouette/hough/service/ready_queue.h
-    silhouette/field/discounted_field.h
     silhouette/field/named_functions.h
     silhouette/field/points_of_interest.h
     silhouette/field/unit_planes.h

@@ -25,14 +25,6 @@
 
 namespace rimline {
 
-/// The result of SilhouetteService::take().
-enum class Taken {
-    nothing,  ///< Nothing is pending.
-    change,   ///< The next change set.
-    gap,      ///< The next change set was lost. The consumer must call snapshot().
-    removed,  ///< The tracker was removed.
-};
-
 /// Any thread may call take(), wait() and end_waits(). Only the thread that owns the tracker at the
 /// moment may call the other functions.
 class ChangeOutbox {

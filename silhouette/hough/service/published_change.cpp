@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "silhouette/hough/silhouette_tracker.h"
+
 namespace rimline {
 
 namespace {

@@ -11,15 +11,24 @@
 #include <vector>
 
 #include "silhouette/hough/change_set.h"
-#include "silhouette/hough/silhouette_tracker.h"
 
 namespace rimline {
+
+class SilhouetteTracker;
 
 /// A tracker in a service. Ids are not reused: the id of a removed tracker stays invalid.
 enum class TrackerId : std::uint64_t {};
 
 /// The id of no tracker.
 constexpr TrackerId k_no_tracker{0};
+
+/// The result of SilhouetteService::take().
+enum class Taken {
+    nothing,  ///< Nothing is pending.
+    change,   ///< The next change set.
+    gap,      ///< The next change set was lost. The consumer must call snapshot().
+    removed,  ///< The tracker was removed.
+};
 
 class PublishedChange {
 public:

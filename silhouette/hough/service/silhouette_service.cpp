@@ -5,7 +5,10 @@
 #include <system_error>
 #include <utility>
 
+#include "silhouette/hough/service/change_outbox.h"
 #include "silhouette/hough/service/latest_value.h"
+#include "silhouette/hough/service/ready_queue.h"
+#include "silhouette/hough/silhouette_tracker.h"
 
 namespace rimline {
 
@@ -64,7 +67,9 @@ struct SilhouetteService::SlotBlock {
 };
 
 SilhouetteService::SilhouetteService(const SilhouetteServiceOptions& options)
-    : max_pending_(options.max_pending), worker_count_(rimline::worker_count(options.workers)) {
+    : max_pending_(options.max_pending),
+      worker_count_(rimline::worker_count(options.workers)),
+      ready_(std::make_unique<ReadyQueue>()) {
     RIMLINE_CHECK(options.max_pending > 0);
     workers_.reserve(worker_count_);
     try {
@@ -186,7 +191,7 @@ void SilhouetteService::wait_idle() noexcept {
 void SilhouetteService::stop() noexcept {
     const std::lock_guard lock(stop_mutex_);
     stopped_ = true;
-    ready_.close();
+    ready_->close();
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
     {
@@ -238,7 +243,7 @@ void SilhouetteService::schedule(Slot& slot) noexcept {
     if (slot.scheduled.exchange(true, std::memory_order_acq_rel))
         count_unscheduled();
     else
-        ready_.push(slot);
+        ready_->push(slot);
 }
 
 void SilhouetteService::count_unscheduled() noexcept {
@@ -252,7 +257,7 @@ void SilhouetteService::count_unscheduled() noexcept {
 }
 
 void SilhouetteService::work() noexcept {
-    while (ReadyQueue::Node* node = ready_.pop()) {
+    while (ReadyQueue::Node* node = ready_->pop()) {
         Slot& slot = static_cast<Slot&>(*node);
         move(slot);
         give_back(slot);

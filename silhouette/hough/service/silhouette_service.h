@@ -37,11 +37,11 @@
 #include <vector>
 
 #include "silhouette/hough/hough_octree.h"
-#include "silhouette/hough/service/change_outbox.h"
 #include "silhouette/hough/service/published_change.h"
-#include "silhouette/hough/service/ready_queue.h"
 
 namespace rimline {
+
+class ReadyQueue;
 
 struct SilhouetteServiceOptions {
     /// Worker threads. 0: one less than the number of hardware threads, but at least one.
@@ -131,7 +131,7 @@ private:
     const std::uint32_t max_pending_;
     const std::uint32_t worker_count_;
     std::array<std::atomic<SlotBlock*>, k_max_blocks> blocks_{};
-    ReadyQueue ready_;
+    const std::unique_ptr<ReadyQueue> ready_;
     std::atomic<bool> stopped_{false};
 
     std::mutex slots_mutex_;  // Protects the assignment of slots.
