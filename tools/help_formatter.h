@@ -1,6 +1,6 @@
 #pragma once
 
-// How --help looks: descriptions wrapped beside their options, one empty line between groups.
+// The layout of --help: descriptions are wrapped beside their options, with one empty line between groups.
 
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-// One line of standard error that tells how far a long call is, rewritten in place and gone when the
-// object is. Only on a terminal, and only once the call has taken longer than a moment.
+// The progress of a long call in one line of standard error, rewritten in place and removed by the
+// destructor. Shown only on a terminal, and only after half a second.
 
 #include <chrono>
 #include <string>
@@ -18,7 +18,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// What to hand to the long call, which stops on Ctrl-C. This object must outlive it.
+    /// The argument for the long call, which stops on Ctrl-C. This object must outlive the call.
     LongCall call();
 
 private:

@@ -32,7 +32,7 @@ DiscountedField& DiscountedField::operator=(DiscountedField&&) noexcept = defaul
 
 void DiscountedField::discount(const glm::dvec3& chosen) {
     RIMLINE_CHECK(std::isfinite(chosen.x) && std::isfinite(chosen.y) && std::isfinite(chosen.z));
-    const TangentialField::Sums& sums = *field_->sums_;
+    const FieldSums& sums = *field_->sums_;
     previous_.resize(sums.planes.size(), -std::numeric_limits<double>::infinity());
     if (!discount_) discount_ = std::make_unique<kernels::Discount>();
     discount_->previous.assign(sums.clusters.planes().d.size(), 0.0f);
@@ -105,9 +105,8 @@ double DiscountedField::value_with(kernels::FieldScratch& scratch, const glm::dv
                                    kernels::FieldWork& work) const {
     if (!discount_) return field_->value_with(scratch, point, work);
     RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
-    const TangentialField::Sums& sums = *field_->sums_;
-    if (TangentialField::Sums::is_near(point))
-        return sums.sum(discount_.get(), point, scratch, work);
+    const FieldSums& sums = *field_->sums_;
+    if (FieldSums::is_near(point)) return sums.sum(discount_.get(), point, scratch, work);
     double sum = 0.0;
     for (std::size_t i = 0; i < previous_.size(); ++i) {
         const auto& plane = sums.planes[i];

@@ -8,11 +8,10 @@
 
 #include "silhouette/field/field_kernels.h"
 #include "silhouette/field/plane_clusters.h"
-#include "silhouette/field/tangential_field.h"
 
 namespace rimline {
 
-struct TangentialField::Sums {
+struct FieldSums {
     struct ExactPlane {
         glm::dvec3 normal;
         double offset;

@@ -28,8 +28,8 @@ TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunct
     for (const double weight : weights) total_weight_ += weight;
     greatest_value_ = total_weight_ * function_.greatest_magnitude();
 
-    auto sums = std::make_unique<Sums>(
-        Sums{PlaneClusters(planes, weights), kernels::FunctionTable(function_), {}, 0.0});
+    auto sums = std::make_unique<FieldSums>(
+        FieldSums{PlaneClusters(planes, weights), kernels::FunctionTable(function_), {}, 0.0});
     sums->planes.reserve(planes.size());
     for (const std::uint32_t i : sums->clusters.order())
         sums->planes.push_back({planes.normal(i), planes.offset(i), weights[i]});
@@ -72,9 +72,9 @@ void TangentialField::values(std::span<const glm::dvec3> points, std::span<doubl
 double TangentialField::value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
                                    kernels::FieldWork& work) const {
     RIMLINE_CHECK(is_finite(point));
-    if (Sums::is_near(point)) return sums_->sum(nullptr, point, scratch, work);
+    if (FieldSums::is_near(point)) return sums_->sum(nullptr, point, scratch, work);
     double sum = 0.0;
-    for (const Sums::ExactPlane& plane : sums_->planes)
+    for (const FieldSums::ExactPlane& plane : sums_->planes)
         sum += plane.weight * function_.value(plane.distance(point));
     work.planes += sums_->planes.size();
     return sum;
@@ -83,7 +83,7 @@ double TangentialField::value_with(kernels::FieldScratch& scratch, const glm::dv
 glm::dvec3 TangentialField::gradient(const glm::dvec3& point) const {
     RIMLINE_CHECK(is_finite(point));
     glm::dvec3 sum(0.0);
-    for (const Sums::ExactPlane& plane : sums_->planes)
+    for (const FieldSums::ExactPlane& plane : sums_->planes)
         sum += plane.normal * (plane.weight * function_.slope(plane.distance(point)));
     return sum;
 }

@@ -28,6 +28,8 @@ struct FieldScratch;
 struct FieldWork;
 }  // namespace kernels
 
+struct FieldSums;  // field_sums.h
+
 struct FieldOptions {
     /// Of every value, as a share of the greatest that a value can be (greatest_value). 0: all planes are
     /// summed, in float. Float's rounding comes on top of it, see error_bound.
@@ -77,7 +79,6 @@ public:
 
 private:
     friend class DiscountedField;
-    struct Sums;
 
     double value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
                       kernels::FieldWork& work) const;
@@ -87,7 +88,7 @@ private:
     double total_weight_ = 0.0;
     double greatest_value_ = 0.0;
     double error_bound_ = 0.0;
-    std::unique_ptr<const Sums> sums_;
+    std::unique_ptr<const FieldSums> sums_;
 };
 
 }  // namespace rimline

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "silhouette/points/neighbor_lists.h"
-#include "silhouette/points/point_surface.h"
+#include "silhouette/points/umbrella.h"
 
 namespace rimline {
 
@@ -34,7 +34,7 @@ void merge_gaps(Fan& fan) noexcept;
 void reverse(Fan& fan) noexcept;
 
 /// What a method finds, points numbered as OrderedPoints has them.
-struct FoundUmbrellas {
+struct UmbrellaSet {
     struct Supplement {
         std::uint32_t point;
         Fan fan;

@@ -14,75 +14,16 @@
 // known.
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include "silhouette/error.h"
 #include "silhouette/points/point_ids.h"
+#include "silhouette/points/umbrella.h"
 
 namespace rimline {
-
-enum class PointLabel : std::uint8_t {
-    border,     ///< The surface ends here: a gap of one of its umbrellas is left open.
-    interior,   ///< One umbrella, without gaps.
-    feature,    ///< Partial umbrellas that fill each other's gaps: smooth patches meet in a crease.
-    undecided,  ///< UndecidedReason says why.
-};
-
-enum class UndecidedReason : std::uint8_t {
-    none,        ///< It is decided.
-    alone,       ///< There is no other point.
-    coincident,  ///< Nearer to another point than 2^-50 of the whole set's extent.
-    isolated,    ///< None of its nearest neighbors counts it among their own.
-    collinear,   ///< All its neighbors lie on one line with it.
-    no_normal,  ///< No plane was found about which neighbors lie that have a triangle of the surface.
-    /// It has a gap whose chain, through the points that name each other, is no border: too short, or broken.
-    /// Only it has an umbrella, and so a normal and a scale, among the undecided.
-    unconfirmed_border,
-};
-
-/// "all its neighbors lie on one line with it", and so on; empty for none.
-const char* describe(UndecidedReason reason) noexcept;
-
-struct PointSurfaceOptions {
-    enum class Method : std::uint8_t {
-        robust,  ///< Many normals a point, gaps by the scale of their corners (docs/points.md).
-        thesis,  ///< The passes of thesis 5.2, as written.
-    };
-    Method method = Method::robust;
-
-    /// Neighbors of a point, those nearest to it; 4 to 32. All others where there are no more.
-    std::uint32_t k = 16;
-
-    /// A sector may be a gap where the circle through its corners has a radius above gap_ratio times the
-    /// greatest of its corners' scales, less where its triangle turns away (Stars::excess in
-    /// star_choice.h); above 1. Robust only.
-    double gap_ratio = 2.75;
-
-    // Thesis only, angles in radians.
-    double omega = std::numbers::pi / 6;     ///< Of a neighbor with the plane; in (0, π/2).
-    double omega_t = std::numbers::pi / 18;  ///< Half the marginal band around it; in [0, omega].
-    double phi = std::numbers::pi * 5.0 / 6.0;  ///< A wider sector is a gap; in (0, π].
-    double gamma = 2.0;  ///< Greatest circumradius, in those of the Gabriel triangle; above 1.
-};
-
-/// One umbrella of a point. Sector j lies between ring[j] and the next, the last before the first. A ring
-/// has 2 to 64 points and at least one triangle.
-struct Umbrella {
-    std::span<const PointId> ring;  ///< Counterclockwise, seen from where `normal` points.
-    std::uint64_t gaps = 0;         ///< Bit j: sector j is a gap.
-    glm::dvec3 normal{0.0};  ///< Of length 1; its triangles' mean, by their angles at the point.
-
-    bool is_gap(std::size_t sector) const noexcept { return (gaps >> sector & 1u) != 0; }
-    bool is_closed() const noexcept { return gaps == 0; }
-    std::size_t triangle_count() const noexcept {
-        return ring.size() - static_cast<std::size_t>(std::popcount(gaps));
-    }
-};
 
 class PointSurface {
 public:

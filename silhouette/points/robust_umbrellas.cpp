@@ -8,14 +8,14 @@
 
 namespace rimline {
 
-FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call) {
+UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call) {
     Stars stars = choose_stars(points, neighbors, options.gap_ratio, call.part(0.0, 0.7));
     const std::vector<OpenPoint> open_points =
         trace_borders(points, neighbors, stars, options.gap_ratio, call.part(0.7, 1.0));
 
-    FoundUmbrellas found{
+    UmbrellaSet found{
         std::move(stars.fans),    std::move(stars.normals),
         std::move(stars.scales),  std::vector<PointLabel>(points.size(), PointLabel::interior),
         std::move(stars.reasons), {}};

@@ -8,8 +8,8 @@
 
 namespace rimline {
 
-FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call);
+UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call);
 
 }  // namespace rimline

@@ -98,8 +98,8 @@ public:
         fans_.swap(result);
     }
 
-    FoundUmbrellas found() {
-        FoundUmbrellas found;
+    UmbrellaSet found() {
+        UmbrellaSet found;
         found.fans.resize(count_);
         found.normals.assign(count_, glm::dvec3(0.0));
         found.scales.assign(count_, 0.0);
@@ -323,9 +323,9 @@ private:
 
 }  // namespace
 
-FoundUmbrellas find_thesis_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call) {
+UmbrellaSet find_thesis_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call) {
     Passes passes(points, neighbors, options);
     passes.first({call, 0.0, 0.4});
     passes.second({call, 0.4, 0.7});

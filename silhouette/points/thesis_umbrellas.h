@@ -22,8 +22,8 @@
 
 namespace rimline {
 
-FoundUmbrellas find_thesis_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call);
+UmbrellaSet find_thesis_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call);
 
 }  // namespace rimline

@@ -1,11 +1,11 @@
-"""What all subcommands share: help, wrong usage, bad input, a machine that lacks something."""
+"""What all subcommands share: help, wrong usage, bad input, a machine or a build that lacks something."""
 import os
 import re
 import resource
 import subprocess
 import tempfile
 
-from program import COMMANDS, PROGRAM, fail, have_device, run, skip, succeed
+from program import COMMANDS, PROGRAM, fail, has_methods, have_device, run, skip, succeed
 
 
 def test_version_and_help_go_to_standard_output():
@@ -56,7 +56,7 @@ def test_wrong_usage_exits_2():
             ["points", box, "--as-points", "--omega", "20", "--omega-t", "25"],
             ["points", box, "--as-points", "--export", "labels.obj"], ["points", box, "--as-points", "--mode", "all"],
             ["points", box, "--as-points", "--verify"], ["points", box, "--as-points", "--turn", "0"],
-            ["bench"], ["bench", "nothing"], ["bench", "hough", box, "--rounds", "0"]):
+            ["bench"], ["bench", "nothing"], ["bench", "fields", box, "--rounds", "0"]):
         line = fail(2, *arguments)
         assert "--help" in line, line
 
@@ -92,7 +92,7 @@ def limit_memory():
 
 
 def test_what_is_too_large_is_refused_by_its_name():
-    for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "hough"]):
+    for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"]):
         line = fail(1, *command, "shape:sphere:10", "--subdivide", "14")
         assert line.startswith("rimline: error: shape:sphere:10: 20 faces refined 14 times"), line
         assert "; take fewer" in line
@@ -100,7 +100,7 @@ def test_what_is_too_large_is_refused_by_its_name():
         skip("the program does not start with 1 GiB of memory, as under sanitizers")
     # The first does not hold the shape, the second not its mesh.
     for shape in ("shape:knot:200000000", "shape:knot:16000000"):
-        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "hough"]):
+        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"]):
             result = run(*command, shape, preexec_fn=limit_memory)
             assert result.returncode == 1, (result.returncode, result.stderr)
             assert result.stderr.startswith(f"rimline: error: {shape}: there is not enough memory"), result.stderr
@@ -115,7 +115,7 @@ def test_bad_input_exits_1_with_one_line_that_names_it():
         with open(points, "w") as file:
             file.write("1 2 3\n1 2\n")
         gone = os.path.join(folder, "gone.obj")
-        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "hough"]):
+        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"]):
             assert gone in fail(1, *command, gone)
             assert bad + ":3" in fail(1, *command, bad, "--json")
             assert folder in fail(1, *command, folder)
@@ -145,7 +145,7 @@ def test_a_model_too_large_to_be_seen_from_around_is_an_error():
         with open(path, "w") as file:
             file.write("v 9e17 0 0\nv 0 9e17 0\nv 0 0 9e17\nv -9e17 0 0\nf 1 2 3\nf 2 4 3\n")
         assert path in fail(1, "bench", "service", path)
-        assert path in fail(1, "bench", "hough", path, "--no-vtk")
+        assert path in fail(1, "bench", "fields", path)
         have_device()
         output = os.path.join(folder, "views")
         for command in (["views", "-o", output], ["path", "-o", output], ["bench", "views"], ["bench", "engine"]):
@@ -162,6 +162,19 @@ def test_a_full_disk_behind_standard_output_is_an_error():
             assert result.returncode == 1 and result.stderr.count("\n") == 1, (arguments, where, result)
             assert result.stderr.startswith("rimline: error: standard output: cannot write: "), result.stderr
             assert "Success" not in result.stderr, (arguments, where, result)
+
+
+def test_a_build_without_the_other_methods_says_so():
+    view = ["silhouette", "shape:knot:2000", "--from", "4,1,2"]
+    octree, brute = (succeed(*view, "--method", name) for name in ("octree", "brute-scalar"))
+    assert octree["edges"] == brute["edges"] != []
+    if has_methods():
+        skip("built with the other silhouette methods")
+    why = ": this rimline was built without the other silhouette methods; configure it with -DRIMLINE_METHODS=ON"
+    assert "silhouette --method literal" + why in fail(1, *view, "--method", "literal")
+    assert "origins --literal" + why in fail(1, "origins", "shape:box", "--literal")
+    assert "bench hough" + why in fail(1, "bench", "hough", "shape:box", "--check")
+    assert succeed("bench", "fields", "shape:knot:2000", "--rounds", "1")["machine"]["packed"] is None
 
 
 def test_a_machine_without_devices_ends_with_one_line():

@@ -51,6 +51,16 @@ def model(name):
     skip(f"{name} is in no folder of RIMLINE_MODELS")
 
 
+def has_methods():
+    return "Not in this build:" not in run("silhouette", "--help").stdout
+
+
+def have_methods():
+    """Skips the case where the program was built without the other silhouette methods."""
+    if not has_methods():
+        skip("built without the other silhouette methods")
+
+
 def is_count(value):
     return isinstance(value, int) and not isinstance(value, bool) and value >= 0
 

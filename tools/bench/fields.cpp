@@ -35,7 +35,7 @@ std::vector<glm::dvec3> lattice_points() {
     return points;
 }
 
-// One way of summing the lattice.
+// One way to sum the lattice.
 struct Sum {
     const TangentialField* field;
     std::vector<double> values;
@@ -64,7 +64,7 @@ double greatest_error(const std::vector<double>& a, const std::vector<double>& b
     return greatest;
 }
 
-// What brute force must equal.
+// The reference for brute force.
 double plain_sum(const UnitPlanes& planes, const TangentialFunction& f, const glm::dvec3& p) {
     double sum = 0.0;
     for (std::size_t i = 0; i < planes.size(); ++i) sum += f.value(planes.distance(i, p));

@@ -8,9 +8,9 @@
 
 #include "silhouette/error.h"
 #include "silhouette/mesh/formats/file_format.h"
-#include "silhouette/mesh/formats/point_file.h"
 #include "silhouette/mesh/formats/source_file.h"
 #include "silhouette/mesh/mesh_source.h"
+#include "silhouette/mesh/point_source.h"
 
 namespace rimline {
 

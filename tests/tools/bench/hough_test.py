@@ -3,7 +3,7 @@ import json
 import os
 import tempfile
 
-from program import run, succeed
+from program import have_methods, run, succeed
 
 
 BENCH_FEW = ("--rounds", "1", "--viewpoints", "10", "--frames", "10")
@@ -18,6 +18,7 @@ def check_bench_methods(methods):
 
 
 def test_bench_checks_and_then_measures():
+    have_methods()
     few = (*BENCH_FEW, "--worst-frames", "40", "--builds", "1")
     shapes = ("shape:knot:2000", "shape:terrain:500")
     result = succeed("bench", "hough", *shapes, *few)
@@ -44,6 +45,7 @@ def test_bench_checks_and_then_measures():
 
 
 def test_bench_ends_with_status_3_exactly_when_a_ratio_is_missed():
+    have_methods()
     missed_any = False
     # On twelve faces no index is worth its while.
     for shape in ("shape:knot:30000", "shape:box:12"):
@@ -59,6 +61,7 @@ def test_bench_ends_with_status_3_exactly_when_a_ratio_is_missed():
 
 
 def test_bench_measures_every_method_there_is():
+    have_methods()
     result = succeed("bench", "hough", "shape:knot:2000", "--methods", *BENCH_FEW)
     (model,) = result["models"]
     assert model["verified"] is True and list(model["build_ms"])[0] == "octree"
@@ -76,6 +79,7 @@ def test_bench_measures_every_method_there_is():
 
 
 def test_bench_follows_the_growth_of_a_shape_and_of_a_file():
+    have_methods()
     growth = succeed("bench", "hough", "shape:knot", "--growth", *BENCH_FEW, "--least-faces", "1000",
                      "--most-faces", "10000")["growth"]
     faces = [size["faces"] for size in growth["sizes"]]

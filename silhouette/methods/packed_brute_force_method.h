@@ -1,7 +1,6 @@
 #pragma once
 
-// Brute force as methods: every face and every edge, one by one (brute_force.h) or packed
-// (brute_force_packed.h), which follows a moving point as well (brute_force_tracker.h).
+// Packed brute force (brute_force_packed.h) and its tracker (brute_force_tracker.h) as a method.
 
 #include <optional>
 
@@ -11,19 +10,9 @@
 
 namespace rimline {
 
-class ScalarBruteForceMethod final : public SilhouetteMethod {
-public:
-    explicit ScalarBruteForceMethod(const Mesh& mesh) : mesh_(&mesh) {}
-
-    void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
-                 TraversalCounters& counters) override;
-
-private:
-    const Mesh* mesh_;
-};
-
 class PackedBruteForceMethod final : public SilhouetteMethod {
 public:
+    /// `mesh` must outlive the method.
     explicit PackedBruteForceMethod(const Mesh& mesh) : mesh_(&mesh), brute_force_(mesh) {}
 
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
@@ -35,7 +24,7 @@ private:
     const Mesh* mesh_;
     PackedBruteForce brute_force_;
     std::vector<std::uint32_t> words_;
-    std::optional<BruteForceTracker> tracker_;  // From the first update on.
+    std::optional<BruteForceTracker> tracker_;  // Made by the first update.
 };
 
 }  // namespace rimline

@@ -1,4 +1,4 @@
-#include "tools/bench/report.h"
+#include "tools/bench/hough_report.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ void print_case(const CaseResult& c) {
     const Times& ours = c.methods.front();
     for (const Times& times : c.methods) print_row(times, ours);
     if (c.name == "worst")
-        return;  // Its baseline is ours as well; what may be lost is said after it.
+        return;  // Its baseline is ours too; print_result() prints the comparison after it.
     for (const Times& times : c.methods)
         if (!times.is_part && ratio(times, ours) < 1.0)
             std::printf("  here the %s LOSES to %s: it takes %.2f times as long\n",
@@ -157,17 +157,6 @@ nlohmann::ordered_json cases_json(const ModelResult& result) {
                          {"methods", std::move(methods)}});
     }
     return cases;
-}
-
-nlohmann::ordered_json to_json(const Target& target, const std::string& model) {
-    return {{"model", model},
-            {"target", target.what},
-            {"value", target.value},
-            {"reach", target.reach},
-            {"aim", target.aim},
-            {"less_is_better", target.less_is_better},
-            {"is_time", target.is_time},
-            {"reached", target.is_reached()}};
 }
 
 }  // namespace rimline::tools

@@ -1,4 +1,4 @@
-#include "silhouette/methods/silhouette_method.h"
+#include "silhouette/methods/method_registry.h"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@
 namespace rimline {
 namespace {
 
-// For a method that takes directions only, the direction to where a viewpoint is.
+// For a method that takes directions only: the direction to the viewpoint.
 HomogeneousPoint as_taken_by(const SilhouetteMethodInfo& info, const HomogeneousPoint& point) {
     return info.directions_only ? HomogeneousPoint::direction(point.xyz()) : point;
 }
@@ -29,7 +29,7 @@ void check_call(SilhouetteMethod& method, Call call, const Mesh& mesh, const Hom
     CAPTURE(p.y);
     CAPTURE(p.z);
     CAPTURE(p.w);
-    std::vector<EdgeId> edges{k_no_edge};  // Replaced, not appended to.
+    std::vector<EdgeId> edges{k_no_edge};  // extract() must replace it.
     TraversalCounters counters;
     (method.*call)(p, edges, counters);
     std::sort(edges.begin(), edges.end());
@@ -135,7 +135,7 @@ TEST_CASE("the Gauss map refuses viewpoints") {
     CHECK_THROWS_AS(gauss->update(viewpoint, edges, counters), Error);
 }
 
-TEST_CASE("a tree looks at a small part of a large mesh, and says so") {
+TEST_CASE("a tree tests a small part of a large mesh, and counts it") {
     const Mesh mesh(make_built_in_shape("torus", 60000));
     REQUIRE(mesh.face_count() > 40000);
     for (const std::string name :
@@ -172,7 +172,7 @@ TEST_CASE("the methods that look at everything count everything") {
         CAPTURE(name);
         std::vector<EdgeId> edges;
         TraversalCounters work;
-        work.face_checks = 7;  // Added to.
+        work.face_checks = 7;  // The method must add to it.
         make_silhouette_method(name, mesh)
             ->extract(HomogeneousPoint::direction({1.0f, 0.2f, 0.3f}), edges, work);
         CHECK(work.face_checks == 7 + mesh.face_count());

@@ -1,20 +1,6 @@
-#include "silhouette/methods/octree_methods.h"
+#include "silhouette/methods/literal_method.h"
 
 namespace rimline {
-
-void OctreeMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
-                           TraversalCounters& counters) {
-    octree_.extract(point, edges, counters, scratch_);
-}
-
-void OctreeMethod::update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
-                          TraversalCounters& counters) {
-    if (tracker_)
-        counters += tracker_->move_to(point).counters;
-    else
-        counters += tracker_.emplace(octree_, point).construction_counters();
-    edges.assign(tracker_->silhouette().begin(), tracker_->silhouette().end());
-}
 
 void LiteralMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                             TraversalCounters& counters) {

@@ -1,16 +1,6 @@
-#include "silhouette/methods/brute_force_methods.h"
-
-#include "silhouette/mesh/brute_force.h"
+#include "silhouette/methods/packed_brute_force_method.h"
 
 namespace rimline {
-
-void ScalarBruteForceMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
-                                     TraversalCounters& counters) {
-    RIMLINE_CHECK(point.is_valid());
-    edges = brute_force_silhouette(*mesh_, point);
-    counters.face_checks += mesh_->face_count();
-    counters.edge_checks += mesh_->edge_count();
-}
 
 void PackedBruteForceMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                                      TraversalCounters& counters) {

@@ -1,53 +1,29 @@
-#include "silhouette/methods/silhouette_method.h"
+#pragma once
+
+// The list of all methods that find silhouettes: their names, abilities and sources.
+//
+// It is a header alone, so that a program built without the other methods knows their names too.
 
 #include <algorithm>
 #include <array>
-
-#include "silhouette/methods/brute_force_methods.h"
-#include "silhouette/methods/cone_tree.h"
-#include "silhouette/methods/dual_tree.h"
-#include "silhouette/methods/edge_buffer.h"
-#include "silhouette/methods/gauss_map.h"
-#include "silhouette/methods/octree_methods.h"
-#include "silhouette/methods/plane_tree.h"
-#include "silhouette/methods/quadric_tree.h"
-#include "silhouette/methods/randomised.h"
+#include <cstdint>
+#include <span>
+#include <string_view>
 
 namespace rimline {
 
-namespace {
+struct SilhouetteMethodInfo {
+    std::string_view name;  ///< As --method takes it.
+    std::string_view summary;
+    std::string_view source;        ///< Paper or thesis section.
+    bool has_update = false;        ///< update() is more than extract().
+    std::uint32_t max_origins = 0;  ///< How many of SilhouetteMethodOptions::origins are used.
+    bool has_seed = false;          ///< SilhouetteMethodOptions::seed matters.
+    bool directions_only = false;   ///< Refuses viewpoints with Error{bad_input}.
+    bool exact = true;              ///< Always equal to brute force; else a subset of it.
+};
 
-using Options = SilhouetteMethodOptions;
-using Method = std::unique_ptr<SilhouetteMethod>;
-
-std::optional<glm::dvec3> first_origin(const Options& options) {
-    return options.origins.empty() ? std::nullopt : std::optional(options.origins.front());
-}
-
-Method make_octree(const Mesh& mesh, const Options& options) {
-    return std::make_unique<OctreeMethod>(mesh, HoughOctreeOptions{options.origins}, options.call);
-}
-
-Method make_literal(const Mesh& mesh, const Options& options) {
-    LiteralOctreeOptions literal;
-    literal.origin = first_origin(options);
-    return std::make_unique<LiteralMethod>(mesh, literal);
-}
-
-Method make_dual(const Mesh& mesh, const Options& options) {
-    return std::make_unique<DualTree>(mesh, first_origin(options).value_or(mesh.center()));
-}
-
-Method make_randomised(const Mesh& mesh, const Options& options) {
-    return std::make_unique<Randomised>(mesh, options.seed);
-}
-
-template <typename Made>
-Method make(const Mesh& mesh, const Options&) {
-    return std::make_unique<Made>(mesh);
-}
-
-constexpr std::array k_methods{
+inline constexpr std::array k_silhouette_methods{
     SilhouetteMethodInfo{.name = "octree",
                          .summary = "octree over Hough space, laid out for today's machines",
                          .source = "hough_octree.h, after Olson, chapter 3",
@@ -103,35 +79,15 @@ constexpr std::array k_methods{
                          .exact = false},
 };
 
-constexpr std::array<Method (*)(const Mesh&, const Options&), k_methods.size()> k_makers{
-    make_octree,
-    make_literal,
-    make<PackedBruteForceMethod>,
-    make<ScalarBruteForceMethod>,
-    make<EdgeBuffer>,
-    make_dual,
-    make<PlaneTree>,
-    make<GaussMap>,
-    make<ConeTree>,
-    make<QuadricTree>,
-    make_randomised,
-};
-
-}  // namespace
-
-std::span<const SilhouetteMethodInfo> silhouette_methods() noexcept { return k_methods; }
-
-const SilhouetteMethodInfo* find_silhouette_method(std::string_view name) noexcept {
-    const auto found = std::find_if(k_methods.begin(), k_methods.end(),
-                                    [name](const auto& info) { return info.name == name; });
-    return found == k_methods.end() ? nullptr : &*found;
+/// All methods, the octree first.
+constexpr std::span<const SilhouetteMethodInfo> silhouette_methods() noexcept {
+    return k_silhouette_methods;
 }
 
-std::unique_ptr<SilhouetteMethod> make_silhouette_method(std::string_view name, const Mesh& mesh,
-                                                         const SilhouetteMethodOptions& options) {
-    const SilhouetteMethodInfo* const info = find_silhouette_method(name);
-    if (info == nullptr) return nullptr;
-    return k_makers[static_cast<std::size_t>(info - k_methods.data())](mesh, options);
+/// Null when no method has that name.
+constexpr const SilhouetteMethodInfo* find_silhouette_method(std::string_view name) noexcept {
+    const auto found = std::ranges::find(k_silhouette_methods, name, &SilhouetteMethodInfo::name);
+    return found == k_silhouette_methods.end() ? nullptr : &*found;
 }
 
 }  // namespace rimline
