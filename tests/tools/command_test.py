@@ -1,11 +1,11 @@
-"""What all subcommands share: help, wrong usage, bad input, a machine that lacks something."""
+"""What all subcommands share: help, wrong usage, bad input, a machine or a build that lacks something."""
 import os
 import re
 import resource
 import subprocess
 import tempfile
 
-from program import COMMANDS, PROGRAM, fail, have_device, run, skip, succeed
+from program import COMMANDS, PROGRAM, fail, has_methods, have_device, run, skip, succeed
 
 
 def test_version_and_help_go_to_standard_output():
@@ -162,6 +162,19 @@ def test_a_full_disk_behind_standard_output_is_an_error():
             assert result.returncode == 1 and result.stderr.count("\n") == 1, (arguments, where, result)
             assert result.stderr.startswith("rimline: error: standard output: cannot write: "), result.stderr
             assert "Success" not in result.stderr, (arguments, where, result)
+
+
+def test_a_build_without_the_other_methods_says_so():
+    view = ["silhouette", "shape:knot:2000", "--from", "4,1,2"]
+    octree, brute = (succeed(*view, "--method", name) for name in ("octree", "brute-scalar"))
+    assert octree["edges"] == brute["edges"] != []
+    if has_methods():
+        skip("built with the other silhouette methods")
+    why = ": this rimline was built without the other silhouette methods; configure it with -DRIMLINE_METHODS=ON"
+    assert "silhouette --method literal" + why in fail(1, *view, "--method", "literal")
+    assert "origins --literal" + why in fail(1, "origins", "shape:box", "--literal")
+    assert "bench hough" + why in fail(1, "bench", "hough", "shape:box", "--check")
+    assert succeed("bench", "fields", "shape:knot:2000", "--rounds", "1")["machine"]["packed"] is None
 
 
 def test_a_machine_without_devices_ends_with_one_line():

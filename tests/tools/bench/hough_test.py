@@ -1,27 +1,12 @@
 """rimline bench hough."""
-import sys
 import json
 import os
 import tempfile
 
-from program import fail, has_methods, have_methods, run, succeed
+from program import have_methods, run, succeed
 
 
 BENCH_FEW = ("--rounds", "1", "--viewpoints", "10", "--frames", "10")
-
-
-def test_a_build_without_the_other_methods_says_so():
-    view = ["silhouette", "shape:knot:2000", "--from", "4,1,2"]
-    octree, brute = (succeed(*view, "--method", name) for name in ("octree", "brute-scalar"))
-    assert octree["edges"] == brute["edges"] != []
-    if has_methods():
-        print("SKIPPED: this rimline has the other silhouette methods")
-        sys.exit(77)
-    why = ": this rimline was built without the other silhouette methods; configure it with -DRIMLINE_METHODS=ON"
-    assert "silhouette --method literal" + why in fail(1, *view, "--method", "literal")
-    assert "origins --literal" + why in fail(1, "origins", "shape:box", "--literal")
-    assert "bench hough" + why in fail(1, "bench", "hough", "shape:box", "--check")
-    assert succeed("bench", "fields", "shape:knot:2000", "--rounds", "1")["machine"]["packed"] is None
 
 
 def check_bench_methods(methods):
