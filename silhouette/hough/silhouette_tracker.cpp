@@ -6,9 +6,9 @@ namespace rimline {
 
 namespace {
 
-// Times in the unit of one edge of a flipped face looked at, as measured on three meshes of 13,000 to
-// 269,000 faces: both ways take equally long when 10 to 20 per cent of the faces flip at once, and this
-// finds that point within a third.
+// Cost in units of the time for one edge of a flipped face, as measured on three meshes of 13,000 to 269,000
+// faces. Both ways take equally long when 10 to 20 per cent of the faces flip at once. This estimate finds
+// that point within a third.
 std::uint64_t cost_of_extraction(const TraversalCounters& work, std::size_t silhouette_size) {
     return work.edge_checks / 2 + work.box_checks / 4 + 6 * silhouette_size;
 }
@@ -69,8 +69,8 @@ const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexc
     return record_.end_move(point, counters);
 }
 
-// An edge changes when one of its faces flips and the other does not. Results are stored before it is
-// known whether they count: a branch would be taken at random.
+// An edge changes when one of its faces flips and the other does not. Results are stored before it is known
+// whether they count: a branch would be unpredictable.
 void SilhouetteTracker::toggle_edges(std::span<const std::uint32_t> positions,
                                      TraversalCounters& counters) noexcept {
     for (const std::uint32_t position : positions) {

@@ -14,23 +14,23 @@ namespace rimline {
 
 namespace {
 
-// Of a border. Gaps of the sampling form chains of a few points.
+// Minimum points of a border. Gaps of the sampling form chains of a few points.
 constexpr std::size_t k_min_chain_count = 5;
-// Of a border's points those with fewer than two links. A chain of a sampled surface has two ends, so this
-// asks twenty points of a chain that does not close.
+// Maximum share of a border's points that have fewer than two links. A chain that does not close has two such
+// points, so it needs twenty points.
 constexpr double k_max_loose_share = 0.1;
-// A chain of so many points is a border even if noise has broken it,
+// From this number of points on a chain may be a border although noise has broken it: where at least
+// k_min_wide_share of its points open by more than k_min_wide_opening_rad. (A straight border opens by 180
+// degrees.)
 constexpr std::size_t k_min_broken_chain_count = 12;
-// where so many of its points
 constexpr double k_min_wide_share = 0.8;
-// open so wide. At a straight border it would be 180 degrees.
 constexpr double k_min_wide_opening_rad = glm::radians(150.0);
-// At each of two loose ends, of the border through the joint.
+// Maximum turn at each of two loose ends that are joined.
 constexpr double k_max_joint_turn_rad = glm::radians(40.0);
-// Of a border's points those with a supplement. A closed chain is more likely a border.
+// Maximum share of a border's points that have a supplement. A closed chain is more likely a border.
 constexpr double k_max_crease_share = 0.35;
 constexpr double k_max_closed_crease_share = 0.7;
-// Of points in a row with supplements: a crease wherever it lies.
+// So many linked points with supplements are a crease, whatever chain they are in.
 constexpr std::size_t k_min_crease_count = 12;
 
 constexpr std::uint32_t k_no_place = 0xffffffffu;
@@ -85,7 +85,7 @@ public:
             }
     }
 
-    // How wide each point opens, and what it would be as a crease.
+    // Sets how wide each point opens, and its two umbrellas as a crease.
     void find_sides(const CallPart& part) {
         openings_rad_.resize(gaps_.size());
         sides_.resize(gaps_.size());
@@ -121,7 +121,7 @@ public:
             chain.wide += openings_rad_[n] > k_min_wide_opening_rad;
         }
         using Verdict = OpenPoint::Verdict;
-        // A smaller set may be one border as a whole.
+        // All points of a smaller set may be one border.
         const std::size_t min_count = std::min(k_min_chain_count, input_.points.size());
         for (std::uint32_t n = 0; n < gaps_.size(); ++n) {
             OpenPoint& open = gaps_.at(n);

@@ -180,7 +180,8 @@ private:
         return fan;
     }
 
-    // Between those two points of its ring that name it from farthest apart, on the side of the greater excess.
+    // Between those two points of its ring that name it from farthest apart, on the side of the greater
+    // excess.
     std::optional<Fan> opened_between(std::uint32_t point, const Neighborhood& around,
                                       std::span<const Naming> namings) const {
         const Fan& star = input_.stars.fans[point];

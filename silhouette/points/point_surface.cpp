@@ -16,10 +16,10 @@ namespace rimline {
 
 namespace {
 
-// The place of a point that coincides with another.
+// Marks a point that coincides with another.
 constexpr std::uint32_t k_not_ordered = std::numeric_limits<std::uint32_t>::max();
 
-constexpr std::uint32_t k_batch = 1u << 16;  // Between two looks at whether to stop.
+constexpr std::uint32_t k_batch = 1u << 16;  // Points between two checkpoints.
 constexpr std::size_t k_max_ring_points = std::numeric_limits<std::uint32_t>::max();
 
 void check(const PointSurfaceOptions& options) {

@@ -1,17 +1,15 @@
 #pragma once
 
-// The surface that a set of points was sampled from, as far as each point sees it: its umbrella, a ring
-// of neighbors that surround it on the surface, with a triangle between each two that follow each other
-// (thesis 5.2). Umbrellas of neighbors need not agree; together they are no mesh.
+// The surface that a set of points was sampled from, point by point: each point's umbrella (umbrella.h,
+// thesis 5.2). Umbrellas of neighbors need not agree, and together they are not a mesh.
 //
-// A sector of a ring without a triangle is a gap: the surface ends there, or turns so sharply that one
-// umbrella cannot follow. A point may so have several partial umbrellas, one for each smooth patch that
-// meets at it. From them every point has its label: interior, border, feature, or undecided and why.
+// An umbrella with gaps is partial. A point may have several partial umbrellas, one for each smooth patch
+// that meets at it. From its umbrellas every point has its label: interior, border, feature, or undecided
+// with a reason.
 //
-// The result is a function of the set of points: the same for any number of threads and, each point
-// keeping its own, for any order of the points; ties are broken by coordinates. Scaling by a power of
-// two scales scale() and changes nothing else. Umbrellas are unoriented: which side is outside is not
-// known.
+// The result depends on the set of points alone: not on the number of threads, and not on the order of the
+// points (each point keeps its own umbrellas). Ties are broken by coordinates. Scaling by a power of two
+// scales scale() and changes nothing else.
 
 #include <array>
 #include <cstdint>
@@ -27,12 +25,13 @@ namespace rimline {
 
 class PointSurface {
 public:
-    /// `positions` must be finite; equal ones are undecided but for one (merge them before). O(n log n),
-    /// on all threads. Throws Error{too_large} from 2^31 points or 2^32 of all rings, Error{cancelled}.
+    /// `positions` must be finite. All but one of equal positions are undecided (PointCloud merges them). O(n
+    /// log n) on all threads. Throws Error{too_large} from 2^31 points or 2^32 ring points on,
+    /// Error{cancelled}.
     explicit PointSurface(std::span<const glm::dvec3> positions,
                           const PointSurfaceOptions& options = {}, const LongCall& call = {});
 
-    /// As they were given.
+    /// The input.
     std::span<const glm::dvec3> positions() const noexcept { return positions_; }
     std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions_.size()); }
 
@@ -43,13 +42,13 @@ public:
         return counts_[static_cast<std::size_t>(label)];
     }
 
-    /// How many boundary edges are not returned: a gap of one point's ends at another none of whose gaps
-    /// ends at the first. What the passes over boundaries (thesis 5.2.5) have left inconsistent.
+    /// How many boundary edges the passes over boundaries (thesis 5.2.5) have left inconsistent: a gap of one
+    /// point ends at another point, and no gap of the other ends at the first.
     std::uint32_t inconsistent_edge_count() const noexcept { return inconsistent_edges_; }
 
-    /// Umbrellas are numbered point by point: those of a point are [first, last), the one that its normal
-    /// comes from first. Undecided points have none, but for unconfirmed_border. Partial umbrellas of one
-    /// point that end at the same ring points meet there, and turn the same way about the point.
+    /// Umbrellas are numbered point by point: those of a point are [first, last). The point's normal is that
+    /// of the first. Undecided points have none, except with unconfirmed_border. Partial umbrellas of one
+    /// point that end at the same ring points meet there, and have the same sense about the point.
     struct UmbrellaRange {
         std::uint32_t first, last;
         std::uint32_t size() const noexcept { return last - first; }
@@ -66,13 +65,14 @@ public:
                 gaps_[u], normals_[u]};
     }
 
-    /// Of length 1, of the point's first umbrella; zero where it has none. Unoriented.
+    /// The normal of the point's first umbrella, of length 1; zero where it has none. Unoriented.
     glm::dvec3 normal(PointId point) const noexcept {
         const UmbrellaRange range = umbrellas_of(point);
         return range.size() == 0 ? glm::dvec3(0.0) : normals_[range.first];
     }
-    /// How far apart the surface's points lie: the median circumradius of the triangles of the point's star,
-    /// of thin ones the longest edge. In the units of the positions; zero where it has no umbrella.
+    /// How far apart the surface's points lie: the lower median of the circumradii of the triangles of the
+    /// point's star; of thin triangles the longest edge counts. In the units of the positions; zero without
+    /// umbrella.
     double scale(PointId point) const noexcept { return scales_[index(point)]; }
 
 private:
@@ -83,7 +83,7 @@ private:
     std::vector<UndecidedReason> reasons_;
     std::vector<double> scales_;
     std::vector<std::uint32_t> umbrella_begin_;
-    // Of each umbrella.
+    // By umbrella; ring_begin_ has one more.
     std::vector<std::uint32_t> ring_begin_;
     std::vector<std::uint64_t> gaps_;
     std::vector<glm::dvec3> normals_;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Umbrellas as PointSurfaceOptions::Method::robust finds them.
+// The umbrellas of PointSurfaceOptions::Method::robust: stars (star_choice.h), then borders and creases
+// (border_tracing.h). docs/points.md explains the steps.
 
 #include <span>
 

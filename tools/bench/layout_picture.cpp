@@ -67,8 +67,7 @@ LayoutPicture picture_layout(const HoughOctree& octree, double radii, double ang
             picture.points.push_back({at.x, at.y, position / k_block_size});
     }
     const glm::dvec3 from = origin + unit * glm::dvec3(picture.pole[0], picture.pole[1], 0.0);
-    const BoxQuery query(HomogeneousPoint::viewpoint(glm::vec3(from)), origin,
-                         tree.greatest_reach());
+    const BoxQuery query(HomogeneousPoint::viewpoint(glm::vec3(from)), origin, tree.max_reach());
     picture.blocks = tree.block_count();
     for (const WalkedBox& walked : walk_boxes(tree, query)) {
         ++picture.boxes_tested;
