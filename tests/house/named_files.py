@@ -9,6 +9,7 @@ that the build makes from a shader or a script.
 
 import fnmatch
 import pathlib
+import posixpath
 import re
 import sys
 
@@ -63,7 +64,8 @@ def main():
             name = match[0]
             pattern = re.sub(r"<\w+>", "*", name)
             if "/" in name:
-                exists = (path.parent / name).exists() or fnmatch.filter(from_root, pattern)
+                beside = posixpath.normpath((path.parent.relative_to(root) / pattern).as_posix())
+                exists = fnmatch.filter(from_root, pattern) or fnmatch.filter(from_root, beside)
             else:
                 exists = fnmatch.filter(names, pattern)
             if not exists and name not in of_libraries and not made_by_the_build(name, names):
