@@ -8,6 +8,8 @@
 #include <optional>
 #include <tuple>
 
+#include "silhouette/field/discounted_field.h"
+
 namespace rimline {
 
 namespace {

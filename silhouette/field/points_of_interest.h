@@ -27,7 +27,6 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/field/discounted_field.h"
 #include "silhouette/field/tangential_field.h"
 
 namespace rimline {

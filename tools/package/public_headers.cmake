@@ -6,7 +6,6 @@ set(rimline_silhouette_headers
     silhouette/error.h
     silhouette/picture.h
     silhouette/mesh/brute_force.h
-    silhouette/mesh/corner_normals.h
     silhouette/mesh/creases.h
     silhouette/mesh/face_bits.h
     silhouette/mesh/homogeneous_point.h
@@ -44,7 +43,6 @@ list(APPEND rimline_silhouette_headers
     silhouette/hough/silhouette_record.h
     silhouette/hough/service/change_outbox.h
     silhouette/hough/service/ready_queue.h
-    silhouette/field/discounted_field.h
     silhouette/field/named_functions.h
     silhouette/field/points_of_interest.h
     silhouette/field/unit_planes.h

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "silhouette/field/discounted_field.h"
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/points_of_interest.h"
 #include "silhouette/mesh/formats/mesh_file.h"
