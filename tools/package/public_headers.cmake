@@ -6,7 +6,6 @@ set(rimline_silhouette_headers
     silhouette/error.h
     silhouette/picture.h
     silhouette/mesh/brute_force.h
-    silhouette/mesh/corner_normals.h
     silhouette/mesh/creases.h
     silhouette/mesh/face_bits.h
     silhouette/mesh/homogeneous_point.h
