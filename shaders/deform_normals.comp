@@ -8,8 +8,8 @@
 layout(local_size_x = RIMLINE_DEFORM_GROUP) in;
 
 vec3 unit(vec3 v) {
-    const float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    return greatest > 0.0 ? normalize(v / greatest) : vec3(0.0);
+    const float max_component = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    return max_component > 0.0 ? normalize(v / max_component) : vec3(0.0);
 }
 
 vec3 corner_of(TriangleRecord t, uint corner) {

@@ -14,8 +14,8 @@ layout(location = 0) out vec4 color;
 const int k_grid_px = 16;
 
 void main() {
-    const ivec2 from_middle = abs(ivec2(gl_FragCoord.xy) / scale - size / 2);
-    if (!any(equal(from_middle % k_grid_px, ivec2(0)))) discard;
-    const bool is_fifth = any(equal(from_middle % (5 * k_grid_px), ivec2(0)));
+    const ivec2 from_center = abs(ivec2(gl_FragCoord.xy) / scale - size / 2);
+    if (!any(equal(from_center % k_grid_px, ivec2(0)))) discard;
+    const bool is_fifth = any(equal(from_center % (5 * k_grid_px), ivec2(0)));
     color = vec4(grid.rgb, is_fifth ? grid.a : 0.45 * grid.a);
 }

@@ -94,9 +94,9 @@ float alikeness(vec3 a, vec3 b, HatchedPlace place) {
 // The ink at a point of a surface. `density` is the share to ink. `normal` is a unit vector that faces
 // the viewer. Position and normal are in the mesh's coordinates.
 float hatch_ink(vec3 position, vec3 normal, float density) {
-    const float k_least = 0.02;    // Lower densities get no strokes.
-    const float k_single = 0.26;   // Higher densities get a second layer.
-    if (density < k_least) return 0.0;
+    const float k_min_density = 0.02;  // Lower densities get no strokes.
+    const float k_single = 0.26;       // Higher densities get a second layer.
+    if (density < k_min_density) return 0.0;
     // Oblique to all axes, because planes of models are often axis-aligned.
     const vec3 k_first = vec3(0.5345, 0.8018, 0.2673);
     const vec3 k_second = vec3(-0.7807, 0.4880, 0.3904);
@@ -109,7 +109,7 @@ float hatch_ink(vec3 position, vec3 normal, float density) {
     const float second = 1.0 - (1.0 - density) / (1.0 - first);
     const float first_replaced = flatness(k_first, place);
     float paper = 1.0 - layer_ink(k_first, k_third, first_replaced, first, place);
-    if (second >= k_least) {
+    if (second >= k_min_density) {
         // Strokes must cross those of the first layer. Parallel strokes would only blur them.
         const float along = alikeness(k_first, k_second, place);
         const float other_along = alikeness(k_first, k_third, place);

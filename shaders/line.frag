@@ -54,12 +54,12 @@ bool is_free(vec2 spine, vec2 offset, vec2 outwards, float nearest) {
 // free at the first test.
 bool is_free_on(vec2 spine, vec2 outwards, bool on_both_sides, float nearest) {
     const vec2 turned = vec2(-outwards.y, outwards.x);
-    const vec2 looks[4] = vec2[](1.25 * outwards, 0.8 * outwards, 0.9 * (outwards + turned),
+    const vec2 offsets[4] = vec2[](1.25 * outwards, 0.8 * outwards, 0.9 * (outwards + turned),
                                  0.9 * (outwards - turned));
     const int count = on_both_sides ? 8 : 4;
     for (int i = 0; i < count; ++i) {
         const float side = i < 4 ? 1.0 : -1.0;
-        if (is_free(spine, side * looks[i & 3], side * outwards, nearest)) return true;
+        if (is_free(spine, side * offsets[i & 3], side * outwards, nearest)) return true;
     }
     return false;
 }
@@ -75,8 +75,8 @@ float covered_across(float away) {
 float dash_at(float place) {
     const float period = frame.dash_period;
     if (period == 0.0) return 1.0;
-    const float from_middle = abs(fract(place / period) - 0.5) * period;
-    return clamp(0.5 * frame.dash_length + 0.5 - from_middle, 0.0, 1.0);
+    const float from_center = abs(fract(place / period) - 0.5) * period;
+    return clamp(0.5 * frame.dash_length + 0.5 - from_center, 0.0, 1.0);
 }
 
 void main() {

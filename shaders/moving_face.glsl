@@ -10,9 +10,9 @@ vec3 snapped(vec3 v, float smallest) { return mix(v, vec3(0.0), lessThan(abs(v),
 
 // Multiplies by the power of two that brings the largest component into [1, 2).
 vec3 scaled(vec3 v) {
-    const float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (greatest == 0.0) return v;
-    const uint exponent = floatBitsToUint(greatest) >> 23;
+    const float max_component = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (max_component == 0.0) return v;
+    const uint exponent = floatBitsToUint(max_component) >> 23;
     precise vec3 result = v * uintBitsToFloat((254u - exponent) << 23);
     return snapped(result, 9.094947017729282e-13);  // 2^-40
 }
@@ -31,7 +31,7 @@ vec3 product_error(vec3 a, vec3 b, vec3 product) {
     return error;
 }
 
-vec3 careful_cross(vec3 a, vec3 b) {
+vec3 accurate_cross(vec3 a, vec3 b) {
     precise vec3 left = a.yzx * b.zxy;
     precise vec3 right = a.zxy * b.yzx;
     precise vec3 result = (left - right) +
@@ -46,7 +46,7 @@ bool is_front(vec3 v0, vec3 v1, vec3 v2, vec4 p) {
     precise vec3 along = snapped(v1, smallest) - v0;
     precise vec3 across = snapped(v2, smallest) - v0;
     precise vec3 away = p.xyz - v0 * p.w;
-    const vec3 n = scaled(careful_cross(scaled(along), scaled(across)));
+    const vec3 n = scaled(accurate_cross(scaled(along), scaled(across)));
     const vec3 q = scaled(away);
     precise float side = (n.x * q.x + n.y * q.y) + n.z * q.z;
     return side > 0.0;

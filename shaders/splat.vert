@@ -27,9 +27,9 @@ void main() {
                 dot(splat.cuts[1], v));
     place = corner_of(gl_VertexIndex);
     gl_Position = clip_from_world(splat.position + splat.radius * (place.x * u + place.y * v));
-    const vec4 middle = clip_from_world(splat.position);
+    const vec4 center = clip_from_world(splat.position);
     const vec4 behind = clip_from_world(splat.position - k_slope * splat.radius * towards);
-    fall = middle.z / middle.w - behind.z / behind.w;
+    fall = center.z / center.w - behind.z / behind.w;
     const vec4 given = unpackUnorm4x8(splat.color);
     const float light = given.a > 0.5 ? 1.0 : mix(k_ambient, 1.0, abs(dot(normal, towards)));
     color = light * linear_from_srgb(given.rgb);

@@ -11,8 +11,8 @@ layout(location = 3) flat out vec3 color;
 
 vec3 lifted(vec3 position, float lift) {
     const bool is_orthographic = cloud.clip_w.x == 0.0;
-    const float most = is_orthographic ? lift : 0.5 * distance(cloud.camera, position);
-    return position + min(lift, most) * towards_camera(position);
+    const float max_lift = is_orthographic ? lift : 0.5 * distance(cloud.camera, position);
+    return position + min(lift, max_lift) * towards_camera(position);
 }
 
 vec2 pixel_of(vec4 clip) { return clip.xy / clip.w * cloud.guard * cloud.half_extent; }

@@ -35,15 +35,15 @@ void main() {
     const vec4 clip_to = clip_from_eye(to);
     // The direction on the screen, as signs.
     const vec2 along = clip_to.xy / clip_to.w - clip_from.xy / clip_from.w;
-    const vec2 way = vec2(along.x < 0.0 ? -1.0 : 1.0, along.y < 0.0 ? -1.0 : 1.0);
+    const vec2 direction = vec2(along.x < 0.0 ? -1.0 : 1.0, along.y < 0.0 ? -1.0 : 1.0);
 
     const uint corner = uint(gl_VertexIndex) % 6u;
-    const vec2 out_way = corner == 0u                   ? -way
-                         : corner == 5u                 ? way
-                         : corner == 1u || corner == 3u ? vec2(way.x, -way.y)
-                                                        : vec2(-way.x, way.y);
+    const vec2 outward = corner == 0u                   ? -direction
+                         : corner == 5u                 ? direction
+                         : corner == 1u || corner == 3u ? vec2(direction.x, -direction.y)
+                                                        : vec2(-direction.x, direction.y);
     precise vec4 clip = corner < 3u ? clip_from : clip_to;
-    clip.xy += out_way * (clip.w / view.side_px);  // Half a pixel.
+    clip.xy += outward * (clip.w / view.side_px);  // Half a pixel.
     clip.z *= 1.0 + k_nearer;
     gl_Position = clip;
 }

@@ -47,12 +47,12 @@ struct LongCall {
 
     /// A call that covers the progress of this one from `begin` to `end`. This call must outlive it.
     LongCall part(double begin, double end) const {
-        LongCall made{stop, {}};
+        LongCall result{stop, {}};
         if (progress)
-            made.progress = [this, begin, end](double done) {
+            result.progress = [this, begin, end](double done) {
                 progress(begin + (end - begin) * done);
             };
-        return made;
+        return result;
     }
 };
 

@@ -79,7 +79,7 @@ FieldPass::FieldPass(const DeviceContext& context, const UnitPlanes& planes,
     // Those of an invocation and of a group (field.comp) beside what the CPU's loops have.
     const double terms = gpu::k_field_chunk_tiles + 8 + 8;
     error_bound_ = total_weight(planes, weight) * (kernels::FunctionTable(function).rounding_share +
-                                                   0x1p-24 * terms * function.greatest_magnitude());
+                                                   0x1p-24 * terms * function.max_magnitude());
 }
 
 void FieldPass::values(std::span<const glm::dvec3> points, std::span<double> out,

@@ -14,7 +14,7 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_middle = 0.5 * (k_view_shell.inner_radius + k_view_shell.outer_radius);
+constexpr double k_middle_radius = 0.5 * (k_view_shell.inner_radius + k_view_shell.outer_radius);
 
 // Limits for the movement of a node: in unit coordinates, about 7 degrees, and as a share of the distance
 // to either view.
@@ -43,7 +43,7 @@ glm::dvec3 best_on_circle(const TangentialField& field, const glm::dvec3& axis, 
     std::vector<glm::dvec3> places;
     for (int i = 0; i < k_circle_samples; ++i) {
         const double a = 2.0 * std::numbers::pi * i / k_circle_samples;
-        places.push_back(k_middle *
+        places.push_back(k_middle_radius *
                          (std::cos(angle_rad) * axis +
                           std::sin(angle_rad) * (std::cos(a) * first + std::sin(a) * second)));
     }
@@ -63,12 +63,12 @@ Between node_between(const TangentialField& field, const glm::dvec3& a, const gl
     else if (angle_deg < k_same_deg)
         start = best_on_circle(field, from, glm::radians(k_circle_deg));
     else
-        start = k_middle * glm::normalize(a + b);
+        start = k_middle_radius * glm::normalize(a + b);
     const glm::dvec3 direction = glm::normalize(start);
-    const double way =
-        k_middle * std::min(angle_between(direction, from), angle_between(direction, to));
+    const double distance =
+        k_middle_radius * std::min(angle_between(direction, from), angle_between(direction, to));
     const PointOfInterest peak =
-        climb(field, k_view_shell, start, std::min(k_climb, k_climb_share * way));
+        climb(field, k_view_shell, start, std::min(k_climb, k_climb_share * distance));
     return {peak.point, peak.votes};
 }
 
@@ -92,8 +92,8 @@ std::vector<TourNode> plan_tour(const TangentialField& field, std::span<const gl
         return place->second;
     };
 
-    std::vector<std::uint32_t> left;
-    for (std::uint32_t v = 1; v < count; ++v) left.push_back(v);
+    std::vector<std::uint32_t> unvisited;
+    for (std::uint32_t v = 1; v < count; ++v) unvisited.push_back(v);
     std::vector<TourNode> nodes;
     std::uint32_t here = 0;
     const auto add_view = [&] { nodes.push_back({views[here], field.value(points[here]), here}); };
@@ -101,13 +101,13 @@ std::vector<TourNode> plan_tour(const TangentialField& field, std::span<const gl
         nodes.push_back({frame.to_model(node.point), node.votes, std::nullopt});
     };
     add_view();
-    while (!left.empty()) {
-        auto best = left.begin();
-        for (auto next = left.begin(); next != left.end(); ++next)
+    while (!unvisited.empty()) {
+        auto best = unvisited.begin();
+        for (auto next = unvisited.begin(); next != unvisited.end(); ++next)
             if (between(here, *next).votes > between(here, *best).votes) best = next;
         add_between(between(here, *best));
         here = *best;
-        left.erase(best);
+        unvisited.erase(best);
         add_view();
     }
     add_between(between(here, 0));

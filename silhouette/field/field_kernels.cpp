@@ -182,7 +182,7 @@ HWY_INLINE void prefetch(const T* data) {
 
 // Sums of a node's clusters from a lane on, with upper bounds of their errors. Both are for a weight of 1.
 struct Estimate {
-    V value, error, greatest_vote, min_vote;
+    V value, error, max_vote, min_vote;
 };
 
 template <bool discounted, class Pieces>
@@ -238,10 +238,10 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
         const V slope = hn::MulAdd(hn::Add(bend, f.c2), t, f.c1);  // 3 c3 t² + 2 c2 t + c1
         const V reach =
             hn::Mul(radius, hn::MulAdd(hn::Set(d, function.curvature), radius, hn::Abs(slope)));
-        result.greatest_vote = hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.greatest));
-        result.min_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.least));
+        result.max_vote = hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.max_vote));
+        result.min_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.min_vote));
     } else {
-        result.greatest_vote = result.min_vote = hn::Zero(d);
+        result.max_vote = result.min_vote = hn::Zero(d);
     }
     return result;
 }
@@ -266,8 +266,8 @@ public:
     void flush() { weight_.flush(); }
 
     // Adds the values of sufficiently exact clusters to `sum` and subtracts their errors from `budget`.
-    // Writes the other clusters to `opened` and returns their number.
-    std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* opened) {
+    // Writes the other clusters to `expanded` and returns their number.
+    std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* expanded) {
         const Floats d;
         const Unsigneds du;
         const double all = weight_.total();
@@ -285,7 +285,7 @@ public:
             const std::uint32_t lanes = lanes_of(d, hn::AndNot(good, in_use));
             hn::StoreU(
                 squeezed(du, hn::LoadU(du, &scratch_.clusters[i]), squeezed_lanes(du, lanes)), du,
-                opened + count);
+                expanded + count);
             count += static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{lanes}));
             if (i % 256 == 0) {
                 sum.flush();
@@ -327,10 +327,11 @@ double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& funct
                 V error = hn::Mul(e.error, weight);
                 if constexpr (discounted) {
                     const DiscountNode& previous = discount->levels[level][n];
-                    const V most = hn::Sub(e.greatest_vote, hn::Load(d, &previous.least[lane]));
+                    const V max_gain = hn::Sub(e.max_vote, hn::Load(d, &previous.min_vote[lane]));
                     const auto all_above =
-                        hn::Ge(e.min_vote, hn::Load(d, &previous.greatest[lane]));
-                    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Max(most, zero), weight));
+                        hn::Ge(e.min_vote, hn::Load(d, &previous.max_vote[lane]));
+                    const V half =
+                        hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Max(max_gain, zero), weight));
                     value = hn::IfThenElse(all_above,
                                            hn::Sub(value, hn::Load(d, &previous.sum[lane])), half);
                     error = hn::IfThenElse(all_above, error, half);
@@ -401,7 +402,7 @@ FunctionTable::FunctionTable(const TangentialFunction& function)
     const auto to_float = [](double value) { return static_cast<float>(value); };
     const auto pieces = function.pieces();
     double bend = 0.0;
-    double terms = function.greatest_magnitude();
+    double terms = function.max_magnitude();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const TangentialFunction::Piece& piece = pieces[i];
         start[i] = to_float(piece.start);
@@ -423,24 +424,24 @@ FunctionTable::FunctionTable(const TangentialFunction& function)
                             (1 + 0x1p-20));
         jump3[k] = to_float(std::abs(pieces[k + 1].c3 - pieces[k].c3) * (1 + 0x1p-20));
     }
-    least = to_float(function.least());
-    greatest = to_float(function.greatest());
+    min_vote = to_float(function.min_value());
+    max_vote = to_float(function.max_value());
     curvature = to_float(0.5 * bend);
     // Rounding errors of distances come from normals, points and products, the offset, and three sums.
     // Those of votes and sums come from their terms.
     const double distances = 3.0 * k_near_radius + 1.0 + 3.0 * (k_near_radius + 1.0);
-    rounding_share = 0x1p-24 * (distances * function.greatest_slope() + 8.0 * terms +
-                                32.0 * function.greatest_magnitude());
+    rounding_share = 0x1p-24 * (distances * function.max_slope() + 8.0 * terms +
+                                32.0 * function.max_magnitude());
 }
 
 void FieldScratch::reserve(const PlaneClusters& planes) {
     // Stores always write whole vectors, so the last one needs additional memory.
-    const std::size_t most =
+    const std::size_t capacity =
         (planes.leaf_count() + k_cluster_fan) / k_cluster_fan * k_cluster_fan + k_cluster_fan;
     for (auto* numbers : {&nodes, &next, &clusters})
-        *numbers = std::make_unique_for_overwrite<std::uint32_t[]>(most);
+        *numbers = std::make_unique_for_overwrite<std::uint32_t[]>(capacity);
     for (auto* numbers : {&value, &error, &weight})
-        *numbers = std::make_unique_for_overwrite<float[]>(most);
+        *numbers = std::make_unique_for_overwrite<float[]>(capacity);
 }
 
 double sum_planes(const PlaneClusters& planes, const FunctionTable& function,

@@ -45,7 +45,7 @@ struct FunctionTable {
     std::array<float, k_max_knots> jump3{};  ///< |J3|/6
     /// By piece: knot_count + 1 values, then zeros.
     std::array<float, k_max_knots + 1> start{}, c0{}, c1{}, c2{}, c3{};
-    float least, greatest;
+    float min_vote, max_vote;
     float curvature;  ///< The maximum of |f''|/2.
     /// Upper bound of the rounding error of a sum in float, divided by the planes' total weight.
     double rounding_share;
@@ -53,8 +53,8 @@ struct FunctionTable {
 
 /// The previous votes of eight clusters.
 struct alignas(32) DiscountNode {
-    std::array<float, k_cluster_fan> least, greatest;  ///< Limits of the planes' previous votes.
-    std::array<float, k_cluster_fan> sum;              ///< Weighted sum of the previous votes.
+    std::array<float, k_cluster_fan> min_vote, max_vote;  ///< Limits of the planes' previous votes.
+    std::array<float, k_cluster_fan> sum;                 ///< Weighted sum of the previous votes.
 };
 
 /// The previous votes of planes, in leaf order, and of clusters, by level.

@@ -55,7 +55,7 @@ struct NamedFunction {
     std::string_view name;  ///< Value of the option --function.
     std::string_view what;  ///< Description in one line.
     TangentialFunction function;
-    double min_radius, greatest_radius;  ///< The ball or shell where it is used.
+    double min_radius, max_radius;  ///< The ball or shell where it is used.
 };
 /// All named functions, parts first. Created at the first call.
 std::span<const NamedFunction> named_functions();

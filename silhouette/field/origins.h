@@ -32,7 +32,7 @@ struct OriginOptions {
     double tolerance = 1e-3;        ///< Tolerance of positions, in radii of the mesh.
 };
 
-struct FoundOrigins {
+struct OriginSet {
     std::vector<glm::dvec3> origins;  ///< In the mesh's coordinates.
     /// By origin: the votes that earlier origins left, as a share of all planes.
     std::vector<double> votes;
@@ -40,8 +40,8 @@ struct FoundOrigins {
 
 /// Returns fewer than `count` origins if no plane has votes left. For a box, for example, the center gets
 /// all votes. Returns the center with 0 votes if there is no other origin.
-FoundOrigins find_origins(const Mesh& mesh, std::uint32_t count, const OriginOptions& options = {},
-                          const LongCall& call = {});
+OriginSet find_origins(const Mesh& mesh, std::uint32_t count, const OriginOptions& options = {},
+                       const LongCall& call = {});
 
 /// The trial of one number of origins.
 struct OriginTrial {
@@ -56,13 +56,13 @@ OriginTrial try_origins(const Mesh& mesh, std::vector<glm::dvec3> origins, std::
                         const LongCall& call = {});
 
 struct ChosenOrigins {
-    FoundOrigins found;               ///< All tried origins.
+    OriginSet found;                  ///< All tried origins.
     std::vector<OriginTrial> trials;  ///< For 0, 1, 2, .. origins.
     std::uint32_t best = 0;           ///< The first trial with the least work.
 };
 
-/// Tries 0 to `most` origins.
-ChosenOrigins choose_origins(const Mesh& mesh, std::uint32_t most = 5,
+/// Tries 0 to `max_count` origins.
+ChosenOrigins choose_origins(const Mesh& mesh, std::uint32_t max_count = 5,
                              std::uint32_t viewpoints = 600, const OriginOptions& options = {},
                              const LongCall& call = {});
 

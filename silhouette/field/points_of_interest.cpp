@@ -22,7 +22,7 @@ double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
 }
 
 // The 26 points of a pattern around its center, moved into the domain.
-std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3& middle,
+std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3& center,
                                    double width) {
     std::array<glm::dvec3, 26> points;
     std::size_t count = 0;
@@ -30,18 +30,18 @@ std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3&
         for (int y = 1; y >= -1; --y)
             for (int z = 1; z >= -1; --z)
                 if (x != 0 || y != 0 || z != 0)
-                    points[count++] = domain.nearest(middle + width * glm::dvec3(x, y, z));
+                    points[count++] = domain.nearest(center + width * glm::dvec3(x, y, z));
     return points;
 }
 
 // The six points of a pattern along the axes.
-std::array<glm::dvec3, 6> axis_pattern(const SearchDomain& domain, const glm::dvec3& middle,
+std::array<glm::dvec3, 6> axis_pattern(const SearchDomain& domain, const glm::dvec3& center,
                                        double width) {
     std::array<glm::dvec3, 6> points;
     for (int i = 0; i < 6; ++i) {
         glm::dvec3 step(0.0);
         step[i % 3] = i < 3 ? width : -width;
-        points[static_cast<std::size_t>(i)] = domain.nearest(middle + step);
+        points[static_cast<std::size_t>(i)] = domain.nearest(center + step);
     }
     return points;
 }
@@ -151,13 +151,13 @@ public:
     }
 
     /// The best local maxima, best first.
-    std::vector<Sample> tops(std::span<const double> votes, std::size_t most) const {
+    std::vector<Sample> local_maxima(std::span<const double> votes, std::size_t max_count) const {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < points_.size(); ++i)
-            if (is_top(i, votes)) order.push_back(i);
+            if (is_local_maximum(i, votes)) order.push_back(i);
         std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return votes[i]; });
         std::vector<Sample> samples;
-        for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
+        for (std::size_t i = 0; i < std::min(max_count, order.size()); ++i)
             samples.push_back({points_[order[i]], votes[order[i]]});
         return samples;
     }
@@ -166,7 +166,7 @@ private:
     std::size_t place(int x, int y, int z) const {
         return (static_cast<std::size_t>(x) * size_ + y) * size_ + z;
     }
-    bool is_top(std::size_t i, std::span<const double> votes) const {
+    bool is_local_maximum(std::size_t i, std::span<const double> votes) const {
         if (places_.empty()) return true;
         const auto [x, y, z] = places_[i];
         for (int dx = -1; dx <= 1; ++dx)
@@ -195,7 +195,7 @@ public:
           domain_(domain),
           options_(options),
           lattice_(domain, options.lattice),
-          tie_(0x1p-20 * field.greatest_value()),
+          tie_(0x1p-20 * field.max_value()),
           min_(std::max(field.error_bound(), tie_)) {}
 
     PointsOfInterest run(const LongCall& call) {
@@ -227,7 +227,8 @@ private:
         Climbs climbs(domain_, 0.5 * spacing_of(domain_, options_.lattice), options_.tolerance);
         // With weights, any peak may win.
         if (!options_.weigh) climbs.prune_when_fine();
-        for (const Sample& top : lattice_.tops(votes, options_.climbs)) climbs.start(top);
+        for (const Sample& maximum : lattice_.local_maxima(votes, options_.climbs))
+            climbs.start(maximum);
         const std::vector<Sample> peaks =
             climbs.to_peaks([&](std::span<const glm::dvec3> points, std::span<double> out) {
                 evaluate(points, out, silent);
@@ -281,14 +282,14 @@ private:
         if (options_.weigh) result_.candidates += order.size();
 
         std::vector<PointOfInterest> weighed;
-        double greatest = bar.value_or(0.0);
+        double max_score = bar.value_or(0.0);
         std::size_t next = 0;
         while (next < order.size()) {
             std::vector<glm::dvec3> batch;
             const std::size_t begin = next;
             for (; next < order.size() && batch.size() < options_.weigh_batch; ++next) {
                 const Sample& candidate = candidates[order[next]];
-                if (!options_.weighs_all && candidate.votes < greatest - tie_) break;
+                if (!options_.weighs_all && candidate.votes < max_score - tie_) break;
                 batch.push_back(candidate.point);
             }
             if (batch.empty()) break;
@@ -296,13 +297,13 @@ private:
             const std::vector<double> weights = weights_of(batch);
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 weighed.push_back({batch[i], candidates[order[begin + i]].votes, weights[i]});
-                greatest = std::max(greatest, weighed.back().score());
+                max_score = std::max(max_score, weighed.back().score());
             }
         }
         // Resolves ties with the maximum score.
         std::optional<PointOfInterest> best;
         for (const PointOfInterest& point : weighed) {
-            if (point.score() < greatest - tie_ || point.score() <= 0.0) continue;
+            if (point.score() < max_score - tie_ || point.score() <= 0.0) continue;
             if (!best || comes_before(point.point, best->point)) best = point;
         }
         return best;

@@ -26,14 +26,14 @@ TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunct
     if (options.weight == FieldOptions::Weight::area)
         for (std::size_t i = 0; i < planes.size(); ++i) weights[i] = planes.area(i);
     for (const double weight : weights) total_weight_ += weight;
-    greatest_value_ = total_weight_ * function_.greatest_magnitude();
+    max_value_ = total_weight_ * function_.max_magnitude();
 
     auto sums = std::make_unique<FieldSums>(
         FieldSums{PlaneClusters(planes, weights), kernels::FunctionTable(function_), {}, 0.0});
     sums->planes.reserve(planes.size());
     for (const std::uint32_t i : sums->clusters.order())
         sums->planes.push_back({planes.normal(i), planes.offset(i), weights[i]});
-    if (planes.size() >= k_min_clustered) sums->budget = options.tolerance * greatest_value_;
+    if (planes.size() >= k_min_clustered) sums->budget = options.tolerance * max_value_;
     error_bound_ = sums->budget + sums->function.rounding_share * total_weight_;
     sums_ = std::move(sums);
 }
@@ -54,10 +54,10 @@ double TangentialField::value(const glm::dvec3& point) const {
 double TangentialField::value(const glm::dvec3& point, Work& work) const {
     double result = 0.0;
     kernels::FieldScratch scratch = sums_->make_scratch();
-    kernels::FieldWork looked_at;
-    result = value_with(scratch, point, looked_at);
-    work.clusters += looked_at.clusters;
-    work.planes += looked_at.planes;
+    kernels::FieldWork visited;
+    result = value_with(scratch, point, visited);
+    work.clusters += visited.clusters;
+    work.planes += visited.planes;
     return result;
 }
 

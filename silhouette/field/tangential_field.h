@@ -31,7 +31,7 @@ struct FieldWork;
 struct FieldSums;  // field_sums.h
 
 struct FieldOptions {
-    /// Maximum error of a value as a share of greatest_value(), plus float rounding (see error_bound). 0:
+    /// Maximum error of a value as a share of max_value(), plus float rounding (see error_bound). 0:
     /// all planes are summed, in float.
     double tolerance = 1e-3;
     enum class Weight : std::uint8_t { count, area } weight = Weight::count;
@@ -63,7 +63,7 @@ public:
     double error_bound() const noexcept { return error_bound_; }
     double total_weight() const noexcept { return total_weight_; }
     /// The maximum magnitude of a value: total_weight times the maximum of |f|.
-    double greatest_value() const noexcept { return greatest_value_; }
+    double max_value() const noexcept { return max_value_; }
 
     const UnitFrame& frame() const noexcept { return frame_; }
     const TangentialFunction& function() const noexcept { return function_; }
@@ -87,7 +87,7 @@ private:
     UnitFrame frame_;
     TangentialFunction function_;
     double total_weight_ = 0.0;
-    double greatest_value_ = 0.0;
+    double max_value_ = 0.0;
     double error_bound_ = 0.0;
     std::unique_ptr<const FieldSums> sums_;
 };

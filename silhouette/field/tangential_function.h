@@ -56,10 +56,10 @@ public:
     const Piece& piece_at(double distance) const noexcept;
 
     /// Minimum and maximum over all distances.
-    double least() const noexcept { return min_; }
-    double greatest() const noexcept { return greatest_; }
-    double greatest_magnitude() const noexcept;
-    double greatest_slope() const noexcept { return greatest_slope_; }  ///< Of its magnitude.
+    double min_value() const noexcept { return min_; }
+    double max_value() const noexcept { return max_; }
+    double max_magnitude() const noexcept;
+    double max_slope() const noexcept { return max_slope_; }  ///< Of its magnitude.
 
     /// Joins two functions: this one below `distance`, `front` from there on. Up to rounding, both must
     /// have the same value and slope 0 there (RIMLINE_CHECK).
@@ -72,8 +72,8 @@ private:
     std::vector<Knot> knots_;
     std::vector<Piece> pieces_;
     double min_ = 0.0;
-    double greatest_ = 0.0;
-    double greatest_slope_ = 0.0;
+    double max_ = 0.0;
+    double max_slope_ = 0.0;
 };
 
 }  // namespace rimline

@@ -20,9 +20,9 @@ glm::vec3 snapped(glm::vec3 v, float smallest) {
 
 // Multiplies by the power of two that brings the largest component into [1, 2).
 glm::vec3 scaled(glm::vec3 v) {
-    const float greatest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (greatest == 0.0f) return v;
-    const std::uint32_t exponent = std::bit_cast<std::uint32_t>(greatest) >> 23;
+    const float max_component = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (max_component == 0.0f) return v;
+    const std::uint32_t exponent = std::bit_cast<std::uint32_t>(max_component) >> 23;
     return snapped(v * std::bit_cast<float>((254u - exponent) << 23), k_min_scaled_component);
 }
 
@@ -44,7 +44,7 @@ glm::vec3 product_error(glm::vec3 a, glm::vec3 b, glm::vec3 product) {
     return a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
 }
 
-glm::vec3 careful_cross(glm::vec3 a, glm::vec3 b) {
+glm::vec3 accurate_cross(glm::vec3 a, glm::vec3 b) {
     const glm::vec3 a_left{a.y, a.z, a.x}, b_left{b.z, b.x, b.y};
     const glm::vec3 a_right{a.z, a.x, a.y}, b_right{b.y, b.z, b.x};
     const glm::vec3 left = a_left * b_left;
@@ -59,7 +59,7 @@ bool is_front(const std::array<glm::vec3, 3>& corners, const HomogeneousPoint& p
     const glm::vec3 v0 = snapped(corners[0], k_min_corner_component);
     const glm::vec3 a = scaled(snapped(corners[1], k_min_corner_component) - v0);
     const glm::vec3 b = scaled(snapped(corners[2], k_min_corner_component) - v0);
-    const glm::vec3 n = scaled(careful_cross(a, b));
+    const glm::vec3 n = scaled(accurate_cross(a, b));
     const glm::vec3 q = scaled(point.xyz() - v0 * point.w);
     return (n.x * q.x + n.y * q.y) + n.z * q.z > 0.0f;
 }

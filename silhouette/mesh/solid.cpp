@@ -73,12 +73,12 @@ bool are_apart(const Corners& a, const Corners& b) {
 
 bool are_apart(const Segment& segment, const Corners& t) {
     const glm::dvec3 normal = normal_of(t);
-    const glm::dvec3 way = segment[1] - segment[0];
-    if (are_apart(segment, t, normal) || are_apart(segment, t, glm::cross(normal, way)))
+    const glm::dvec3 direction = segment[1] - segment[0];
+    if (are_apart(segment, t, normal) || are_apart(segment, t, glm::cross(normal, direction)))
         return true;
     for (std::size_t j = 0; j < 3; ++j) {
         const glm::dvec3 edge = t[(j + 1) % 3] - t[j];
-        if (are_apart(segment, t, glm::cross(way, edge)) ||
+        if (are_apart(segment, t, glm::cross(direction, edge)) ||
             are_apart(segment, t, glm::cross(normal, edge)))
             return true;
     }

@@ -111,7 +111,7 @@ FieldBenchResult bench_fields(const std::string& model, const Mesh& mesh,
         // Rounding is part of the bound.
         const double budget = bound * greatest - brute.error_bound();
         fields.emplace_back(planes, function,
-                            FieldOptions{std::max(budget, 0.0) / brute.greatest_value()});
+                            FieldOptions{std::max(budget, 0.0) / brute.max_value()});
     }
     std::vector<Sum> sums = {{&brute, {}}};
     for (const TangentialField& field : fields) sums.push_back({&field, {}});

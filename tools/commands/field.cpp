@@ -58,7 +58,7 @@ struct SliceGrid {
 };
 
 SliceGrid make_grid(const Slice& slice, const NamedFunction& named, int side) {
-    SliceGrid grid{side, named.greatest_radius, {}, {}};
+    SliceGrid grid{side, named.max_radius, {}, {}};
     const int right = slice.axis == 0 ? 1 : 0;
     const int up = slice.axis == 2 ? 1 : 2;
     for (int row = 0; row < side; ++row)
@@ -69,7 +69,7 @@ SliceGrid make_grid(const Slice& slice, const NamedFunction& named, int side) {
             p[up] = grid.extent * (1.0 - 2.0 * (row + 0.5) / side);
             const double radius = glm::length(p);
             grid.points.push_back(p);
-            grid.is_inside.push_back(radius >= named.min_radius && radius <= named.greatest_radius);
+            grid.is_inside.push_back(radius >= named.min_radius && radius <= named.max_radius);
         }
     return grid;
 }
@@ -180,7 +180,7 @@ public:
             {"planes", field.plane_count()},
             {"center", json_vector(field.frame().center)},
             {"radius", field.frame().radius},
-            {"greatest_value", field.greatest_value()},
+            {"greatest_value", field.max_value()},
             {"error_bound", votes.error_bound()},
         };
         tell(field.frame(), votes, object);
@@ -235,7 +235,7 @@ private:
         if (!(least <= greatest))
             throw Error(ErrorCode::bad_input,
                         "--slice: that plane does not meet the function's domain, which ends " +
-                            short_number(named.greatest_radius, 0.1) + " from the center");
+                            short_number(named.max_radius, 0.1) + " from the center");
         write_picture(file, draw(grid, values, least, greatest));
         const glm::dvec3 at = votes.field().frame().to_model(grid.points[best]);
         object["slice"] = {{"axis", std::string(1, static_cast<char>('x' + slice_->axis))},

@@ -39,8 +39,8 @@ ReadyQueue::Node* ReadyQueue::pop() noexcept {
         // Do not sleep if work has arrived, unless another thread has already removed this worker from
         // the count and signals it. The worker must then consume that signal.
         if ((closed_ || !is_empty()) && withdraw()) continue;
-        calls_.acquire();
-        sleepers_ &= ~k_on_its_way;
+        wakeups_.acquire();
+        sleepers_ &= ~k_worker_woken;
     }
     return nullptr;
 }
@@ -48,8 +48,8 @@ ReadyQueue::Node* ReadyQueue::pop() noexcept {
 void ReadyQueue::close() noexcept {
     closed_ = true;
     // Without the limit of wake_one(): wakes all sleepers. Later sleepers see closed_.
-    const std::uint32_t asleep = sleepers_.exchange(0) & ~k_on_its_way;
-    for (std::uint32_t call = 0; call < asleep; ++call) calls_.release();
+    const std::uint32_t asleep = sleepers_.exchange(0) & ~k_worker_woken;
+    for (std::uint32_t call = 0; call < asleep; ++call) wakeups_.release();
 }
 
 ReadyQueue::Node* ReadyQueue::take() noexcept {
@@ -82,16 +82,16 @@ bool ReadyQueue::is_empty() noexcept {
 
 bool ReadyQueue::withdraw() noexcept {
     std::uint32_t state = sleepers_;
-    while ((state & ~k_on_its_way) != 0)
+    while ((state & ~k_worker_woken) != 0)
         if (sleepers_.compare_exchange_weak(state, state - 1)) return true;
     return false;
 }
 
 void ReadyQueue::wake_one() noexcept {
     std::uint32_t state = sleepers_;
-    while (state != 0 && (state & k_on_its_way) == 0)
-        if (sleepers_.compare_exchange_weak(state, (state - 1) | k_on_its_way)) {
-            calls_.release();
+    while (state != 0 && (state & k_worker_woken) == 0)
+        if (sleepers_.compare_exchange_weak(state, (state - 1) | k_worker_woken)) {
+            wakeups_.release();
             return;
         }
 }

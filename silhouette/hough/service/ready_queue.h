@@ -60,12 +60,12 @@ private:
 
     // A bit of `sleepers_`: a worker was woken and has not arrived. The other bits are the number of
     // sleepers.
-    static constexpr std::uint32_t k_on_its_way = 0x80000000u;
+    static constexpr std::uint32_t k_worker_woken = 0x80000000u;
 
     std::atomic<Node*> incoming_{nullptr};
     std::atomic<std::uint32_t> sleepers_{0};
     std::atomic<bool> closed_{false};
-    CountingSemaphore calls_;
+    CountingSemaphore wakeups_;
     std::mutex mutex_;  // Taken by workers only.
     Node* first_ = nullptr;
 };

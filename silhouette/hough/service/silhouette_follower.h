@@ -35,7 +35,7 @@ public:
         // The service was stopped. follow() will throw.
         if (!service_->post(tracker_, point)) return;
         posted_ = point;
-        is_on_its_way_ = true;
+        is_pending_ = true;
     }
 
     /// Brings the consumer to `point`. It must be the consumer of all earlier calls, except after
@@ -49,7 +49,7 @@ public:
     void follow(const HomogeneousPoint& point, Consumer& consumer) {
         announce(point);
         if (!(point == posted_)) throw_stopped();
-        while (is_on_its_way_) {
+        while (is_pending_) {
             const Taken taken = service_->take(tracker_, change_);
             if (taken == Taken::nothing) {
                 wait_for_change();
@@ -57,28 +57,28 @@ public:
             }
             if (taken != Taken::change) break;  // Only a snapshot helps.
             // Before apply(), which may throw: the change set is taken, so waiting for it would never end.
-            is_on_its_way_ = change_.posted() < posted_at_ || !(change_.view().point == posted_);
-            needs_whole_ = needs_whole_ || !consumer.apply(change_.view());
+            is_pending_ = change_.posted() < posted_at_ || !(change_.view().point == posted_);
+            needs_snapshot_ = needs_snapshot_ || !consumer.apply(change_.view());
         }
-        if (needs_whole_ || is_on_its_way_) {
-            needs_whole_ = true;
+        if (needs_snapshot_ || is_pending_) {
+            needs_snapshot_ = true;
             read_tracker(snapshot_);
-            is_on_its_way_ = false;
+            is_pending_ = false;
             consumer.resend(snapshot_);
-            needs_whole_ = false;
+            needs_snapshot_ = false;
         }
         reached_ = point;
     }
 
     /// Call this if the consumer has lost its state. The next follow() sends the whole state.
-    void invalidate() noexcept { needs_whole_ = true; }
+    void invalidate() noexcept { needs_snapshot_ = true; }
 
     /// The point of the last follow().
     const HomogeneousPoint& point() const noexcept { return reached_; }
     /// The tracker's state there, for comparison with the consumer's state. Not allowed after announce()
     /// until the next follow().
     void read_state(SilhouetteSnapshot& snapshot) {
-        RIMLINE_CHECK(!is_on_its_way_);
+        RIMLINE_CHECK(!is_pending_);
         read_tracker(snapshot);
     }
 
@@ -107,8 +107,8 @@ private:
     TrackerId tracker_;
     HomogeneousPoint posted_;
     PublishedChange::Clock::time_point posted_at_{};  // Between the last two posts.
-    bool is_on_its_way_ = false;  // The change set of the last post was not taken yet.
-    bool needs_whole_ = true;
+    bool is_pending_ = false;  // The change set of the last post was not taken yet.
+    bool needs_snapshot_ = true;
     HomogeneousPoint reached_{};
     PublishedChange change_;  // Members, to reuse their memory.
     SilhouetteSnapshot snapshot_;

@@ -153,11 +153,11 @@ void check_version_and_extensions(const Place& root) {
     if (!version.starts_with("2."))
         asset.fail("glTF version " + excerpt(version) + " is not supported; version 2 is");
     // minVersion is the version that a reader must support. Later versions only add to 2.0.
-    if (const auto least = asset.find("minVersion")) {
-        const std::string text = least->string();
+    if (const auto min_version = asset.find("minVersion")) {
+        const std::string text = min_version->string();
         if (text != "2.0" && !text.starts_with("1.") && !text.starts_with("0."))
-            least->fail("the file needs a reader of glTF version " + excerpt(text) +
-                        "; this one reads 2.0, so export it for that");
+            min_version->fail("the file needs a reader of glTF version " + excerpt(text) +
+                              "; this one reads 2.0, so export it for that");
     }
     if (const auto required = root.find("extensionsRequired"))
         for (const Place& extension : required->items())

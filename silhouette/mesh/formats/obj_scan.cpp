@@ -63,14 +63,14 @@ private:
         return text;
     }
 
-    // A kind of element that indices count. `greatest_early` is the largest index that was used
+    // A kind of element that indices count. `max_early` is the largest index that was used
     // before its element. The format allows this, although most files list vertices first.
     struct Numbered {
         const char* name;
         const char* number;  // The name of one of its numbers.
         std::uint64_t count = 0;
-        std::int64_t greatest_early = 0;
-        std::uint64_t line_of_greatest = 0;
+        std::int64_t max_early = 0;
+        std::uint64_t line_of_max = 0;
     };
 
     void read_statement(std::string_view keyword) {
@@ -125,7 +125,7 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view token = scanner_.token();
             position[axis] = scanner_.coordinate(token, "a vertex's coordinate");
-            hand_on(token);
+            append_token(token);
         }
         result_.statements += '\n';
         result_.positions.push_back(position);
@@ -150,9 +150,9 @@ private:
         normal_values_.push_back(normal);
     }
 
-    void read_numbers(Numbered& kind, int least, int most) {
-        for (int i = 0; i < least; ++i) scanner_.skip_number(kind.number);
-        for (int i = least; i < most; ++i) {
+    void read_numbers(Numbered& kind, int min_count, int max_count) {
+        for (int i = 0; i < min_count; ++i) scanner_.skip_number(kind.number);
+        for (int i = min_count; i < max_count; ++i) {
             const std::string_view token = scanner_.token();
             if (token.empty()) break;
             scanner_.skip_number(token, kind.number);
@@ -164,25 +164,25 @@ private:
     void read_face() {
         if (!points_) result_.statements += 'f';
         const std::uint64_t corners =
-            read_references("a face", 3, [this](std::string_view vertex) { hand_on(vertex); });
+            read_references("a face", 3, [this](std::string_view vertex) { append_token(vertex); });
         if (!points_) result_.statements += '\n';
         ++result_.face_count;
         result_.corner_count += corners;
     }
 
-    void hand_on(std::string_view token) {
+    void append_token(std::string_view token) {
         if (points_) return;
         result_.statements.append(1, ' ').append(token);
     }
 
     template <typename TakeVertex>
-    std::uint64_t read_references(const char* what, std::uint64_t least, TakeVertex&& take) {
+    std::uint64_t read_references(const char* what, std::uint64_t min_count, TakeVertex&& take) {
         std::uint64_t count = 0;
         for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++count)
             take(read_reference(t));
-        if (count < least)
+        if (count < min_count)
             scanner_.fail(std::string(what) + " has " + std::to_string(count) +
-                          " corners; it needs " + std::to_string(least) + " or more");
+                          " corners; it needs " + std::to_string(min_count) + " or more");
         return count;
     }
 
@@ -214,9 +214,9 @@ private:
         // tinyobjloader's indices are 32 bits wide.
         if (*index == 0 || *index < -count || *index > 0x7fffffff)
             fail_index(*index, kind, scanner_.line());
-        if (*index > count && *index > kind.greatest_early) {
-            kind.greatest_early = *index;
-            kind.line_of_greatest = scanner_.line();
+        if (*index > count && *index > kind.max_early) {
+            kind.max_early = *index;
+            kind.line_of_max = scanner_.line();
         }
         return *index < 0 ? count + *index + 1 : *index;
     }
@@ -232,8 +232,8 @@ private:
 
     void check_forward_references() const {
         for (const Numbered* kind : {&vertices_, &textures_, &normals_})
-            if (kind->greatest_early > static_cast<std::int64_t>(kind->count))
-                fail_index(kind->greatest_early, *kind, kind->line_of_greatest);
+            if (kind->max_early > static_cast<std::int64_t>(kind->count))
+                fail_index(kind->max_early, *kind, kind->line_of_max);
     }
 
     const SourceFile& file_;

@@ -55,10 +55,10 @@ public:
     }
     std::int64_t integer(ScalarType type, const char* what) {
         const std::int64_t value = scanner_.integer(what);
-        if (const auto [least, most] = range_of(type); value < least || value > most)
+        if (const auto [min, max] = range_of(type); value < min || value > max)
             scanner_.fail(std::string(what) + " is " + std::to_string(value) +
                           ", which its declared type cannot hold; that goes from " +
-                          std::to_string(least) + " to " + std::to_string(most));
+                          std::to_string(min) + " to " + std::to_string(max));
         return value;
     }
     void skip(ScalarType type, std::uint64_t count, const char* what) {

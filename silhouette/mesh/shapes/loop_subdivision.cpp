@@ -70,15 +70,15 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
             hood.crease_sum += neighbor;
             ++hood.crease_count;
         }
-        glm::dvec3 middle = 0.5 * (a + b);
+        glm::dvec3 edge_point = 0.5 * (a + b);
         if (!crease) {
             const glm::dvec3 c =
                 position(opposite_corner(mesh.triangles()[index(edge.faces[0])], edge));
             const glm::dvec3 d =
                 position(opposite_corner(mesh.triangles()[index(edge.faces[1])], edge));
-            middle = 0.375 * (a + b) + 0.125 * (c + d);
+            edge_point = 0.375 * (a + b) + 0.125 * (c + d);
         }
-        refined.positions[std::size_t{vertex_count} + e] = glm::vec3(middle);
+        refined.positions[std::size_t{vertex_count} + e] = glm::vec3(edge_point);
     }
     for (std::uint32_t v = 0; v < vertex_count; ++v)
         refined.positions[v] = glm::vec3(moved(position(VertexId{v}), around[v]));

@@ -94,10 +94,10 @@ MeshSource arch(double faces) {
     append_tube(
         shape, {last + 1, 4},
         [&](std::uint32_t ring, std::uint32_t side) {
-            const auto [middle, outward] = center_line(ring);
+            const auto [center, outward] = center_line(ring);
             const double out = side < 2 ? k_half_height : -k_half_height;
             const double front = side == 1 || side == 2 ? k_half_depth : -k_half_depth;
-            return middle + out * outward + glm::dvec3(0.0, 0.0, front);
+            return center + out * outward + glm::dvec3(0.0, 0.0, front);
         },
         Poles{center_line(0)[0], center_line(last)[0]});
     return shape;

@@ -22,8 +22,8 @@ struct TubeGrid {
 };
 
 /// A grid of about `quads` nearly square quads. `aspect` is the tube's length divided by its
-/// circumference. The grid has at least the rings and sides of `least`.
-TubeGrid tube_grid(double quads, double aspect, TubeGrid least) noexcept;
+/// circumference. The grid has at least the rings and sides of `min_grid`.
+TubeGrid tube_grid(double quads, double aspect, TubeGrid min_grid) noexcept;
 
 /// The points that close a tube's first and last ring.
 struct Poles {

@@ -38,7 +38,7 @@ void check_values(const DeviceContext& context, const UnitPlanes& planes,
             CAPTURE(named.name);
             FieldPass pass(context, planes, named.function, weight);
             const TangentialField field(planes, named.function, {0.0, weight});
-            CHECK(pass.error_bound() <= 2e-5 * field.greatest_value());
+            CHECK(pass.error_bound() <= 2e-5 * field.max_value());
             const std::vector<double> values = values_of(pass, points);
             double greatest = 0.0;
             for (std::size_t i = 0; i < points.size(); ++i)
