@@ -102,7 +102,7 @@ float hatch_ink(vec3 position, vec3 normal, float density) {
     const vec3 k_second = vec3(-0.7807, 0.4880, 0.3904);
     const vec3 k_third = vec3(0.3554, -0.4443, 0.8224);
     HatchedPlace place;
-    place.from_middle = position - instance.middle;
+    place.from_middle = position - instance.center;
     place.normal = normal;
     surface_steps(position, normal, place.right_step, place.up_step);
     const float first = density < k_single ? density : k_single + 0.5 * (density - k_single);

@@ -161,7 +161,7 @@ struct InstanceData {
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
     vec4 viewpoint;        // The camera's silhouette point, homogeneous.
-    vec3 middle;           // Center of the mesh.
+    vec3 center;           // Center of the mesh.
     vec3 color;
     vec3 ink;           // Color of its strokes.
     float fade_radius;  // If > 0, the surface fades into the background at this distance from ...

@@ -41,7 +41,7 @@ void SplatRenderer::prepare_targets(VkExtent2D size) {
     if (targets_ && targets_->size().width == size.width &&
         targets_->size().height == size.height && targets_->scale() == scale)
         return;
-    targets_.reset();  // Free before making anew.
+    targets_.reset();  // Frees their memory before the new ones are made.
     auto targets = std::make_unique<RenderTargets>(context_, size, scale, options_.samples);
     composite_pass_.set_surfaces(targets->surfaces());
     targets_ = std::move(targets);
@@ -77,7 +77,7 @@ void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
     const std::size_t bytes = scene.strokes.size() * sizeof(gpu::StrokeRecord);
     if (frame.strokes.size() < std::max<std::size_t>(bytes, 4))
         frame.strokes = Buffer(context_, bytes + bytes / 2, BufferPlace::upload, "the lines");
-    // Last of what may fail: what it replaces is still drawn by the frame before.
+    // The last step that may fail: the previous frame may still draw what it replaces.
     prepare_cloud(scene.cloud, frame);
     if (bytes > 0) std::memcpy(frame.strokes.mapped(), scene.strokes.data(), bytes);
     ++recorded_;
@@ -105,7 +105,7 @@ Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std:
     const VkExtent2D size{width, height};
     const Image image = make_picture_image(context_, size);
     const Buffer pixels = make_picture_buffer(context_, size);
-    uploaded_.reset();  // Another cloud may be at the address by now.
+    uploaded_.reset();  // Another cloud may be at the same address now.
     run_commands(context_, [&](VkCommandBuffer commands) {
         record(commands, scene, picture_target(image));
         record_read_back(commands, image.handle(), size, pixels);

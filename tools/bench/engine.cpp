@@ -9,12 +9,13 @@
 #include <memory>
 #include <numbers>
 
-#include "engine/measure/field_pass.h"
 #include "engine/measure/visible_ratio.h"
 #include "engine/renderer.h"
+#include "engine/stream/change_stream.h"
 #include "engine/view_defaults.h"
-#include "silhouette/field/named_functions.h"
+#include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/orbit.h"
+#include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/solid.h"
 #include "tools/progress.h"
 #include "tools/timing.h"
@@ -234,55 +235,6 @@ std::string time_ratios(const HoughOctree& octree, const Device& device,
     return {};
 }
 
-// Sums a lattice in the ball of origins in all ways in turn. Fills `times`, or returns the name of a wrong
-// way.
-std::string time_field(const Mesh& mesh, const Device& device, const EngineBenchOptions& options,
-                       std::vector<EngineTime>& times, const Context& context) {
-    const UnitPlanes planes(mesh);
-    const TangentialFunction function = origin_function();
-    std::vector<glm::dvec3> points;
-    for (int i = 0; i < 17 * 17 * 17; ++i) {
-        const glm::dvec3 point(i % 17 - 8, i / 17 % 17 - 8, i / (17 * 17) - 8);
-        if (glm::dot(point, point) <= 64.0) points.push_back(3.0 / 8.0 * point);
-    }
-    FieldPass pass(device.context(), planes, function);
-    const TangentialField all(planes, function, {0.0});
-    const TangentialField clusters(planes, function);
-    struct Way {
-        const char* name;
-        std::function<void(std::span<double>)> sum;
-        double error_bound;
-        std::vector<double> taken_ms{};
-    };
-    const LongCall call{context.stop, {}};
-    Way ways[] = {
-        {"compute shader, all planes", [&](auto out) { pass.values(points, out, call); },
-         pass.error_bound()},
-        {"CPU, all threads, all planes", [&](auto out) { all.values(points, out, call); },
-         all.error_bound()},
-        {"CPU, all threads, clusters, error 1e-3",
-         [&](auto out) { clusters.values(points, out, call); }, clusters.error_bound()},
-    };
-    std::vector<double> first(points.size());
-    std::vector<double> values(points.size());
-    Progress progress(context, "summing a field");
-    const LongCall rounds = progress.call();
-    for (std::uint32_t round = 0; round <= options.rounds; ++round)
-        for (Way& way : ways) {
-            rounds.checkpoint(double(round) / (options.rounds + 1));
-            const Clock::time_point start = Clock::now();
-            way.sum(values);
-            const std::chrono::duration<double, std::milli> took = Clock::now() - start;
-            if (&way == ways) first = values;
-            for (std::size_t i = 0; i < points.size(); ++i)
-                if (std::abs(values[i] - first[i]) > way.error_bound + pass.error_bound())
-                    return std::string("field, ") + way.name + ": its value";
-            if (round > 0) way.taken_ms.push_back(took.count());
-        }
-    for (const Way& way : ways) times.push_back({way.name, quantile(way.taken_ms, 0.5)});
-    return {};
-}
-
 double over(const EngineTime& baseline, const EngineTime& ours) {
     return baseline.median_ms / ours.median_ms;
 }
@@ -318,9 +270,6 @@ EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Devi
     if (!result.difference.empty()) return result;
 
     result.difference = time_ratios(octree, device, options, result.ratios, context);
-    if (!result.difference.empty()) return result;
-
-    result.difference = time_field(mesh, device, options, result.field, context);
     return result;
 }
 

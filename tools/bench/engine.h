@@ -1,8 +1,7 @@
 #pragma once
 
 // `rimline bench engine`: bytes streamed, frames with lines against the paths that read the whole mesh,
-// shadow volumes, visible ratios against one target with a barrier for each viewpoint, and a tangential
-// distance field by compute shader and on the CPU.
+// shadow volumes, and visible ratios against one target with a barrier for each viewpoint.
 //
 // The ways to one result alternate frame by frame; the time of a way is the median. Pictures and counts are
 // compared first. Times are the clock's, from moving the trackers to the finished picture.
@@ -49,7 +48,6 @@ struct EngineResult {
         lines;  ///< Frames with lines; the slots by geometry shader or pulling first.
     std::vector<EngineTime> shadows;  ///< Frames with shadows and without lines.
     std::vector<EngineTime> ratios;   ///< Ours first, then the baseline.
-    std::vector<EngineTime> field;    ///< Of 17³ points: the compute shader first, then the CPU.
 
     const EngineTime* find_line_path(const std::string& name) const;
 };

@@ -6,8 +6,11 @@
 #include <numbers>
 
 #include "engine/renderer.h"
+#include "engine/stream/change_stream.h"
 #include "engine/stream/gpu_silhouette.h"
+#include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/orbit.h"
+#include "silhouette/hough/silhouette_tracker.h"
 #include "tools/bench/gpu_time.h"
 #include "tools/options/model_argument.h"
 #include "tools/timing.h"

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "engine/tested_device.h"
 #include "tools/bench/engine.h"
 #include "tools/bench/engine_growth.h"
 #include "tools/bench/machine.h"
@@ -40,7 +41,6 @@ void print_result(const EngineResult& result) {
     print_times("frame with lines, 1024x1024", result.lines, 0);
     print_times("frame without lines, one sun, 1024x1024", result.shadows, 0);
     print_times("visible ratios of all viewpoints, 256x256", result.ratios, 0);
-    print_times("tangential distance field, a lattice of 17 a side", result.field, 0);
 }
 
 Json to_json(const std::vector<EngineTime>& times) {
@@ -65,8 +65,7 @@ Json to_json(const EngineResult& result) {
     object.update({{"bytes", std::move(bytes)},
                    {"lines", to_json(result.lines)},
                    {"shadows", to_json(result.shadows)},
-                   {"visible_ratios", to_json(result.ratios)},
-                   {"field", to_json(result.field)}});
+                   {"visible_ratios", to_json(result.ratios)}});
     return object;
 }
 
@@ -165,7 +164,7 @@ public:
             if (growth_ && option->count() > 0)
                 throw UsageError(option->get_name() + ": not together with --growth");
         const VulkanInstance instance;
-        const Device device(instance, device_);
+        const TestedDevice device(instance, device_);
         return growth_ ? run_growth(device, context) : run_models(device, context);
     }
 

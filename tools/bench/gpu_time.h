@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "engine/vulkan/device.h"
-#include "engine/vulkan/vulkan_handle.h"
+#include "engine/vulkan/query_pool.h"
 
 namespace rimline::tools {
 
@@ -28,7 +28,7 @@ private:
     DeviceContext context_;
     std::uint32_t valid_bits_ = 0;
     double tick_ms_ = 0.0;
-    OwnedQueryPool queries_;
+    QueryPool queries_;
 };
 
 }  // namespace rimline::tools

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/bench/machine.h"
 #include "tools/bench/suite_models.h"
@@ -127,7 +128,7 @@ public:
                                {"shape:knot:70000", "shape:spring:20000"})
                 : models_.named();
         const VulkanInstance instance;
-        const Device device(instance, device_);
+        const TestedDevice device(instance, device_);
         Json models = Json::array();
         TargetList all_targets;
         for (const std::string& model : names) {

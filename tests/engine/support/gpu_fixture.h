@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/vulkan/device.h"
+#include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "tests/skip.h"
 
@@ -35,7 +35,7 @@ public:
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
 
-    const Device& device() const noexcept { return *device_; }
+    const TestedDevice& device() const noexcept { return *device_; }
     const DeviceContext& context() const noexcept { return device_->context(); }
     const VulkanInstance& instance() const noexcept { return *instance_; }
 
@@ -53,7 +53,7 @@ private:
     }
 
     std::optional<VulkanInstance> instance_;
-    std::optional<Device> device_;
+    std::optional<TestedDevice> device_;
 };
 
 }  // namespace rimline::tests
