@@ -15,7 +15,7 @@
 //               by more than 150 degrees.
 //
 // Sampled surfaces without borders have hundreds of gaps: narrow ones, in chains of a few points with two
-// loose ends. Real borders have few of either (docs/points.md).
+// loose ends. Real borders have few of either (docs/results/points.md).
 
 #include "silhouette/points/border_gaps.h"
 

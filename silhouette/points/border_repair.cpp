@@ -16,7 +16,7 @@ namespace {
 // From here on a sector opens beside a point that names its own. Less than gap_ratio, for the neighbor's gap
 // is evidence too.
 constexpr double k_min_named_excess = 2.0;
-// The same for its angle: noise leaves such triangles on borders, of a common size (docs/points.md, Noise).
+// The same for its angle: noise leaves such triangles on borders, of a common size (docs/results/points.md, Noise).
 constexpr double k_min_named_angle_rad = glm::radians(150.0);
 // Two points that name a closed one lie on both sides of it, and not side by side.
 constexpr double k_min_apart_rad = glm::radians(70.0);

@@ -1,7 +1,7 @@
 #pragma once
 
 // The umbrellas of PointSurfaceOptions::Method::robust: stars (star_choice.h), then borders and creases
-// (border_tracing.h). docs/points.md explains the steps.
+// (border_tracing.h). docs/results/points.md explains the steps.
 
 #include <span>
 

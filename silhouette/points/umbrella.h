@@ -42,7 +42,7 @@ const char* describe(UndecidedReason reason) noexcept;
 
 struct PointSurfaceOptions {
     enum class Method : std::uint8_t {
-        robust,  ///< Several normals for each point; gaps by the scale of their corners (docs/points.md).
+        robust,  ///< Several normals for each point; gaps by the scale of their corners (docs/results/points.md).
         thesis,  ///< The passes of thesis 5.2, as written.
     };
     Method method = Method::robust;

@@ -22,7 +22,7 @@
 // are decided by is_front from the planes of their triangles. So results equal brute force bit for bit.
 //
 // A point takes about 165 bytes: about six planes of 16 bytes, six spokes of 6, and 32 for its place in the
-// order, its position and boxes. (docs/points.md compares this with a mesh of six faces a point.)
+// order, its position and boxes. (docs/results/points.md compares this with a mesh of six faces a point.)
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The data of the thesis's Figures 3.1 and 3.8 to 3.11 and of the single-origin columns of Table 4.2,
-// reproduced (docs/hough.md): the literal octree and tracker, the same octree in dual space, and our index.
+// reproduced (docs/results/hough.md): the literal octree and tracker, the same octree in dual space, and our index.
 // Work is counted and not timed, so the numbers are the same on every machine. Every result is compared with
 // brute force.
 //

@@ -116,7 +116,7 @@ public:
             "box_checks\n"
             "and work are of one extraction, on average. Without -k the center alone is among "
             "what\n"
-            "is tried, and often wins: see docs/field.md.\n\n"
+            "is tried, and often wins: see docs/results/field.md.\n\n"
             "Examples:\n"
             "  rimline origins horse.ply -k 3 --up 0,0,1 -o groups.png\n"
             "  rimline origins igea.ply --json");

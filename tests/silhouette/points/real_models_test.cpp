@@ -1,5 +1,5 @@
 // Real meshes without their faces: at most as many border points missed and extra as were measured when the
-// rules were made (docs/points.md), and never more undecided. Skipped where models are missing.
+// rules were made (docs/results/points.md), and never more undecided. Skipped where models are missing.
 
 #include <doctest/doctest.h>
 
@@ -88,7 +88,7 @@ TEST_CASE("borders of real models are missed and invented no more often than mea
     check(k_bounds);
 }
 
-// Those that tools/fetch_meshes.sh fetches and docs/points.md counts: wide open ones and smooth ones.
+// Those that tools/fetch_meshes.sh fetches and docs/results/points.md counts: wide open ones and smooth ones.
 TEST_CASE("borders of the meshes of the figures are found as well as measured") {
     constexpr Bound k_bounds[] = {
         {"armadillo.off"},
