@@ -28,7 +28,7 @@ public:
         while (text.size() - line_start > k_description_columns) {
             const std::size_t space = text.rfind(' ', line_start + k_description_columns);
             if (space == std::string::npos || space <= line_start) break;
-            text[space] = '\n';  // The base class indents what follows.
+            text[space] = '\n';  // The base class indents the next line.
             line_start = space + 1;
         }
         return text;

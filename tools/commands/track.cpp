@@ -147,8 +147,8 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        path_.refuse(up_option_, "orbit");
-        path_.read(context);  // A bad file is known before a long load.
+        path_.require_path(up_option_, "orbit");
+        path_.read(context);  // Reports a bad file before a long load.
         const Mesh mesh = model_.load_mesh(context);
         const glm::vec3 own_up = glm::vec3(direction_of(mesh.up()));
         const std::vector<HomogeneousPoint> points =

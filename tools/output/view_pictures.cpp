@@ -54,7 +54,7 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
 
 ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
                          const ViewDevice& drawn, std::uint32_t least, const Context& context) {
-    check_room_around(model, mesh);
+    check_viewing_range(model, mesh);
     if (choice.no_ratio) return choice.choose(model, mesh, {}, least, context);
     VisibleRatioPass pass(drawn.device->context(), *drawn.octree, {}, context.stop);
     return choice.choose(model, mesh, visible_ratios_of(pass, context), least, context);

@@ -1,4 +1,4 @@
-// rimline view: a window to look at a model in, and into its silhouette.
+// rimline view: an interactive window that shows a model or a cloud and its silhouette.
 
 #include <utility>
 
@@ -71,7 +71,7 @@ public:
         if (!screenshot_.empty()) screenshot.emplace(screenshot_, model_.model);
         if (model_.model.empty()) model_.model = k_default_model;
 
-        // Before the model is loaded: a machine without a display says so at once.
+        // Before the model is loaded, so that a missing display is reported at once.
         Window window("Rimline - " + model_.model, static_cast<int>(picture_.size.width),
                       static_cast<int>(picture_.size.height));
         const VulkanInstance instance(
@@ -99,65 +99,61 @@ public:
 
 private:
     void open(ViewSession& session, const Context& context) const {
-        std::optional<Progress> progress;
-        CloudArgument named = cloud_;
-        named.model = model_.model;
-        named.subdivide = model_.subdivide;
-        Document opened = open_named(named, [&](const std::string& doing) {
-            progress.emplace(context, doing);
-            return progress->call();
-        });
-        progress.reset();
-        context.checkpoint();
-        if (opened.cloud() != nullptr)
-            show_cloud(session, std::move(opened));
+        CloudArgument argument = cloud_;
+        argument.model = model_.model;
+        argument.subdivide = model_.subdivide;
+        Document document = follow_progress(
+            context, [&](const BeginCall& begin) { return open_document(argument, begin); });
+        if (document.cloud() != nullptr)
+            show_cloud(session, std::move(document));
         else
-            show_model(session, std::move(opened));
+            show_model(session, std::move(document));
     }
 
-    void show_cloud(ViewSession& session, Document opened) const {
+    void show_cloud(ViewSession& session, Document document) const {
         const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
                             picture_.has_chosen_sun || scene_.ground;
         if (is_lit || scene_.hidden || scene_.crease_degrees || scene_.style != "ink" || inspect_)
             throw UsageError(model_.model +
                              " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
                              "space are of models");
-        const CloudDocument& cloud = *opened.cloud();
+        const CloudDocument& cloud = *document.cloud();
         const auto exact = [](const std::optional<glm::vec3>& point) {
             return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
         };
         const Camera camera =
             make_cloud_camera(cloud.umbrellas(), cloud.cloud().up(), model_.model,
                               exact(picture_.eye), exact(picture_.target), picture_);
-        session.look = ViewLook(Style::ink);
-        if (picture_.background) session.look.background = linear_from_srgb(*picture_.background);
-        if (scene_.color) session.look.color = linear_from_srgb(*scene_.color);
-        if (scene_.line_color) session.look.line_color = linear_from_srgb(*scene_.line_color);
-        session.look.lines = scene_.lines == "on";
-        if (scene_.line_width) session.look.line_width_px = float(*scene_.line_width);
+        session.appearance = ViewAppearance(Style::ink);
+        if (picture_.background)
+            session.appearance.background = linear_from_srgb(*picture_.background);
+        if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
+        if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
+        session.appearance.lines = scene_.lines == "on";
+        if (scene_.line_width) session.appearance.line_width_px = float(*scene_.line_width);
         std::optional<glm::dvec3> from;
         if (silhouette_from_)
             from = glm::dvec3(cloud.umbrellas().to_index(glm::dvec3(*silhouette_from_)));
-        session.show(std::move(opened), camera, {});
+        session.show(std::move(document), camera, {});
         freeze(session, from);
     }
 
-    void show_model(ViewSession& session, Document opened) const {
-        const ModelDocument* const model = opened.model();
+    void show_model(ViewSession& session, Document document) const {
+        const ModelDocument* const model = document.model();
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
-        session.look = ViewLook(scene.style);
-        session.look.background = scene.palette.background;
-        if (scene_.color) session.look.color = linear_from_srgb(*scene_.color);
-        if (scene_.line_color) session.look.line_color = linear_from_srgb(*scene_.line_color);
-        session.look.lines = scene.lines;
-        session.look.line_width_px = scene.line_width_px;
-        session.look.hidden = scene_.hidden;
-        session.look.crease_angle_deg = scene.crease_angle_deg;
-        session.look.shadows = scene.shadows;
-        session.look.shadow_method = scene.shadow_method;
-        session.look.ground = scene_.ground;
-        session.show(std::move(opened), camera, std::move(scene.lights));
+        session.appearance = ViewAppearance(scene.style);
+        session.appearance.background = scene.palette.background;
+        if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
+        if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
+        session.appearance.lines = scene.lines;
+        session.appearance.line_width_px = scene.line_width_px;
+        session.appearance.hidden = scene_.hidden;
+        session.appearance.crease_angle_deg = scene.crease_angle_deg;
+        session.appearance.shadows = scene.shadows;
+        session.appearance.shadow_method = scene.shadow_method;
+        session.appearance.ground = scene_.ground;
+        session.show(std::move(document), camera, std::move(scene.lights));
         std::optional<glm::dvec3> from;
         if (silhouette_from_) from = glm::dvec3(*silhouette_from_);
         freeze(session, from);
@@ -174,7 +170,7 @@ private:
     }
 
     ModelArgument model_;
-    CloudArgument cloud_;  // Its flags.
+    CloudArgument cloud_;  // Only its flags are used.
     PictureOptions picture_;
     SceneOptions scene_;
     std::optional<glm::vec3> silhouette_from_;
