@@ -1,13 +1,13 @@
 #pragma once
 
-// The floats on either side of a double: what makes a bound in double a bound in float.
+// Outward rounding: from a bound in double to a bound in float.
 
 #include <cmath>
 #include <limits>
 
 namespace rimline {
 
-/// The least float that is not below `value`.
+/// The minimum float that is not below `value`.
 inline float rounded_up(double value) noexcept {
     const auto rounded = static_cast<float>(value);
     return double{rounded} >= value
@@ -15,7 +15,7 @@ inline float rounded_up(double value) noexcept {
                : std::nextafter(rounded, std::numeric_limits<float>::infinity());
 }
 
-/// The greatest float that is not above `value`.
+/// The maximum float that is not above `value`.
 inline float rounded_down(double value) noexcept { return -rounded_up(-value); }
 
 }  // namespace rimline

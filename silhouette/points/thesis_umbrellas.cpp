@@ -144,7 +144,7 @@ private:
     }
     std::uint64_t all_places() const { return (std::uint64_t{1} << k_) - 1; }
 
-    // An umbrella of the places `among` all that are admissible about the normal.
+    // An umbrella of those places in `among` that are admissible about the normal.
     std::optional<Fan> make(std::uint32_t i, const Neighborhood& around, const glm::dvec3& normal,
                             std::uint64_t among) const {
         std::array<std::uint8_t, k_max_neighbors> places;

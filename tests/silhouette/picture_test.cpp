@@ -56,7 +56,7 @@ TEST_CASE("a picture survives PNG, but for its alpha") {
     CHECK(read == picture.rgba);
 }
 
-TEST_CASE("what encode_png writes, decode_png reads") {
+TEST_CASE("decode_png reads what encode_png writes") {
     for (const auto [width, height] : {std::array{1u, 1u}, std::array{3u, 2u}, std::array{200u, 1u},
                                        std::array{1u, 200u}, std::array{64u, 64u}}) {
         Picture picture = make_picture(width, height);
@@ -73,7 +73,7 @@ TEST_CASE("what encode_png writes, decode_png reads") {
     }
 }
 
-TEST_CASE("decode_png reads alpha, gray and 16 bits") {
+TEST_CASE("decode_png reads alpha and gray and 16 bits") {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = 2;
@@ -91,7 +91,7 @@ TEST_CASE("decode_png reads alpha, gray and 16 bits") {
           std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255, 255, 255});
 }
 
-TEST_CASE("decode_png refuses a PNG that is cut off, wherever it is") {
+TEST_CASE("decode_png refuses a PNG that is cut off anywhere") {
     const std::vector<std::byte> bytes = encode_png(make_picture(9, 7));
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         CAPTURE(size);
@@ -102,7 +102,7 @@ TEST_CASE("decode_png refuses a PNG that is cut off, wherever it is") {
     }
 }
 
-TEST_CASE("decode_png refuses a PNG with a damaged byte, or reads a picture of the same size") {
+TEST_CASE("decode_png refuses a PNG with a damaged byte or reads a picture of the same size") {
     const Picture picture = make_picture(9, 7);
     const std::vector<std::byte> bytes = encode_png(picture);
     std::size_t refused = 0;
@@ -123,7 +123,7 @@ TEST_CASE("decode_png refuses a PNG with a damaged byte, or reads a picture of t
     CHECK(refused > bytes.size());
 }
 
-TEST_CASE("decode_png refuses what is no PNG, and pictures too large for memory") {
+TEST_CASE("decode_png refuses other bytes than PNG and pictures with too many pixels") {
     CHECK(refusal({}) == "PNG: not a PNG file");
     const std::vector<std::byte> zeros(100);
     CHECK(refusal(zeros) == "PNG: not a PNG file");

@@ -15,7 +15,7 @@ std::uint64_t bit_by_bit(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     return code;
 }
 
-TEST_CASE("interleaved bits are those of x, y and z in turn") {
+TEST_CASE("interleaved bits are those of three coordinates in turn") {
     constexpr std::uint64_t k_all = (std::uint64_t{1} << 21) - 1;
     CHECK(interleaved_bits(0, 0, 0) == 0);
     CHECK(interleaved_bits(k_all, 0, 0) == 0x1249249249249249u);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float k_infinity = std::numeric_limits<float>::infinity();
 
-TEST_CASE("a double lies between its rounded floats, and no other float does") {
+TEST_CASE("a double lies between its rounded floats and no other float does") {
     tests::Random random(1);
     for (int i = 0; i < 10000; ++i) {
         const double value = std::ldexp(double{random.signed_unit()} + 1e-9 * random.signed_unit(),
@@ -22,8 +22,7 @@ TEST_CASE("a double lies between its rounded floats, and no other float does") {
     }
 }
 
-TEST_CASE(
-    "floats stay as they are, and what is beyond all floats is rounded to the last or infinity") {
+TEST_CASE("floats stay as they are and doubles beyond all floats become infinity") {
     for (const float value : {0.0f, 1.0f, -1.5f, 0x1p-149f, std::numeric_limits<float>::max()}) {
         CHECK(rounded_up(double{value}) == value);
         CHECK(rounded_down(double{value}) == value);

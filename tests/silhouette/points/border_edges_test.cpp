@@ -57,13 +57,13 @@ TEST_CASE("a flat patch ends along the edges of its outline and no others") {
     }
 }
 
-TEST_CASE("a sphere has no border edges, and neither have sets without umbrellas") {
+TEST_CASE("a sphere and sets without umbrellas have no border edges") {
     CHECK(border_edges(PointSurface(tests::make_sphere(2000))).empty());
     CHECK(border_edges(PointSurface(std::vector<glm::dvec3>{})).empty());
     CHECK(border_edges(PointSurface(std::vector<glm::dvec3>{{1, 2, 3}})).empty());
 }
 
-TEST_CASE("border edges are those that both their points have, ascending and each once") {
+TEST_CASE("border edges are those that both points have: ascending and each once") {
     std::vector<glm::dvec3> points = tests::make_patch(20, 0.35, 7).points;
     // A hole, and noise: not all points agree.
     std::erase_if(points, [](const glm::dvec3& p) {
