@@ -57,7 +57,7 @@ void MachineHeading::print(const Context& context) {
 Mesh load_suite_mesh(const std::string& model, std::uint32_t subdivide, MachineHeading& heading,
                      const Context& context) {
     Mesh mesh = load_mesh(model, subdivide, context);
-    check_room_around(model, mesh);
+    check_viewing_range(model, mesh);
     heading.print(context);
     return mesh;
 }

@@ -55,7 +55,7 @@ private:
     bool is_printed_ = false;
 };
 
-/// The model as a mesh that can be seen from all sides (check_room_around). Prints `heading`.
+/// The model as a mesh that can be seen from all sides (check_viewing_range). Prints `heading`.
 Mesh load_suite_mesh(const std::string& model, std::uint32_t subdivide, MachineHeading& heading,
                      const Context& context);
 
