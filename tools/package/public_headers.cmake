@@ -60,13 +60,17 @@ set(rimline_engine_headers
     engine/silhouette_changes.h
     engine/tested_device.h
     engine/view_defaults.h
+    engine/clouds/disc_pieces.h
+    engine/clouds/disc_radii.h
+    engine/clouds/splat_renderer.h
     engine/stream/tracked_silhouette.h
     engine/vulkan/device.h
     engine/vulkan/device_choice.h
     engine/vulkan/memory.h
     engine/vulkan/picture_target.h
     engine/vulkan/vulkan_handle.h
-    engine/vulkan/vulkan_instance.h)
+    engine/vulkan/vulkan_instance.h
+    shaders/splat_layout.h)
 # Private in meaning. tracked_silhouette.h includes them.
 list(APPEND rimline_engine_headers
     engine/stream/change_stream.h
