@@ -129,8 +129,8 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
         const bool is_contour = has_0 && has_1 && draw.choice != RIMLINE_LINES_CREASE;
         const vec2 counted = dash_direction(eye_a, eye_b, eye_0, eye_1, is_contour, along);
         // Measured from the center of the mesh, so that dashes move with the mesh.
-        const vec4 middle = clip_from_object(instance.center);
-        const vec2 anchor = middle.w > 0.0 ? pixel_of(middle.xy / middle.w) : vec2(0.0);
+        const vec4 center = clip_from_object(instance.center);
+        const vec2 anchor = center.w > 0.0 ? pixel_of(center.xy / center.w) : vec2(0.0);
         capsule.dashes = vec2(dot(p - anchor, counted), dot(q - anchor, counted));
     }
     return true;

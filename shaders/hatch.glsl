@@ -39,7 +39,7 @@ void surface_steps(vec3 position, vec3 normal, out vec3 right_step, out vec3 up_
 
 // A point on a surface, in the mesh's coordinates.
 struct HatchedPlace {
-    vec3 from_middle;
+    vec3 from_center;
     vec3 normal;
     vec3 right_step;
     vec3 up_step;
@@ -53,7 +53,7 @@ vec2 passing(vec3 direction, HatchedPlace place) {
 // Ink of the planes perpendicular to `direction`. `density` is the share of the surface to ink.
 float strokes_ink(vec3 direction, float density, HatchedPlace place) {
     const float spacing = frame.hatch_spacing;
-    const float along = dot(direction, place.from_middle);
+    const float along = dot(direction, place.from_center);
     const float gradient = length(passing(direction, place));
     const float level = log2(spacing * gradient);
     const float period = exp2(floor(level));
@@ -102,7 +102,7 @@ float hatch_ink(vec3 position, vec3 normal, float density) {
     const vec3 k_second = vec3(-0.7807, 0.4880, 0.3904);
     const vec3 k_third = vec3(0.3554, -0.4443, 0.8224);
     HatchedPlace place;
-    place.from_middle = position - instance.center;
+    place.from_center = position - instance.center;
     place.normal = normal;
     surface_steps(position, normal, place.right_step, place.up_step);
     const float first = density < k_single ? density : k_single + 0.5 * (density - k_single);
