@@ -17,10 +17,12 @@ def test_version_and_help_go_to_standard_output():
 
 
 def test_every_subcommand_has_help():
-    for command in COMMANDS:
-        result = run(command, "--help")
+    suites = [("bench", suite) for suite in ("hough", "service", "engine", "fields", "views", "points")]
+    assert all("  " + suite in run("bench", "--help").stdout for _, suite in suites)
+    for command in [(name,) for name in COMMANDS] + suites:
+        result = run(*command, "--help")
         assert result.returncode == 0 and result.stderr == "", command
-        assert "Usage: rimline " + command in result.stdout
+        assert "Usage: rimline " + " ".join(command) in result.stdout
         assert "--json" in result.stdout
         assert "\n\n\n" not in result.stdout
         assert all(len(line) <= 110 for line in result.stdout.splitlines()), command

@@ -62,7 +62,7 @@ class HoughSuite final : public Command {
 public:
     std::string name() const override { return "hough"; }
     std::string summary() const override {
-        return "The octree and its tracker against brute force and other methods";
+        return "The octree and its tracker against the other methods";
     }
 
     void add_options(CLI::App& app) override {

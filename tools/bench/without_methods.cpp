@@ -7,9 +7,9 @@
 namespace rimline::tools {
 
 std::unique_ptr<Command> make_hough_suite() {
-    return std::make_unique<AbsentCommand>(
-        BuildPart::methods, "hough",
-        "The octree and its tracker against brute force and other methods", "bench");
+    return std::make_unique<AbsentCommand>(BuildPart::methods, "hough",
+                                           "The octree and its tracker against the other methods",
+                                           "bench");
 }
 
 std::string packed_instruction_set() { return {}; }

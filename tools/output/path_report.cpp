@@ -91,7 +91,7 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
             {"min_distance", planned.min_distance},
             {"length", planned.path.length()},
             {"views", to_json(chosen)},
-            {"asked", chosen.asked},
+            {"asked", chosen.requested_count},
             {"center", json_vector(mesh.center())},
             {"radius", mesh.radius()},
             {"inside_out", chosen.is_inside_out},
