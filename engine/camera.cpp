@@ -27,11 +27,11 @@ Projection make_projection(const Camera& camera, double aspect, const glm::dvec3
         return {{focal / aspect, -focal}, {0.0, 1e-4 * scene_radius}, {-1.0, 0.0}};
     }
     const double scale = 2.0 / camera.ortho_height;
-    // Depth runs from 1 at eye.z = near to 0 at eye.z = far.
-    const double middle =
+    // Depth decreases from 1 at eye.z = near to 0 at eye.z = far.
+    const double center_z =
         glm::dot(glm::normalize(camera.eye - camera.target), scene_center - camera.eye);
-    const double near = middle + 1.01 * scene_radius;
-    const double far = middle - 1.01 * scene_radius;
+    const double near = center_z + 1.01 * scene_radius;
+    const double far = center_z - 1.01 * scene_radius;
     return {{scale / aspect, -scale}, {1.0 / (near - far), -far / (near - far)}, {0.0, 1.0}};
 }
 

@@ -2,8 +2,8 @@
 
 // A camera, perspective or orthographic, and the transforms that follow from it.
 //
-// Depth is reversed: 1 at the near plane, 0 at infinity (perspective) or behind the scene
-// (orthographic), so that float depth is equally fine at every distance. Greater is nearer.
+// Depth is reversed: 1 at the near plane, 0 at infinity (perspective) or behind the scene (orthographic).
+// Float depth then has the same relative precision at every distance. Greater is nearer.
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -16,7 +16,7 @@ struct Camera {
     glm::dvec3 target{0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
     double fov_y_deg = 40.0;    ///< Vertical field of view of a perspective camera.
-    double ortho_height = 0.0;  ///< Over 0: orthographic, and the picture is as high as this.
+    double ortho_height = 0.0;  ///< Greater than 0: orthographic, with this picture height.
 
     bool is_orthographic() const noexcept { return ortho_height > 0.0; }
 };
@@ -28,12 +28,12 @@ struct Projection {
     glm::dvec2 w;
 };
 
-/// The rows are the camera's axes in the world: x right, y up, z towards the viewer. Where `up` is
-/// parallel to the view any perpendicular axis takes its place. eye and target must differ.
+/// The rows are the camera's axes in the world: x right, y up, z towards the viewer. If `up` is parallel to
+/// the view, a perpendicular axis replaces it. eye and target must differ.
 glm::dmat3 camera_from_world(const Camera& camera);
 
-/// Everything within `scene_radius` of `scene_center` lies in front of an orthographic camera,
-/// wherever its eye is; a perspective camera's near plane is at 1e-4 of that radius.
+/// For an orthographic camera, everything within `scene_radius` of `scene_center` lies between the near and
+/// far planes, wherever the eye is. A perspective camera's near plane is at 1e-4 of that radius.
 Projection make_projection(const Camera& camera, double aspect, const glm::dvec3& scene_center,
                            double scene_radius);
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "silhouette/mesh/mesh.h"
+
 namespace rimline {
 
 BoundingSphere bounding_sphere(const Mesh& mesh, const Deformation& deformation) {

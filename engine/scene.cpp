@@ -3,7 +3,16 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "silhouette/hough/hough_octree.h"
+
 namespace rimline {
+
+const Mesh& SceneInstance::mesh() const noexcept { return deforming ? *deforming : octree->mesh(); }
+
+BoundingSphere SceneInstance::bounds() const {
+    if (deforming) return bounding_sphere(*deforming, deformation);
+    return {octree->mesh().center(), octree->mesh().radius()};
+}
 
 SceneBounds bounds_of(const Scene& scene) {
     glm::dvec3 low(0.0);
@@ -20,7 +29,7 @@ SceneBounds bounds_of(const Scene& scene) {
         high = first ? center + radius : glm::max(high, center + radius);
         first = false;
     }
-    // Around the spheres' box, not its corners: each sphere reaches no farther than this.
+    // Around the spheres themselves, not the corners of their box: a smaller sphere.
     SceneBounds bounds{.center = 0.5 * (low + high), .radius = 0.0};
     for (const SceneInstance& instance : scene.instances) {
         const auto [center, radius] = in_world(instance);

@@ -7,12 +7,15 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "silhouette/mesh/mesh.h"
+
 namespace rimline {
 
 namespace {
 
-// Positions, relative to the camera or the light, are moved by the shaders by some 2^-21 of their
-// length (eight roundings of 2^-24, and a rotation matrix of floats). This is sixteen times that.
+// Relative error of positions in the shaders, with a margin. Relative to the camera or the light, positions
+// are wrong by about 2^-21 of their length (eight roundings of 2^-24, and a rotation matrix of floats).
+// This is sixteen times that.
 constexpr double k_rounding = 0x1p-17;
 
 struct Box {
@@ -26,12 +29,12 @@ bool contains(const Box& box, const glm::dvec3& point) {
            glm::all(glm::lessThanEqual(point, box.high));
 }
 
-// The farthest point of a box from a point.
+// The distance from a point to the farthest point of a box.
 double reach_from(const Box& box, const glm::dvec3& point) {
     return glm::length(glm::max(glm::abs(box.low - point), glm::abs(box.high - point)));
 }
 
-// Whether the way from `start`, so many times `step` long, meets a box; by slabs.
+// Whether the segment from `start` to `start + length * step` meets a box, by the slab method.
 bool meets(const Box& box, const glm::dvec3& start, const glm::dvec3& step, double length) {
     double enter = 0.0;
     double leave = length;
@@ -52,14 +55,14 @@ bool meets(const Box& box, const glm::dvec3& start, const glm::dvec3& step, doub
 
 glm::dvec3 light_vector(const ShadowCaster& caster) { return glm::dvec3(caster.light.xyz()); }
 
-// Where the ray from the light through a point of an orthographic view's caster ends.
+// The end of a finite volume's ray that begins at `point` of the caster. For orthographic views.
 glm::dvec3 extruded(const ShadowCaster& caster, const glm::dvec3& point) {
     const glm::dvec3 light = light_vector(caster);
     if (caster.light.is_direction()) return point - caster.extrusion * glm::normalize(light);
     return point + caster.extrusion * (point - light);
 }
 
-// What the caster's bounds must be grown by to hold what the shaders make of it.
+// By how much the caster's bounds must be grown to contain the positions that the shaders compute.
 double margin_of(const Box& box, const ShadowView& view, const ShadowCaster& caster) {
     double reach =
         view.orthographic ? reach_from(box, 0.5 * (box.low + box.high)) : reach_from(box, view.eye);
@@ -69,7 +72,7 @@ double margin_of(const Box& box, const ShadowView& view, const ShadowCaster& cas
     return k_rounding * reach;
 }
 
-// A reason why the single form would not be right, or null.
+// The reason why the single form is not proven right, or null.
 const char* why_not_single(const Box& box, const ShadowView& view, const ShadowCaster& caster) {
     if (!caster.is_closed_chain) return "the mesh is not closed, or not consistently oriented";
     if (!caster.light.is_direction() && contains(box, light_vector(caster)))
@@ -79,10 +82,10 @@ const char* why_not_single(const Box& box, const ShadowView& view, const ShadowC
     return nullptr;
 }
 
-// A reason why depth pass would not be right, or null.
+// The reason why depth pass is not proven right, or null.
 const char* why_not_pass(const Box& box, const ShadowView& view, const ShadowCaster& caster) {
     if (view.orthographic) {
-        // The end moves evenly with its beginning, so the corners' ends hold all ends between them.
+        // The end is an affine function of the beginning, so all ends lie between those of the corners.
         for (unsigned corner = 0; corner < 8; ++corner) {
             const glm::dvec3 start((corner & 1u) != 0 ? box.high.x : box.low.x,
                                    (corner & 2u) != 0 ? box.high.y : box.low.y,
@@ -138,13 +141,13 @@ HomogeneousPoint light_off_vertices(const Mesh& mesh, const HomogeneousPoint& li
     const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
     const float greatest = std::max({reach.x, reach.y, reach.z});
     const float step = std::max(0x1p-16f * greatest, k_min_point_component);
-    const glm::vec3 middle(mesh.center());
+    const glm::vec3 center(mesh.center());
     for (float steps = 1.0f;; steps += 1.0f) {
         glm::vec3 beside;
         for (int axis = 0; axis < 3; ++axis) {
-            const float away = place[axis] < middle[axis] ? -steps * step : steps * step;
+            const float away = place[axis] < center[axis] ? -steps * step : steps * step;
             beside[axis] = place[axis] + away;
-            // Past the end of coordinates there is only the other way.
+            // Beyond the range of coordinates, the other direction is taken.
             if (std::abs(beside[axis]) > k_max_coordinate) beside[axis] = place[axis] - away;
         }
         if (!is_vertex(beside)) return HomogeneousPoint::viewpoint(beside);

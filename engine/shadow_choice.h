@@ -1,29 +1,28 @@
 #pragma once
 
-// How each caster's volume is drawn for each light: what is shown to give the same picture, and costs
-// least.
+// How each caster's shadow volume is drawn for each light: the cheapest way that is proven to give the same
+// picture.
 //
 // Single form. Let F and B be the triangles of a mesh between the light and a point that are front and
-// back by their bits. The general form counts F + B, the single form F alone, half the fill. For a mesh
-// whose triangles form a closed chain (every edge is run as often one way as the other), F - B is what
-// is left when the sides of the general form, which cancel, are taken away: the mesh's own winding
-// number around the point, less that around the light. The points that are asked for are seen by the
-// camera, and the mesh itself is drawn: no triangle of it lies between, so its winding number around
-// them is that around the eye. So where neither the light nor the eye is within the mesh's bounds,
-// F + B = 2F, whatever the mesh does to itself: self-intersection, inside-out parts and negative winding
-// included. It holds for what is rasterized too, sample by sample and whatever the bits: the same caps,
-// each at its own depth, are what cancels.
+// back by their bits. The general form counts F + B, the single form F alone, with half the fill. Let the
+// mesh's triangles form a closed chain: each edge is traversed equally often in both directions. Then the
+// sides of the general form cancel, and F - B is the mesh's winding number around the point minus that
+// around the light. The points in question are visible to the camera, and the mesh itself is drawn. So no
+// triangle of the mesh lies between the eye and the point, and the winding number around both is the same.
+// If neither the light nor the eye is within the mesh's bounds, both winding numbers are 0 and F + B = 2F.
+// This includes self-intersection, inside-out parts and negative winding. It also holds for what is
+// rasterized, for each sample and for any bits, because the same caps cancel, each at its own depth.
 //
 // Depth pass. A closed volume that is not cut by the near plane covers each sample as often from the
-// front as from the back, so what passes the depth test and what fails it count alike. Of what passes,
-// caps are no part: a light cap has the depth of the surface it lies on, a dark cap lies behind
-// everything. So sides alone do, where the volume keeps clear of the near plane. It meets a ball around
-// the eye just where its caster meets the way from the ball to the light: a segment, or a ray towards a
-// directional light, as thick as the ball. The ball here holds the near rectangle, and the caster is
-// its bounding box. Orthographic volumes are finite, and must end behind the far plane.
+// front as from the back, so counting fragments that pass the depth test and those that fail it gives the
+// same result. Caps never pass: a light cap has the depth of the surface it lies on, and a dark cap lies
+// behind everything. So sides alone are enough, if the volume does not meet the near plane. The volume meets
+// a ball around the eye exactly if the caster meets the path from the ball to the light, a segment or, for a
+// directional light, a ray, as thick as the ball. Here the ball contains the near rectangle, and the caster
+// is its bounding box. Orthographic volumes are finite, and must end behind the far plane.
 //
-// Both are decided in the mesh's own coordinates, in double, with a margin over the shaders' rounding;
-// a few hundred operations a pair of caster and light.
+// Both are decided in the mesh's own coordinates, in double, with a margin for the shaders' rounding. Cost: a
+// few hundred operations for each pair of caster and light.
 // Sources: Everitt, Kilgard 2002; Hornus et al., ZP+: correct Z-pass stencil shadows, 2005; Kim, Kim,
 // Turk, Exact and Robust Shadow Volumes with Signed Multiplicities, 2008.
 
@@ -32,68 +31,77 @@
 #include <glm/vec3.hpp>
 
 #include "silhouette/mesh/homogeneous_point.h"
-#include "silhouette/mesh/mesh.h"
 
 namespace rimline {
 
-/// Which side of the surface is counted.
+class Mesh;
+
+/// Which fragments are counted.
 enum class ShadowMethod : std::uint8_t {
-    automatic,  ///< Depth pass where it is shown to be right, else depth fail.
-    fail,       ///< What lies behind the surface: right for everything.
-    pass,       ///< As automatic: where depth pass is not shown to be right it is not taken.
+    automatic,  ///< Depth pass where it is proven right, else depth fail.
+    fail,       ///< Those behind the surface. Always right.
+    pass,       ///< As automatic: depth pass is used only where it is proven right.
 };
 
 /// Which faces cast.
 enum class ShadowForm : std::uint8_t {
-    automatic,  ///< Single where it is shown to be right, else general.
-    general,    ///< Every face, front or back: right for everything.
-    single,     ///< As automatic: where front faces alone are not shown to be right, all cast.
+    automatic,  ///< Single where it is proven right, else general.
+    general,    ///< Every face, front or back. Always right.
+    single,     ///< As automatic: single is used only where it is proven right.
 };
 
-/// What a caster and a light were given, neither automatic.
+/// The stage that makes sides of edge records. Both draw the same triangles. A driver may transform the
+/// output of a geometry stage with other roundings: then a pixel on a volume's edge can fall between its
+/// caps and its sides, about one in ten million, and depth pass and depth fail can differ there.
+enum class SideStage : std::uint8_t {
+    vertex,    ///< Vertex pulling: on every device, watertight to the last bit.
+    geometry,  ///< Geometry shaders, where the device has them.
+};
+
+/// The choice for one caster and one light; neither is automatic.
 struct ShadowChoice {
     ShadowMethod method = ShadowMethod::fail;
     ShadowForm form = ShadowForm::general;
-    const char* method_reason = "";  ///< A phrase that lives as long as the program.
+    const char* method_reason = "";  ///< A phrase in static storage.
     const char* form_reason = "";
 };
 
-/// Whether a mesh's triangles form a closed chain: every edge is run as often in one direction as in
-/// the other. O(edges that are not regular).
+/// Whether a mesh's triangles form a closed chain: each edge is traversed equally often in both
+/// directions. O(edges that are not regular).
 bool is_closed_chain(const Mesh& mesh);
 
-/// A light, in the mesh's own coordinates, from which every vertex has a direction: `light` itself, or
-/// where it lies exactly on a vertex a point beside it, away from the middle by 2^-16 of the mesh's
-/// greatest coordinate: a hundred roundings, so that it lies surely on one side of the planes around the
-/// vertex. Silhouettes and volumes must be of the same point. O(vertices) where the light is within the
-/// mesh's bounds.
+/// A light, in the mesh's own coordinates, that lies on no vertex: `light` itself, or, if it lies exactly on
+/// a vertex, a point beside it. That point is moved away from the mesh's center by 2^-16 of the greatest
+/// coordinate, a hundred roundings, so that it lies on a definite side of the planes around the vertex.
+/// Silhouettes and volumes must use the same point. O(vertices) if the light is within the mesh's bounds,
+/// else O(1).
 HomogeneousPoint light_off_vertices(const Mesh& mesh, const HomogeneousPoint& light);
 
-/// The camera as a choice sees it, in the mesh's own coordinates.
+/// The camera for choose_shadow(), in the mesh's own coordinates.
 struct ShadowView {
     bool orthographic = false;
     glm::dvec3 eye{0.0};
     double near_reach =
-        0.0;  ///< Perspective: how far the near rectangle's corners are from the eye.
+        0.0;  ///< Perspective: distance from the eye to the near rectangle's corners.
     glm::dvec3 back{0.0, 0.0, 1.0};  ///< Towards the viewer, a unit vector.
-    double far = 0.0;                ///< Orthographic: the far plane is where back·x is this.
+    double far = 0.0;                ///< Orthographic: the far plane is back·x = far.
 };
 
-/// Whether a perspective view's eye and near rectangle are outside a box, an orthographic view's always.
+/// Whether a perspective view's eye and near rectangle are outside a box. Orthographic: always true.
 bool is_outside(const ShadowView& view, const glm::dvec3& low, const glm::dvec3& high);
 
 /// A caster before one light.
 struct ShadowCaster {
     glm::dvec3 low{0.0}, high{0.0};  ///< Bounds of all its vertices.
     bool is_closed_chain = false;
-    HomogeneousPoint light{};  ///< As its bits and its volume have it.
-    /// LightData.extrusion: 0 to infinity, as it must be unless the view is orthographic.
+    HomogeneousPoint light{};  ///< The point of its face bits and its volume.
+    /// LightData.extrusion. 0: to infinity, as it must be unless the view is orthographic.
     double extrusion = 0.0;
-    /// Whether a finite volume was extruded as far as it would need to be.
+    /// Whether a finite volume was extruded as far as needed.
     bool reaches_far_enough = true;
 };
 
-/// Never a choice that is not shown to be right, whatever is wanted.
+/// Takes the wanted method and form only where they are proven right. O(1).
 ShadowChoice choose_shadow(ShadowMethod wanted_method, ShadowForm wanted_form,
                            const ShadowView& view, const ShadowCaster& caster);
 

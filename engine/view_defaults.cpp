@@ -11,7 +11,7 @@ namespace rimline {
 
 namespace {
 
-// A picture is this much wider than what it shows.
+// A picture is wider than its subject by this factor.
 constexpr double k_margin = 1.06;
 
 // A right-handed pair perpendicular to `up`: the first is the first coordinate axis in that plane.
@@ -30,12 +30,12 @@ GroundAxes ground_axes(const glm::dvec3& up) {
 }  // namespace
 
 Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
-    // The middle of what is seen depends on where the camera looks, but less each time.
+    // The center of what is seen depends on the direction of the camera. The iteration converges.
     constexpr int k_turns = 8;
     constexpr double k_min_fov_deg = 1.0;
     camera.ortho_height = 0.0;
     camera.target = mesh.center();
-    // Seen along the up axis, the least turn would spin the picture.
+    // Seen along the up axis, the smallest turn would rotate the picture.
     const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
     if (glm::length(glm::cross(back, glm::normalize(camera.up))) < 0.2) {
         const glm::dmat3 axes = camera_from_world(camera);
@@ -55,9 +55,9 @@ Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
         }
         reach = glm::max(glm::abs(low), glm::abs(high));
         if (turn == k_turns) break;
-        const glm::dvec2 middle = 0.5 * (low + high);
+        const glm::dvec2 center = 0.5 * (low + high);
         const double distance = glm::distance(camera.eye, mesh.center());
-        camera.target = camera.eye + distance * (glm::dvec3(middle, -1.0) * axes);
+        camera.target = camera.eye + distance * (glm::dvec3(center, -1.0) * axes);
     }
     const double tangent = k_margin * std::max(reach.y, reach.x / aspect);
     camera.fov_y_deg = std::max(2.0 * glm::degrees(std::atan(tangent)), k_min_fov_deg);
@@ -83,8 +83,8 @@ Camera fit_camera(Camera camera, const Subject& subject, const glm::dvec3& towar
     }
     const glm::dvec2 tangent =
         std::tan(0.5 * glm::radians(camera.fov_y_deg)) * glm::dvec2(aspect, 1.0) / k_margin;
-    // Each vertex bounds the eye's place along x and y on both sides: the eye must lie at least
-    // |x - eye.x| / tangent behind it. Both sides together give the middle and the distance.
+    // Each vertex bounds the eye's position along x and y on both sides: the eye must lie at least
+    // |x - eye.x| / tangent behind the vertex. Both sides together give the center and the distance.
     glm::dvec2 high(-std::numeric_limits<double>::max());
     glm::dvec2 low(-std::numeric_limits<double>::max());
     double nearest = 0.0;
@@ -94,13 +94,13 @@ Camera fit_camera(Camera camera, const Subject& subject, const glm::dvec3& towar
         low = glm::max(low, -glm::dvec2(p) + p.z * tangent);
         nearest = std::max(nearest, p.z);
     }
-    const glm::dvec2 middle = 0.5 * (high - low);
+    const glm::dvec2 shift = 0.5 * (high - low);
     const glm::dvec2 distance = 0.5 * (high + low) / tangent;
-    // A needle that points at the viewer needs no more distance than its own length to fit in.
+    // A thin mesh that points at the viewer fits at little more distance than its own length.
     const double back_off = std::max({distance.x, distance.y, nearest + 0.05 * radius});
     const glm::dvec3 right(axes[0][0], axes[1][0], axes[2][0]);
     const glm::dvec3 upward(axes[0][1], axes[1][1], axes[2][1]);
-    camera.target = subject.center + middle.x * right + middle.y * upward;
+    camera.target = subject.center + shift.x * right + shift.y * upward;
     camera.eye = camera.target + back_off * back;
     return camera;
 }
@@ -119,15 +119,15 @@ MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius) {
     for (const glm::vec3& position : mesh.positions())
         lowest = std::min(lowest, glm::dot(glm::dvec3(position) - mesh.center(), n));
     if (mesh.positions().empty()) lowest = 0.0;
-    // A hair lower, so that a flat base does not share its plane: more than rounding to float takes.
+    // Lower by more than rounding to float changes, so that a flat base does not lie in the ground's plane.
     const glm::dvec3 reach = glm::abs(mesh.center()) + radius;
     const double rounding = 0x1p-22 * std::max({reach.x, reach.y, reach.z});
-    const double hair = std::max(5e-4 * mesh.radius(), rounding);
-    const glm::dvec3 middle = mesh.center() + n * (lowest - hair);
+    const double margin = std::max(5e-4 * mesh.radius(), rounding);
+    const glm::dvec3 center = mesh.center() + n * (lowest - margin);
     const auto [first, second] = ground_axes(up);
     MeshSource ground;
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
-        ground.positions.emplace_back(middle + radius * (corner.x * first + corner.y * second));
+        ground.positions.emplace_back(center + radius * (corner.x * first + corner.y * second));
     ground.triangles = {{0, 1, 2}, {0, 2, 3}};
     return ground;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// A camera and a light for who gives none, and what the styles look like.
+// Defaults: a camera, a light, a ground, and the look of the styles.
 
 #include <span>
 
@@ -9,12 +9,14 @@
 
 namespace rimline {
 
-/// What a camera is to show: positions within a sphere, a mesh's or a cloud's. Looks at them while it lives.
+/// What a camera shows: positions of a mesh or a cloud, within a sphere. Holds a span: the positions must
+/// outlive it.
 struct Subject {
     Subject(const Mesh& mesh)
         : Subject(mesh.positions(), mesh.center(), mesh.radius(), mesh.up()) {}
-    Subject(std::span<const glm::vec3> seen, const glm::dvec3& middle, double reach, UpAxis axis)
-        : positions(seen), center(middle), radius(reach), up(axis) {}
+    Subject(std::span<const glm::vec3> points, const glm::dvec3& sphere_center,
+            double sphere_radius, UpAxis axis)
+        : positions(points), center(sphere_center), radius(sphere_radius), up(axis) {}
 
     std::span<const glm::vec3> positions;
     glm::dvec3 center;
@@ -22,34 +24,34 @@ struct Subject {
     UpAxis up;
 };
 
-/// Places a camera in the direction `towards_viewer` from the subject; `camera` brings field of view or
-/// height, and up. A perspective camera's target and distance are chosen so that every position lies
+/// Places a camera in the direction `towards_viewer` from the subject. `camera` gives the field of view or
+/// the height, and up. A perspective camera's target and distance are chosen so that every position lies
 /// inside the picture with a margin of 6%; an orthographic camera looks at the subject's center.
 /// O(positions).
 Camera fit_camera(Camera camera, const Subject& subject, const glm::dvec3& towards_viewer,
                   double aspect);
 
-/// The same for a perspective camera that stays where it is, outside the sphere around the mesh: turned and
-/// given a field of view, over 1°, so that every used vertex lies inside the picture with that margin.
-/// O(vertices).
+/// Turns a perspective camera, which keeps its eye, and sets its field of view so that every used vertex
+/// lies inside the picture with a margin of 6%. The field of view is at least 1 degree. The eye must lie
+/// outside the sphere around the mesh. O(vertices).
 Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect);
 
-/// The default three-quarter view: from the front, the right and above, for this up axis.
+/// The default three-quarter view for this up axis: from the front, the right and above.
 glm::dvec3 default_view_direction(const glm::dvec3& up);
 
-/// A sun from over the viewer's left shoulder.
+/// A sun above and to the left of the viewer.
 Light default_sun(const Camera& camera);
 
-/// A ground under a mesh: two triangles, wide enough to fade out (SceneInstance::fade_radius) before
-/// they end.
+/// A ground under a mesh: a square of two triangles with corners `radius` away along each axis, so that it
+/// can fade out (SceneInstance::fade_radius) before it ends.
 MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius);
 
-/// How a style is drawn where nobody says otherwise.
+/// The defaults of a style.
 struct StyleDefaults {
     glm::vec3 background;  ///< Linear light.
     float line_width_px;
-    float crease_angle_deg;      ///< 0: creases are no lines.
-    float hidden_line_strength;  ///< Where hidden lines are drawn.
+    float crease_angle_deg;      ///< 0: creases are not drawn.
+    float hidden_line_strength;  ///< If hidden lines are drawn.
 };
 StyleDefaults style_defaults(Style style);
 

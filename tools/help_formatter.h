@@ -1,6 +1,6 @@
 #pragma once
 
-// The format of --help: descriptions are wrapped beside their options; an empty line separates groups.
+// The layout of --help: descriptions are wrapped beside their options, with one empty line between groups.
 
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>

@@ -7,24 +7,26 @@
 
 #include "silhouette/points/umbrella_triangles.h"
 
-namespace rimline::tools {
+namespace rimline {
 
 namespace {
 
+// Faces at a point: a corner of a box has three, and a piece has two cuts.
 constexpr std::size_t k_max_faces = 3;
+// Triangles whose normals differ by less than 25 degrees are of one face.
 const double k_flat_cosine = std::cos(25.0 * std::numbers::pi / 180.0);
-// Between the sides of a gap of 135 degrees.
+// The cosine between the two cuts of a gap of 135 degrees.
 const double k_bent_cosine = std::cos(45.0 * std::numbers::pi / 180.0);
 
-// The triangles of one face: sums over them by their angles at the point.
+// The triangles of one face: sums weighted by their angles at the point.
 struct Face {
     glm::dvec3 normal{0.0};
-    glm::dvec3 middle{0.0};  // From the point into them.
+    glm::dvec3 inward{0.0};  // From the point into them.
 };
 
 struct PieceTriangle {
     glm::dvec3 normal;  // Of length 1.
-    glm::dvec3 middle;
+    glm::dvec3 inward;
     double angle;  // At the point.
 };
 
@@ -43,11 +45,11 @@ std::vector<PieceTriangle> triangles_of(const PointSurface& surface, PointId poi
     return triangles;
 }
 
-// The triangles gathered by their normals, each face's of length 1.
+// The triangles grouped into faces by their normals. The normals of faces have length 1.
 std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
     const std::vector<PieceTriangle> triangles = triangles_of(surface, point);
     if (triangles.empty()) return {};
-    // Each seed is the triangle farthest from all before it.
+    // Each further seed is the normal farthest from all seeds before.
     std::vector<glm::dvec3> seeds{triangles[0].normal};
     const auto nearest_seed = [&](const PieceTriangle& triangle) {
         std::size_t nearest = 0;
@@ -72,13 +74,14 @@ std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
     for (const PieceTriangle& triangle : triangles) {
         Face& face = faces[nearest_seed(triangle)];
         face.normal += triangle.angle * triangle.normal;
-        face.middle += triangle.angle * triangle.middle;
+        face.inward += triangle.angle * triangle.inward;
     }
     for (Face& face : faces) face.normal = glm::normalize(face.normal);
     return faces;
 }
 
-// Along the two sides of a border's gap, if it has one gap: inwards, in the umbrella's plane.
+// The cuts along the two sides of a border's gap, if it has exactly one gap: vectors into the piece, in the
+// umbrella's plane.
 std::array<glm::dvec3, 2> border_cuts(const PointSurface& surface, PointId point) {
     if (surface.label(point) != PointLabel::border) return {};
     const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
@@ -89,7 +92,7 @@ std::array<glm::dvec3, 2> border_cuts(const PointSurface& surface, PointId point
         const PointId q = umbrella.ring[j % umbrella.ring.size()];
         return surface.positions()[index(q)] - surface.positions()[index(point)];
     };
-    // The triangles follow the ring from the gap's end to its beginning.
+    // The triangles follow the ring from the end of the gap to its beginning.
     const glm::dvec3 first = glm::cross(umbrella.normal, direction(gap + 1));
     const glm::dvec3 last = glm::cross(direction(gap), umbrella.normal);
     const double lengths = glm::length(first) * glm::length(last);
@@ -97,7 +100,7 @@ std::array<glm::dvec3, 2> border_cuts(const PointSurface& surface, PointId point
     const bool is_convex =
         glm::dot(glm::cross(direction(gap + 1), direction(gap)), umbrella.normal) >= 0.0;
     if (is_convex) return {first, last};
-    // Two cuts leave what both do: too little beside a gap that is less than a half turn.
+    // Two cuts leave the intersection of both halves. That is too little if the gap is less than half a turn.
     if (glm::dot(first, last) < k_bent_cosine * lengths) return {};
     return {glm::normalize(first) + glm::normalize(last), glm::dvec3(0.0)};
 }
@@ -115,7 +118,7 @@ std::vector<DiscPiece> disc_pieces(const PointSurface& surface, PointId point) {
         DiscPiece piece{faces[f].normal, {}};
         for (std::size_t other = 0, cut = 0; other < faces.size(); ++other) {
             if (other == f) continue;
-            const double side = glm::dot(faces[f].middle, faces[other].normal);
+            const double side = glm::dot(faces[f].inward, faces[other].normal);
             piece.cuts[cut++] = faces[other].normal * (side < 0.0 ? -1.0 : 1.0);
         }
         pieces.push_back(piece);
@@ -123,4 +126,4 @@ std::vector<DiscPiece> disc_pieces(const PointSurface& surface, PointId point) {
     return pieces;
 }
 
-}  // namespace rimline::tools
+}  // namespace rimline

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a point's disc becomes where the surface is not flat around it: several discs, each in the plane of
-// a face that meets there and cut where the others begin; at a border one, cut at the gap.
+// The pieces of a point's disc where the surface is not flat around it: one for each face that meets there,
+// in the plane of the face, and cut where the other faces begin. At a border: one piece, cut at the gap.
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -9,17 +9,17 @@
 
 #include "silhouette/points/point_surface.h"
 
-namespace rimline::tools {
+namespace rimline {
 
 struct DiscPiece {
     glm::dvec3 normal;  ///< Of length 1, or zero without an umbrella.
-    /// What lies on the other side of the point than these is left out; zero: none.
+    /// Vectors into the piece: the half of the plane opposite to each is cut away. Zero: no cut.
     std::array<glm::dvec3, 2> cuts{};
 };
 
-/// One piece where no triangle turns from another by more than 25 degrees or so, else two, or three where
-/// two leave a triangle that does: a corner of more faces is drawn as if it had three.
-/// At a border whose gap is its only one and wider than 135 degrees, the piece ends at the gap.
+/// One piece if the normals of the point's triangles differ by less than about 25 degrees, else two, or three
+/// if two pieces leave a triangle that differs from both by more. A corner of more than three faces is drawn
+/// with three. If a border point has a single gap of more than 135 degrees, its piece ends at the gap.
 std::vector<DiscPiece> disc_pieces(const PointSurface& surface, PointId point);
 
-}  // namespace rimline::tools
+}  // namespace rimline

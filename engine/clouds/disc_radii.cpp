@@ -8,23 +8,24 @@
 #include "silhouette/mesh/angle_between.h"
 #include "silhouette/points/umbrella_triangles.h"
 
-namespace rimline::tools {
+namespace rimline {
 
 namespace {
 
-constexpr double k_widest = 2.0;  // In medians of a point's triangles.
-// Of 25 degrees: what leans more has a disc of its own (disc_pieces.h).
+// Limit of a point's radius, in medians over its triangles: a single long triangle must not set it.
+constexpr double k_max_medians = 2.0;
+// The sine of 25 degrees. A triangle at a larger angle has a disc of its own (disc_pieces.h).
 constexpr double k_max_lean = 0.4226;
 
-// The upper one of two. Reorders them; zero for none.
+// Upper median. Reorders `values`. Returns 0 if empty.
 double median(std::vector<double>& values) {
     if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    const auto upper = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), upper, values.end());
+    return *upper;
 }
 
-// What three discs at its corners need to cover a triangle with these sides from its first corner.
+// The radius of three discs at the corners that covers a triangle with these sides from its first corner.
 double covering_radius(const glm::dvec3& a, const glm::dvec3& b) {
     const double lengths[3] = {glm::length(a), glm::length(b), glm::length(a - b)};
     const double equilateral = *std::max_element(lengths, lengths + 3) * std::numbers::inv_sqrt3;
@@ -38,7 +39,7 @@ double covering_radius(const glm::dvec3& a, const glm::dvec3& b) {
 std::vector<double> disc_radii(const PointSurface& surface) {
     const std::span<const glm::dvec3> positions = surface.positions();
     std::vector<double> radii(surface.size(), 0.0);
-    std::vector<double> found;
+    std::vector<double> known;
     std::vector<double> own;
     for (std::uint32_t p = 0; p < surface.size(); ++p) {
         own.clear();
@@ -51,13 +52,13 @@ std::vector<double> disc_radii(const PointSurface& surface) {
         });
         if (own.empty()) continue;
         const double widest = *std::ranges::max_element(own);
-        radii[p] = std::min(widest, k_widest * median(own));
-        found.push_back(radii[p]);
+        radii[p] = std::min(widest, k_max_medians * median(own));
+        known.push_back(radii[p]);
     }
-    const double usual = median(found);
+    const double usual = median(known);
     for (double& radius : radii)
         if (radius == 0.0) radius = usual;
     return radii;
 }
 
-}  // namespace rimline::tools
+}  // namespace rimline

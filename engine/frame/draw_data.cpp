@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/frame/draw_list.h"
+#include "engine/passes/draw_list.h"
 
 namespace rimline {
 
@@ -36,7 +36,7 @@ void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std:
                            std::size_t lights) {
     slot_ = slot;
     end_ = padded(sizeof frame);
-    // Descriptors lie within the buffer even where there is no instance; a light takes less room.
+    // Space for at least one instance: descriptors must lie within the buffer. A light is no larger.
     static_assert(sizeof(gpu::LightData) <= sizeof(gpu::InstanceData));
     const VkDeviceSize size =
         VkDeviceSize{padded(sizeof frame)} +

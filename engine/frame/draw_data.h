@@ -1,8 +1,8 @@
 #pragma once
 
-// What shaders read of a frame, its instances and its lights (shaders/draw.glsl): structures one after the
-// other in a buffer, a buffer and a descriptor set for each frame in flight. An instance and a light are
-// chosen for a draw by their offsets.
+// The structures that shaders read of a frame, its instances and its lights (shaders/draw.glsl). Each frame
+// in flight has a buffer, in which they follow one another, and a descriptor set. A draw selects an instance
+// and a light by their offsets.
 
 #include <vulkan/vulkan.h>
 
@@ -23,12 +23,13 @@ public:
     VkDescriptorSetLayout layout() const noexcept { return sets_.layout(); }
     VkDescriptorSet set(std::uint32_t slot) const noexcept { return sets_[slot]; }
 
-    /// Makes room for what is put next, which goes from the buffer's begin. Not while a frame that reads the
-    /// slot is in flight. Throws Error{too_large} beyond 4 GiB, or where a device has no such buffers.
+    /// Reserves memory for the structures put next, and begins again at the start of the buffer. Not while a
+    /// frame that reads the slot is in flight. Throws Error{too_large} beyond 4 GiB, or where the device's
+    /// memory does not suffice.
     void begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std::size_t instances,
                      std::size_t lights);
 
-    /// Its offset, once for each instance and each light that begin_frame() was told of.
+    /// Copies a structure and returns its offset. At most as many calls as begin_frame() was given.
     std::uint32_t put(const gpu::InstanceData& instance) { return put_bytes(instance); }
     std::uint32_t put(const gpu::LightData& light) { return put_bytes(light); }
 
@@ -47,7 +48,7 @@ private:
     DescriptorSets sets_;
     std::vector<Buffer> buffers_;
     std::uint32_t slot_ = 0;
-    std::uint32_t end_ = 0;  // Of what is in the slot's buffer.
+    std::uint32_t end_ = 0;  // Bytes used in the slot's buffer.
 };
 
 }  // namespace rimline

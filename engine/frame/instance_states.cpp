@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/frame/scene_data.h"
+#include "engine/frame/silhouette_points.h"
+#include "silhouette/hough/hough_octree.h"
 
 namespace rimline {
 
@@ -17,7 +18,8 @@ InstanceStates::InstanceStates(const DeviceContext& context, SilhouetteService& 
                       "the budget for trackers (RendererOptions::tracker_memory_bytes)"),
       uploads_(context) {}
 
-// Made before what goes there is taken: nothing may be freed because there was no room to keep it.
+// Allocates the entry before anything is moved into it: if the allocation fails, nothing is freed that a
+// frame may still read.
 InstanceStates::Retired& InstanceStates::next_retired() {
     return retired_.emplace_back(Retired{recorded_, nullptr, nullptr, nullptr, nullptr});
 }
@@ -45,7 +47,7 @@ void InstanceStates::retire_unused_meshes() {
     unused_meshes_ = false;
 }
 
-// The mesh on the GPU, or on its way there.
+// The mesh on the GPU; its upload may be in progress.
 const GpuMesh& InstanceStates::upload(const Mesh& mesh, Uploaded& uploaded) {
     std::unique_ptr<GpuMesh>& known = meshes_[&mesh];
     if (!known) {
@@ -96,13 +98,13 @@ InstanceStates::Uploaded InstanceStates::prepare(const Scene& scene, const Frame
             retire(state.lights[l]);
         state.lights.resize(scene.lights.size());
         while (state.deforming && state.deforming->light_count() > scene.lights.size())
-            next_retired().found = state.deforming->take_last_light();
+            next_retired().gpu_silhouette = state.deforming->take_last_light();
     }
     retire_unused_meshes();
     return uploaded;
 }
 
-void InstanceStates::prepare_silhouettes(const Scene& scene) {
+void InstanceStates::prepare_silhouettes(const FrameView& view) {
     const auto prepare = [&](std::unique_ptr<TrackedSilhouette>& silhouette,
                              const SceneInstance& instance, const HomogeneousPoint& point) {
         if (silhouette)
@@ -112,18 +114,19 @@ void InstanceStates::prepare_silhouettes(const Scene& scene) {
                 context_, service_, *instance.octree, point, options_.ring_slots, stream_budget_,
                 tracker_budget_, instance.name);
     };
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        const SceneInstance& instance = scene.instances[i];
+    for (std::size_t i = 0; i < view.instances.size(); ++i) {
+        const SceneInstance& instance = view.scene.instances[i];
+        const InstanceView& seen = view.instances[i];
         if (instance.deforming) continue;
-        if (has_lines(scene, instance) && draws_slots(options_.line_path))
-            prepare(instances_[i].camera, instance, camera_point(instance, lines_camera(scene)));
-        if (!casts_shadows(scene, instance)) continue;
-        for (std::size_t l = 0; l < scene.lights.size(); ++l)
-            prepare(instances_[i].lights[l], instance,
-                    casting_point(scene, instance, scene.lights[l]));
+        if (seen.lines && draws_slots(options_.line_path))
+            prepare(instances_[i].camera, instance, *seen.lines);
+        if (!casts_shadows(view.scene, instance)) continue;
+        for (std::size_t l = 0; l < seen.lights.size(); ++l)
+            prepare(instances_[i].lights[l], instance, seen.lights[l].point);
     }
 }
 
+// The points of an announced scene are those of another frame: no FrameView has them. Allocates nothing.
 void InstanceStates::announce(const Scene& scene) noexcept {
     for (std::size_t i = 0; i < std::min(scene.instances.size(), instances_.size()); ++i) {
         const SceneInstance& instance = scene.instances[i];

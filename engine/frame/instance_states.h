@@ -1,8 +1,8 @@
 #pragma once
 
-// What a renderer keeps of a scene from one frame to the next: its meshes on the GPU, each once, and for
-// each instance the silhouettes from the camera and the lights, or what deforms it. What leaves the scene
-// stays until no frame can read it.
+// The state a renderer keeps of a scene between frames: its meshes on the GPU, each once, and for each
+// instance the silhouettes from the camera and the lights, or its deforming mesh. State of what has left the
+// scene is freed when no frame can read it any more.
 
 #include <cstdint>
 #include <limits>
@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/frame/frame_view.h"
 #include "engine/line_path.h"
 #include "engine/scene.h"
 #include "engine/stream/deforming_instance.h"
@@ -35,13 +36,13 @@ public:
         float crease_angle_rad;
         LinePath line_path;
         std::uint32_t ring_slots;
-        std::uint64_t stream_memory_bytes;  ///< As RendererOptions has them.
-        std::uint64_t tracker_memory_bytes;
+        std::uint64_t stream_memory_bytes;   ///< As in RendererOptions.
+        std::uint64_t tracker_memory_bytes;  ///< As in RendererOptions.
     };
     /// Frames are numbered from 1 as they are recorded.
     struct Frames {
-        std::uint64_t recorded;  ///< So far.
-        /// The first that may still run.
+        std::uint64_t recorded;  ///< The number of the last one recorded.
+        /// The number of the first one that may still run.
         std::uint64_t first_running = std::numeric_limits<std::uint64_t>::max();
     };
     struct Uploaded {
@@ -49,37 +50,38 @@ public:
         std::uint64_t bytes = 0;
     };
 
-    /// The context's device and the service must outlive it, and it all frames.
+    /// The context's device and the service must outlive this object, and this object all frames.
     InstanceStates(const DeviceContext& context, SilhouetteService& service,
                    const Options& options);
 
-    /// Makes room for the scene's instances and lights and sends meshes that are new on their way; what
-    /// the scene has no more is retired.
+    /// Adds the state of new instances and lights, begins to upload new meshes, and retires the state of
+    /// what the scene no longer has. Throws Error{too_large} where memory or a budget does not suffice.
     Uploaded prepare(const Scene& scene, const Frames& frames);
-    /// Makes silhouettes that are missing, and sets the service to work on all points before the first is
-    /// waited for. The scene is prepared.
-    void prepare_silhouettes(const Scene& scene);
+    /// Makes missing silhouettes, and announces all points to the service before the first is waited for.
+    /// `view` is of the scene prepared last.
+    void prepare_silhouettes(const FrameView& view);
     /// As Renderer::announce().
     void announce(const Scene& scene) noexcept;
-    /// What was queued never ran, though the trackers have moved: everything is sent whole.
+    /// Call when queued changes never ran although the trackers have moved: the next frame sends the whole
+    /// state.
     void invalidate() noexcept;
 
     std::vector<InstanceState>& all() noexcept { return instances_; }
     const std::vector<InstanceState>& all() const noexcept { return instances_; }
     Uploads& uploads() noexcept { return uploads_; }
-    /// Only where an instance deforms.
+    /// Exists only if an instance deforms.
     const DeformPasses& deform_passes() const noexcept { return *deform_passes_; }
     std::uint64_t stream_bytes() const noexcept { return stream_budget_.used_bytes(); }
     std::uint64_t tracker_bytes() const noexcept { return tracker_budget_.used_bytes(); }
 
 private:
-    // What has gone from the scene, while frames up to `last_frame` may still read it.
+    // State that has left the scene; frames up to `last_frame` may still read it.
     struct Retired {
         std::uint64_t last_frame;
         std::unique_ptr<TrackedSilhouette> silhouette;
         std::unique_ptr<GpuMesh> mesh;
         std::unique_ptr<DeformingInstance> deforming;
-        std::unique_ptr<GpuSilhouette> found;
+        std::unique_ptr<GpuSilhouette> gpu_silhouette;
     };
 
     Retired& next_retired();
@@ -95,12 +97,12 @@ private:
     MemoryBudget stream_budget_;
     MemoryBudget tracker_budget_;
     std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
-    std::unique_ptr<DeformPasses> deform_passes_;  // When the first instance deforms.
+    std::unique_ptr<DeformPasses> deform_passes_;  // Made for the first instance that deforms.
     std::vector<InstanceState> instances_;
     std::vector<Retired> retired_;
-    std::uint64_t recorded_ = 0;  // Frames by the last prepare().
+    std::uint64_t recorded_ = 0;  // Frames::recorded of the last prepare().
     bool unused_meshes_ = false;  // Whether meshes_ may hold one that no instance has.
-    Uploads uploads_;  // After the meshes: gone before them, it waits for what is on its way.
+    Uploads uploads_;  // Declared after the meshes: its destructor waits for their uploads.
 };
 
 }  // namespace rimline

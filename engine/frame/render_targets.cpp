@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "engine/vulkan/barrier.h"
+#include "engine/vulkan/image_barrier.h"
 
 namespace rimline {
 
 namespace {
 
-// Where a viewport ends triangles are clipped, and the corners they get there are rounded. In orthographic
-// views shadow volumes end so far away that lavapipe rounds them by whole pixels, and the picture's
-// outermost row or column had no shadow. So the viewport ends beyond the picture, if the device has room
-// for it. With a power of two no other corner is rounded otherwise than without.
+// Size of the viewport over the picture's. Triangles are clipped at the viewport's edges, and the new corners
+// are rounded. In orthographic views shadow volumes reach so far that lavapipe rounds these corners by whole
+// pixels: the picture's outermost row or column had no shadow. So the viewport is larger than the picture, if
+// the device's limits allow it. A power of two changes no rounding of other corners.
 constexpr float k_guard = 2.0f;
 
 float fitting_guard(const VkPhysicalDeviceLimits& limits, VkExtent2D extent) {
@@ -26,7 +26,7 @@ float fitting_guard(const VkPhysicalDeviceLimits& limits, VkExtent2D extent) {
     return fit ? k_guard : 1.0f;
 }
 
-// Whatever came before in the same commands, which may be another picture's passes or the caller's.
+// All earlier commands: another picture's passes, or the caller's own.
 constexpr StageAccess k_before{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
 constexpr StageAccess k_after{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                               VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};

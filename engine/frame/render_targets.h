@@ -18,15 +18,15 @@ namespace rimline {
 
 constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-/// The greatest scale up to `wanted`, and at least 1, whose images are within the device's limits and
-/// take no more than half of its memory.
+/// The greatest scale from 1 to `wanted` whose images are within the device's limits and take at most half
+/// of its memory; 1 if none is.
 std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
                             std::uint32_t samples);
 
-/// The part of a picture that a frame is drawn in, in its pixels.
+/// The part of a picture that a frame draws, in pixels of the picture.
 struct DrawnArea {
     VkRect2D rect;
-    VkClearColorValue around{};  ///< What the picture is where `rect` is not.
+    VkClearColorValue around{};  ///< The picture's value outside of `rect`.
 
     static DrawnArea whole(VkExtent2D size) { return {{{0, 0}, size}}; }
 };
@@ -39,36 +39,36 @@ public:
                   std::uint32_t samples);
 
     VkExtent2D size() const noexcept { return size_; }
-    /// The size the surface and line passes draw.
+    /// The size of the images that the surface and line passes draw into.
     VkExtent2D pass_extent() const noexcept {
         return {size_.width * scale_, size_.height * scale_};
     }
-    /// Of the picture, the same in the surface and line passes.
+    /// A rectangle of the picture in pixels of the surface and line passes.
     VkRect2D in_pass(const VkRect2D& rect) const noexcept;
     std::uint32_t scale() const noexcept { return scale_; }
     std::uint32_t samples() const noexcept { return samples_; }
-    /// The viewport of the surface and line passes is so many times as wide and high as the picture in
-    /// its middle, a power of two.
+    /// How many times wider and higher than the picture the viewport of the surface and line passes is. The
+    /// picture is at its center. A power of two.
     float guard() const noexcept { return guard_; }
 
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
 
-    /// Scopes of dynamic rendering. Surfaces and their depth hold something in the area alone, which
-    /// begins with linear `background`, where lines cover nothing.
+    /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area.
+    /// It is cleared to linear `background` and alpha 0: no line covers it.
     void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
                         const DrawnArea& area) const;
-    /// Draws over the finished surfaces, and into their alpha.
+    /// For drawing over the finished surfaces and into their alpha.
     void begin_lines(VkCommandBuffer commands, const DrawnArea& area) const;
-    /// Overwrites what is around the area; the area is the caller's to draw.
+    /// Clears the target around the area; the caller must draw every pixel of the area.
     static void begin_picture(VkCommandBuffer commands, const PictureTarget& target,
                               const DrawnArea& area);
 
-    /// Layout changes between the scopes, for all images at once, the target among them.
+    /// Layout changes between the scopes, for all images at once, including the target.
     void record_before_surfaces(VkCommandBuffer commands, const PictureTarget& target) const;
     void record_before_lines(VkCommandBuffer commands) const;
     void record_before_picture(VkCommandBuffer commands) const;
-    /// Leaves the target in its final layout, and orders all that follows after it.
+    /// Moves the target to its final layout. All later commands wait for it.
     static void record_after_picture(VkCommandBuffer commands, const PictureTarget& target);
 
 private:

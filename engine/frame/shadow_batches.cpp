@@ -16,12 +16,12 @@ namespace {
 constexpr std::uint32_t k_min_bins = 256;
 constexpr std::uint32_t k_max_bins = 1u << 14;
 
-// Directions nearer to the axis than this, as a share of their length, have no certain meridian: what
-// begins or ends there spans them all. With float roundings of 2^-22 of their length, the others' is
-// known to less than a quarter of a bin's width.
+// Limit of a direction's distance from the axis, relative to its length. Directions nearer to the axis have
+// no certain meridian: a side that begins or ends there spans all bins. With float roundings of 2^-22 of
+// their length, the meridian of others is known to less than a quarter of a bin's width.
 constexpr double k_near_axis = 0x1p-5;
 
-// Turned by a quarter, a meridian's number grows by one; monotone in its angle. In [0, 4).
+// A number in [0, 4) that increases with the angle of `v`, by one for each quarter turn.
 double turn_of(const glm::dvec2& v) {
     const double along = v.x / (std::abs(v.x) + std::abs(v.y));
     const double turn = v.y >= 0.0 ? 1.0 - along : 3.0 + along;
@@ -30,28 +30,29 @@ double turn_of(const glm::dvec2& v) {
 
 }  // namespace
 
-// Where the meridians of a light are, and which of them a side or a face spans.
+// The meridians of a light in bins, and which bins a side or a face spans.
 class ShadowCounter::Meridians {
 public:
     struct Span {
-        std::uint32_t first, count;  // Bins, past the last one from the first again.
+        std::uint32_t first, count;  // Bins; after the last one follows the first.
     };
 
     Meridians(const Mesh& mesh, const HomogeneousPoint& light, std::uint32_t bins)
         : mesh_(mesh), light_(light.xyz()), directional_(light.is_direction()), bins_(bins) {
         const glm::dvec3 low(mesh.bounds().low);
         const glm::dvec3 high(mesh.bounds().high);
-        // Most room first: the axis of the light's own, or that past which it lies farthest.
+        // The coordinate along which the light lies farthest outside the bounds; for a directional light,
+        // its greatest component.
         const glm::dvec3 gap =
             directional_ ? glm::abs(light_) : glm::max(low - light_, light_ - high);
         for (int axis = 1; axis < 3; ++axis)
             if (gap[axis] > gap[outer_]) outer_ = axis;
         pole_ = (outer_ + 1) % 3;
         other_ = (outer_ + 2) % 3;
-        // As of k_near_axis: beyond it by more than rounding.
+        // Outside only if by more than rounding.
         is_within_ = !directional_ && gap[outer_] <= 0x1p-20 * glm::length(high - low);
         if (!directional_) return;
-        // Lines across the light and the axis, in place of meridians, between the bounds' ends.
+        // For a directional light, lines perpendicular to the light and the axis replace meridians.
         double least = 0.0, most = 0.0;
         for (const int axis : {outer_, other_}) {
             const double a = line_weight(axis) * low[axis];
@@ -117,21 +118,21 @@ private:
                 first = turn;
                 continue;
             }
-            // The shorter way round from the first.
+            // The step of at most half a turn from the first.
             double step = turn - first;
             if (step > 2.0) step -= 4.0;
             if (step < -2.0) step += 4.0;
             least = std::min(least, step);
             most = std::max(most, step);
         }
-        // Half a turn and more may go either way.
+        // From half a turn on, the direction is ambiguous.
         if (most - least > 1.9) return all();
         const double scale = bins_ / 4.0;
         return widened(scale * (first + least), scale * (first + most));
     }
 
     Span all() const { return {0, bins_}; }
-    // From a bin before to a bin after: more than all roundings come to.
+    // Widened by one bin on both sides, which is more than all roundings together.
     Span widened(double least, double most) const {
         const double bin = std::floor(least) - 1.0;
         const double count = std::floor(most) + 2.0 - bin;
@@ -192,7 +193,7 @@ std::uint32_t ShadowCounter::bound(const CountedVolume& volume) {
         spanning += steps_[bin];
         most = std::max(most, spanning);
     }
-    // Nor can there be more triangles in a row than there are.
+    // A ray meets at most all triangles.
     return static_cast<std::uint32_t>(
         std::min<std::int64_t>((most + everywhere) / 2, mesh.face_count()));
 }
@@ -233,7 +234,7 @@ std::vector<ShadowBatch> ShadowCounter::end() {
         batches.back().draws.push_back(
             {.instance = added.instance, .face_count = added.face_count});
     }
-    // More than one is what tells the pass to fold.
+    // The pass folds the stencil only if there is more than one batch.
     if (total_ > k_single_batch_limit && batches.size() == 1) batches.emplace_back();
     return batches;
 }
@@ -243,7 +244,7 @@ void ShadowCounter::add_faces(const Added& added, std::vector<ShadowBatch>& batc
     const Meridians meridians(mesh, added.volume.light, k_min_bins);
     std::uint32_t first = 0;
     std::uint32_t most = 0;
-    steps_.assign(k_min_bins, 0);  // Here how many faces span each bin.
+    steps_.assign(k_min_bins, 0);  // Here: the number of faces that span each bin.
     const auto cut = [&](std::uint32_t end) {
         if (end == first) return;
         if (!batches.back().draws.empty()) batches.emplace_back();

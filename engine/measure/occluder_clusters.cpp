@@ -10,14 +10,15 @@ namespace rimline {
 
 namespace {
 
-// Of 16, 32, 64: smaller ones leave out more faces and cost more tests.
+// Faces in a cluster. The fastest of 16, 32 and 64: smaller clusters omit more faces and cost more tests.
 constexpr std::uint32_t k_cluster_faces = 16;
 
-// Tiles are this large, or more where there would be more of them.
+// Side of a tile. It is larger in pictures that would have more than k_max_tiles along a side.
 constexpr float k_tile_px = 8.0f;
-constexpr float k_max_tiles = 128.0f;  // Along a side.
+constexpr float k_max_tiles = 128.0f;
 
-// Places on the screen and distances are rounded, here and where they are drawn.
+// Margins for the rounding of positions on the screen, of distances (relative) and of sines, here and on the
+// GPU.
 constexpr float k_margin_px = 0.03f;
 constexpr float k_distance_margin = 1e-4f;
 constexpr float k_sine_margin = 1e-3f;
@@ -38,8 +39,9 @@ void LineReach::Grid::begin(float cell, float side_px) {
 
 LineReach::Box LineReach::Grid::cells_of(glm::vec2 low, glm::vec2 high,
                                          float margin_px) const noexcept {
-    // Clamped before they become whole numbers: near the viewer's plane places have no bound. Conversion
-    // cuts what is not negative; std::floor and std::ceil are calls where there is no SSE4.
+    // Clamped before the conversion to integers: near the viewer's plane positions are unbounded. The
+    // conversion truncates, which is right for nonnegative values; without SSE4, std::floor and std::ceil are
+    // calls.
     const float end = static_cast<float>(side);
     const float scale = 1.0f / cell_px;
     const auto first = [&](float place) {
@@ -88,8 +90,8 @@ void LineReach::add(const glm::vec3& from, const glm::vec3& to) {
     }
     const glm::vec2 p(a);
     const glm::vec2 q(b);
-    // In pieces no longer than a cell, or an oblique line would mark a whole rectangle. A line covers a
-    // pixel whose middle is half a pixel from it along each axis.
+    // In pieces no longer than a cell, because an oblique line would mark a whole rectangle. A line covers
+    // the pixels whose centers are within half a pixel of it along each axis.
     const auto mark = [&](Grid& grid) {
         const float length = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
         const int pieces = static_cast<int>(std::clamp(length / grid.cell_px, 0.0f, 65536.0f)) + 1;
@@ -97,7 +99,7 @@ void LineReach::add(const glm::vec3& from, const glm::vec3& to) {
             const float step = 1.0f / static_cast<float>(pieces);
             const glm::vec2 begin = p + (q - p) * (step * static_cast<float>(i));
             const glm::vec2 end = p + (q - p) * (step * static_cast<float>(i + 1));
-            // All cells that hold the middle of such a pixel, not those whose own middle is near.
+            // All cells that contain the center of such a pixel, not only cells whose own center is near.
             const float margin =
                 0.5f * grid.cell_px + k_margin_px + (grid.cell_px > 1.0f ? 0.5f : 0.0f);
             grid.mark(grid.cells_of(glm::min(begin, end), glm::max(begin, end), margin), farthest);
@@ -114,7 +116,7 @@ bool LineReach::may_hide_line(const glm::vec3& center, float radius) const noexc
     const float nearest = (-eye.z - radius) * (1.0f - k_distance_margin);
     Box box{0, 0, tiles_.side - 1, tiles_.side - 1};
     if (nearest > view_.near_distance) {
-        // The picture of a box around the sphere: its sides are farthest out at one of its two ends.
+        // The projection of a box around the sphere: each side is farthest out at its near or its far end.
         const float half = half_px_;
         const float scale = half * view_.focal;
         const auto most = [&](float c) { return scale * (c > 0.0f ? c / nearest : c / farthest); };
@@ -189,9 +191,9 @@ void OccluderClusters::select(const LineReach& lines, bool culls_backs,
     for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
         const Cluster& cluster = clusters_[c];
         if (culls_backs) {
-            // All normals n and corners p have n·(p - eye) > 0 where the angles between axis and
-            // center, of the cone, and of the sphere add up to less than a right one; sin(a + b) is at
-            // most sin a + sin b.
+            // n·(p - eye) > 0 for all normals n and corners p if the angle between axis and center, the
+            // half angle of the cone and that of the sphere sum up to less than a right angle.
+            // sin(a + b) <= sin a + sin b.
             const glm::vec3 towards = cluster.center - lines.view().eye;
             if (glm::dot(cluster.axis, towards) >
                 glm::length(towards) * (cluster.sine_of_spread + k_sine_margin) + cluster.radius)

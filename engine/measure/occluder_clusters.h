@@ -1,20 +1,20 @@
 #pragma once
 
-// Which faces need to be drawn to know what is visible of some lines.
+// The faces that must be drawn to know which parts of some lines are visible.
 //
-// Only depth at the lines' own pixels is asked for, and lines touch few of a picture's pixels. For each
-// pixel, and for square tiles of them, stands how far away the farthest line in it is; a face that
-// covers the middle of no pixel with a line behind it hides nothing. Faces lie in clusters of neighbors,
-// in octree order, and a cluster is left out whole
+// Only the depth at the lines' own pixels matters, and lines cover few pixels of a picture. For each pixel,
+// and for square tiles of pixels, the distance of the farthest line in it is stored. A face that covers the
+// center of no pixel with a line behind it hides nothing. Faces are grouped into clusters of neighbors, in
+// octree order. A whole cluster is omitted
 //
-//   where all its faces turn their backs, if backs are culled: its normals lie in a cone, its corners in
-//     a sphere, and the viewpoint is behind all planes that these allow;
-//   where its sphere touches no tile with a line behind it.
+//   if backs are culled and all its faces are back faces: its normals lie in a cone, its corners in a
+//     sphere, and the viewpoint is behind every plane with such a normal through such a corner;
+//   if its sphere touches no tile with a line behind it.
 //
-// Faces of what is left can be looked at one by one, by the boxes around them on the screen. That takes
-// a CPU less than drawing them takes one, and more than a GPU. All errs on the side of drawing, so what is
-// counted at the lines does not change. Of 70,000 faces in a picture of 256² six tenths are left by
-// clusters, a tenth by faces.
+// The faces of the remaining clusters can be tested one by one, by their boxes on the screen. On a CPU that
+// is cheaper than drawing them there, but a GPU draws them faster. All tests are conservative: faces that do
+// not hide a line may be kept, never the reverse, so the pixel counts do not change. Of 70,000 faces in a
+// picture of 256 x 256, clusters keep six tenths, and faces one tenth.
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -27,7 +27,7 @@
 
 namespace rimline {
 
-/// A perspective camera with a square picture, as the passes of a visible ratio see through it.
+/// The perspective camera of a visible ratio, with a square picture.
 struct SquareView {
     glm::mat3 eye_from_object{1.0f};  ///< x right, y up, z towards the viewer.
     glm::vec3 eye{};
@@ -36,21 +36,21 @@ struct SquareView {
     float side_px = 0.0f;
 };
 
-/// How far away the lines in each pixel of a picture are. Used again from view to view.
+/// The distance of the lines in each pixel of a picture. Reusable for many views.
 class LineReach {
 public:
-    /// Forgets all lines.
+    /// Removes all lines.
     void begin(const SquareView& view);
     const SquareView& view() const noexcept { return view_; }
 
-    /// Marks where the line between two points of the mesh may be drawn.
+    /// Marks the pixels where the line between two points of the mesh may be drawn.
     void add(const glm::vec3& from, const glm::vec3& to);
 
-    /// Whether something within `radius` of `center` may lie in front of a line.
+    /// Whether an object within `radius` of `center` may lie in front of a line.
     bool may_hide_line(const glm::vec3& center, float radius) const noexcept;
 
-    /// A corner on the screen: its place in pixels and its distance; of distance 0 behind the near
-    /// plane, without a place.
+    /// A corner on the screen: its position in pixels and its distance. Zero if it lies in front of the near
+    /// plane or behind the viewer.
     glm::vec3 on_screen(const glm::vec3& position) const noexcept {
         const glm::vec3 eye = eye_from_object(position);
         const float scale = half_px_ * view_.focal / -eye.z;
@@ -64,7 +64,7 @@ public:
 
 private:
     struct Box {
-        int left, top, right, bottom;  // Cells, the last ones included; may be empty.
+        int left, top, right, bottom;  // Cells, with the last ones included; may be empty.
     };
     // Cells in rows, of side `cell_px`.
     struct Grid {
@@ -74,7 +74,7 @@ private:
         std::vector<float> farthest;
 
         void begin(float cell, float side_px);
-        // The cells whose centers lie within the box from `low` to `high`, widened by `margin`.
+        // The cells whose centers lie within the box from `low` to `high`, widened by `margin_px`.
         Box cells_of(glm::vec2 low, glm::vec2 high, float margin_px) const noexcept;
         void mark(const Box& box, float distance) noexcept;
         bool has_line_beyond(const Box& box, float distance) const noexcept;
@@ -98,19 +98,19 @@ struct IndexRun {
 
 class OccluderClusters {
 public:
-    /// Faces without a plane cover nothing and are left out. `mesh` is not needed afterwards.
+    /// Faces without a plane cover nothing and are omitted. `mesh` is not needed afterwards.
     /// O(faces log faces).
     explicit OccluderClusters(const Mesh& mesh);
 
     /// Three vertex numbers a face.
     std::span<const Triangle> triangles() const noexcept { return triangles_; }
 
-    /// Replaces `runs` by the clusters that may hide one of the lines in `lines`; without those that turn
-    /// their backs on the viewpoint if `culls_backs`. O(clusters).
+    /// Replaces `runs` by the clusters that may hide one of the lines in `lines`; if `culls_backs`, without
+    /// clusters of back faces only. O(clusters).
     void select(const LineReach& lines, bool culls_backs, std::vector<IndexRun>& runs) const;
 
-    /// Replaces `faces` by those of the faces in `runs` that may hide one of the lines in `lines`. Backs
-    /// are left to the GPU. `corners` are the mesh's vertices as LineReach::on_screen says.
+    /// Replaces `faces` by those of the faces in `runs` that may hide one of the lines in `lines`. Does not
+    /// cull backs; the GPU does. `corners` are LineReach::on_screen() of the mesh's vertices.
     /// O(faces in runs).
     void select_faces(const LineReach& lines, std::span<const IndexRun> runs,
                       std::span<const glm::vec3> corners, std::vector<Triangle>& faces) const;
@@ -120,7 +120,7 @@ private:
         glm::vec3 center;
         float radius;
         glm::vec3 axis;        // Of the cone that holds all normals.
-        float sine_of_spread;  // Of its half angle; over 1 where that is not acute.
+        float sine_of_spread;  // The sine of its half angle; 2 if that is not acute.
     };
 
     std::vector<Triangle> triangles_;

@@ -18,8 +18,8 @@ std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFor
             255.0 *
             (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055);
         const double step = std::round(steps);
-        // Halves, in which surfaces are kept, are within a twentieth of a step; colors that were
-        // given as sRGB are at its middle.
+        // The surfaces' half floats round by less than a twentieth of a step; colors given as 8-bit
+        // sRGB lie at the center of a step.
         if (!(std::abs(steps - step) <= 0.4)) return {};
         value.float32[channel] = static_cast<float>(step / 255.0);
     }

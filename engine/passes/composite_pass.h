@@ -1,7 +1,7 @@
 #pragma once
 
-// The finished picture: ink over surfaces, as much as their alpha says that lines cover
-// (line_pass.h), samples averaged in linear light, encoded as the target's format wants it
+// The finished picture: ink over surfaces, blended by the coverage of lines in the surfaces' alpha
+// (line_pass.h), averaged over texels in linear light, and encoded for the target's format
 // (picture_target.h).
 
 #include <compare>
@@ -16,29 +16,29 @@
 
 namespace rimline {
 
-/// What a pipeline is made for: everything else may change from frame to frame.
+/// The properties that need a pipeline of their own. Everything else may change between frames.
 struct CompositeKind {
     VkFormat format;      ///< Of the target.
     std::uint32_t scale;  ///< `scale` x `scale` texels of the surfaces make one pixel.
     auto operator<=>(const CompositeKind&) const = default;
 };
 
-/// What the composite writes where surfaces are linear `background` and no line is, as a value to clear a
-/// target of `format` to. Nothing where another rounding would give another value, and for other formats than
-/// 8 bits of plain sRGB.
+/// The clear value of a target of `format` that equals what the composite writes where surfaces have the
+/// color `background` (linear) and no line is drawn. std::nullopt where another rounding could give another
+/// value, and for formats other than plain 8-bit sRGB.
 std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFormat format);
 
 class CompositePass {
 public:
     explicit CompositePass(const DeviceContext& context);
 
-    /// Makes ready for `kind`; has no effect the second time. Throws Error{bad_input} naming the format where
-    /// the device cannot draw into it, or where it is none of colors.
+    /// Makes the pipeline for `kind`, if there is none yet. Throws Error{bad_input} naming the format if the
+    /// device cannot draw into it, or if it is not a color format.
     void prepare(const DeviceContext& context, const CompositeKind& kind);
 
     void set_surfaces(const Image& surfaces) { surfaces_.set({&surfaces}); }
 
-    /// Into a target of a prepared kind; linear `ink`.
+    /// Inside a rendering scope of a target of a prepared kind. `ink` is linear.
     void record(VkCommandBuffer commands, const CompositeKind& kind, const glm::vec3& ink) const;
 
 private:

@@ -20,8 +20,8 @@ struct Constants {
 };
 static_assert(sizeof(Constants) == 40);
 
-// Planes through points at rounding distance of `point`: the sign of each side hangs on how the sum
-// is rounded. std::mt19937's output is fixed by the standard; its distributions are not.
+// Planes that pass `point` at the distance of a rounding error: the sign of each depends on how the sum is
+// rounded. The output of std::mt19937 is fixed by the standard; that of distributions is not.
 std::vector<Plane> near_degenerate_planes(const HomogeneousPoint& point, std::uint32_t count) {
     std::mt19937 random(20051121);
     const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-23f - 1.0f; };

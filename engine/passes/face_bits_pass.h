@@ -2,8 +2,8 @@
 
 // Face bits computed on the GPU from planes, by shaders/face_bit.glsl.
 //
-// Drawing does not need it, for bits are streamed from the CPU; it is the proof that both sides decide
-// alike, run on known answers whenever a device is opened.
+// Drawing does not need them, because bits are streamed from the CPU. The pass tests that the GPU computes
+// the same bits as the CPU (tested_device.h).
 
 #include <cstdint>
 #include <span>
@@ -19,8 +19,8 @@ class FaceBitsPass {
 public:
     explicit FaceBitsPass(const DeviceContext& context);
 
-    /// The face bits of `planes` from `point`, packed as silhouette/mesh/face_bits.h says. Uploads,
-    /// runs and reads back; waits.
+    /// The face bits of `planes` from `point`, packed as in silhouette/mesh/face_bits.h. Uploads, computes,
+    /// reads back, and waits.
     std::vector<std::uint32_t> compute(std::span<const Plane> planes,
                                        const HomogeneousPoint& point);
 
@@ -30,8 +30,8 @@ private:
     OwnedPipeline pipeline_;
 };
 
-/// Whether the device's bits equal the CPU's on planes chosen to catch contraction, reordered sums and
-/// wrong rounding: near-degenerate sides whose sign hangs on the last bit.
+/// Whether the device's bits equal the CPU's on planes whose sign depends on the last bit, so that contracted
+/// products, reordered sums and wrong rounding are detected. Waits.
 bool test_face_bits(const DeviceContext& context);
 
 }  // namespace rimline

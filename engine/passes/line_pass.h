@@ -3,8 +3,8 @@
 // Silhouette, border and crease lines with a width in pixels and round ends, as coverage in the
 // surfaces' alpha. The ink and composite passes put color there (ink_pass.h, composite_pass.h).
 
-#include "engine/frame/draw_list.h"
 #include "engine/line_path.h"
+#include "engine/passes/draw_list.h"
 #include "engine/vulkan/pipeline.h"
 #include "engine/vulkan/sampled_images.h"
 
@@ -12,9 +12,9 @@ namespace rimline {
 
 class LinePass {
 public:
-    /// Draws into the alpha of one color attachment of `surface_format`, one sample a pixel. Where
-    /// the device has no geometry shaders LinePath::geometry is made pulling; other paths that need
-    /// them throw Error{no_device}.
+    /// Draws into the alpha of one color attachment of `surface_format`, one sample a pixel. If the device
+    /// has no geometry shaders, LinePath::geometry is replaced by pulling, and other paths that need them
+    /// throw Error{no_device}.
     LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data, VkFormat surface_format,
              LinePath path = LinePath::geometry);
 
@@ -23,7 +23,8 @@ public:
     /// The finished depth of the surfaces, one sample a pixel.
     void set_surface_depth(const Image& depth) { depth_.set({&depth}); }
 
-    /// The lines of one color. Inside a rendering scope whose alpha is zero, or has lines of this color.
+    /// Draws the lines of one color. Inside a rendering scope whose alpha is zero, or holds lines of this
+    /// color.
     void record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const;
 
 private:
@@ -35,7 +36,7 @@ private:
     SampledImages depth_;
     OwnedPipelineLayout layout_;
     OwnedPipeline pipeline_;
-    OwnedPipeline adjacency_;  // Only of that path.
+    OwnedPipeline adjacency_;  // Only with LinePath::adjacency.
 };
 
 }  // namespace rimline

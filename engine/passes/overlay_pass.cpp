@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/vulkan/barrier.h"
+#include "engine/vulkan/image_barrier.h"
 #include "overlay_frag.h"
 #include "overlay_vert.h"
 
@@ -11,7 +11,7 @@ namespace rimline {
 
 namespace {
 
-// The part of `scissor` inside the picture; of no size where there is none.
+// The part of `scissor` inside the picture; empty if there is none.
 VkRect2D cut(const VkRect2D& scissor, VkExtent2D extent) {
     const auto limit = [](std::int64_t value, std::uint32_t end) {
         return std::clamp<std::int64_t>(value, 0, end);
@@ -81,7 +81,7 @@ void OverlayPass::record(VkCommandBuffer commands, std::uint32_t ring_slot,
     const std::uint64_t vertex_bytes = drawing.vertices.size() * sizeof(gpu::OverlayVertex);
     const std::uint64_t index_bytes = drawing.indices.size() * sizeof(std::uint32_t);
     Buffer& buffer = ring_.at(ring_slot);
-    // Panels grow by a letter a frame: room to spare saves most allocations.
+    // Panels grow by some letters a frame: spare capacity saves most allocations.
     if (buffer.size() < vertex_bytes + index_bytes)
         buffer =
             Buffer(context_, 2 * (vertex_bytes + index_bytes), BufferPlace::upload, "the panel");

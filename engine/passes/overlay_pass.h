@@ -3,12 +3,12 @@
 // Panels, letters and handles over a finished picture: flat triangles, each inside a scissor, their
 // opacity taken from one texture.
 //
-// Colors are sRGB, and are mixed as they are stored, without the detour through linear light that
-// surfaces take: that is how interfaces are designed, and what keeps letters as heavy as their font is.
-// So the picture must be an UNORM image that holds sRGB values, as the composite pass leaves it.
+// Colors are sRGB and are blended as they are stored, not in linear light as surfaces are: interfaces are
+// designed for that, and letters keep the weight of their font. So the picture must be an UNORM image that
+// holds sRGB values, as the composite pass writes them.
 //
-// Vertices and indices are pulled by address; nothing is bound but the texture. The types are plain, so
-// that any toolkit which makes triangles can be drawn.
+// Vertices and indices are pulled by address; only the texture is bound. The types are plain, so that the
+// output of any toolkit that makes triangles can be drawn.
 
 #include <vulkan/vulkan.h>
 
@@ -23,7 +23,7 @@
 
 namespace rimline {
 
-/// Everything of one frame, drawn in order.
+/// The overlay of one frame, drawn in order.
 struct OverlayDrawing {
     /// Triangles of `index_count` / 3 corners from `first_index` on, visible inside `scissor` (pixels).
     struct Part {

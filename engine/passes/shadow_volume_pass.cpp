@@ -11,9 +11,9 @@ namespace rimline {
 
 namespace {
 
-// A ray that leaves the picture behind the surface crosses as many back faces of a volume as front
-// faces, but for one more back face if it starts inside. One that arrives at the surface from outside
-// of all volumes has crossed one more front face.
+// A ray from the surface away from the viewer crosses as many back faces of a volume as front faces, and one
+// back face more if it starts inside. A ray from outside of all volumes to a surface inside one crosses one
+// front face more.
 void set_counting(VkCommandBuffer commands, ShadowMethod method, bool turned_round) {
     const bool passes = method == ShadowMethod::pass;
     const bool front_counts = passes != turned_round;
@@ -32,7 +32,7 @@ void set_counting_bits(VkCommandBuffer commands, std::uint32_t bits) {
     vkCmdSetStencilWriteMask(commands, VK_STENCIL_FACE_FRONT_AND_BACK, bits);
 }
 
-// Where any but the top bit is set, only the top bit is left.
+// If any bit but the top one is set, the result is the top bit alone.
 constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
                                   .passOp = VK_STENCIL_OP_REPLACE,
                                   .depthFailOp = VK_STENCIL_OP_KEEP,
@@ -94,7 +94,7 @@ void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, st
 
     const std::vector<ShadowBatch>& batches = list.shadow_batches[light];
     for (const ShadowBatch& batch : batches) {
-        // One after the other, so that dynamic state is set anew behind each fold.
+        // One batch after the other, because each fold changes the dynamic state.
         record_caps(commands, list, light, batch);
         record_sides(commands, list, light, batch);
         if (batches.size() == 1) break;
@@ -116,7 +116,7 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
             const bool single = drawn.form == ShadowForm::single && !draw.face_by_face;
             if (single && front_bit == 0) continue;
             set_draw(commands, layout_, list, instance, &drawn, front_bit);
-            // Where all light rays end in one point there is no dark cap.
+            // If all light rays end in one point, there is no dark cap.
             const std::uint32_t caps = drawn.ends_in_one_point ? 1 : 2;
             vkCmdDraw(commands, 3 * draw.face_count, caps, 3 * draw.first_face, 0);
         }
@@ -153,7 +153,7 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
         const VkDeviceSize offset = !pulled        ? IndirectDraw::k_points
                                     : corners == 3 ? IndirectDraw::k_pointed_sides
                                                    : IndirectDraw::k_sides;
-        // Of two faces whose bits differ, in the general form both cast the edge, the same way round.
+        // In the general form, if the bits of two faces differ, both cast the edge, in the same direction.
         for (int times = single ? 1 : 2; times > 0; --times)
             vkCmdDrawIndirect(commands, drawn.sides.arguments, offset, 1,
                               sizeof(VkDrawIndirectCommand));

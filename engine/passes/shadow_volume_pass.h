@@ -1,50 +1,44 @@
 #pragma once
 
-// Stencil shadow volumes: caps and sides of every caster, counted into the stencil as shadow_choice.h
-// chose for it.
+// Stencil shadow volumes: caps and sides of every caster, counted into the stencil by the method and form
+// that shadow_choice.h chose.
 //
-// In the general form every face is a light cap and a dark cap and every edge is extruded as often as
-// its faces' bits say. The stencil then counts the triangles between the light and the surface, for any
-// mesh: open, non-manifold, inconsistently oriented, self-intersecting, and with the light inside. The
-// single form does with front faces and half the sides. By depth fail the camera may be in shadow and
-// the near plane inside a volume, for only what lies behind the surface is counted; by depth pass there
-// are no caps to draw.
+// In the general form every face is a light cap and a dark cap, and every edge is extruded as often as its
+// faces' bits require. The stencil then counts the triangles between the light and the surface, for any mesh:
+// open, non-manifold, inconsistently oriented, self-intersecting, and with the light inside. The single form
+// draws front faces and half of the sides. With depth fail only fragments behind the surface are counted, so
+// the camera may be in shadow and the near plane inside a volume. With depth pass no caps are drawn.
 //
-// Eight bits count to 255. Where more triangles may lie in a row (shadow_batches.h), volumes are drawn
-// in batches that count to 127, each then folded into the top bit: 0 is still just what is lit.
+// Eight bits count to 255. Where a ray may meet more triangles (shadow_batches.h), volumes are drawn in
+// batches that count to 127. After each batch its count is folded into the top bit. Lit samples are still
+// exactly those with a stencil of 0.
 //
 //     stencil   [ t | c c c c c c c ]   c: the batch's count, t: a batch before counted something
 //
-// Caps lie on their own surfaces; depth is compared strictly, so that a surface does not shade itself.
-// Both must be clipped alike, for a corner that comes of clipping moves the depths of all its triangle.
-// So in perspective volumes end at the near plane as surfaces do: what is nearer is in front of all that
-// is seen, where depth fail counts nothing, and depth pass is not chosen for a volume that is there. In
-// orthographic views, which no surface is clipped in, volumes end behind the far plane; depth is clamped.
-// Where the light lies in a face's plane the sides lie on it too; there the surface pass asks the bit.
+// Caps lie on their own surfaces. Depth is compared strictly, so that a surface does not shade itself. Caps
+// and surfaces must be clipped at the same planes, because a new corner from clipping changes the depths of
+// its whole triangle. So in perspective volumes are clipped at the near plane, as surfaces are. Parts nearer
+// than that lie in front of everything visible: depth fail does not count them, and depth pass is not chosen
+// for such a volume. In orthographic views no surface is clipped; volumes end behind the far plane, and depth
+// is clamped. Where the light lies in a face's plane, the sides lie on the face too; there the surface pass
+// uses the face bit.
 // Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
 // Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.1.
 
-#include "engine/frame/draw_list.h"
+#include "engine/passes/draw_list.h"
+#include "engine/shadow_choice.h"
 #include "engine/vulkan/pipeline.h"
 
 namespace rimline {
 
-/// The stage that makes sides of edge records. Both draw the same triangles; where a driver transforms
-/// what leaves a geometry stage with other roundings, pixels on a volume's edge can fall between its
-/// caps and its sides, about one in ten million, and depth pass and depth fail can differ there.
-enum class SideStage : std::uint8_t {
-    vertex,    ///< Vertex pulling: on every device, watertight to the last bit.
-    geometry,  ///< Geometry shaders, where the device has them.
-};
-
 class ShadowVolumePass {
 public:
-    /// SideStage::geometry becomes vertex where the device has no geometry shaders.
+    /// SideStage::geometry is replaced by vertex if the device has no geometry shaders.
     ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                      const AttachmentFormats& formats, SideStage stage = SideStage::vertex);
 
-    /// Clears the stencil within `area`, to which the scope of rendering is cut, and counts into it.
-    /// Depth must be complete; color is left alone.
+    /// Clears the stencil within `area`, the render area of the scope, and counts into it. Depth must be
+    /// complete. Writes no color.
     void record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
                 const VkRect2D& area) const;
 
@@ -52,7 +46,7 @@ private:
     struct Pipelines {
         OwnedPipeline caps;
         OwnedPipeline pulled_sides;
-        OwnedPipeline geometry_sides;  // Null where sides are pulled.
+        OwnedPipeline geometry_sides;  // Null if sides are pulled.
     };
 
     static Pipelines make_pipelines(const DeviceContext& context, const AttachmentFormats& formats,

@@ -1,14 +1,14 @@
 #pragma once
 
-// Depth and shading. First what shadow leaves of every surface, with depth; then, for each light, what
-// it adds where the stencil is zero. Or both at once, where one light casts no shadows.
+// Depth and shading. First the color of every surface in shadow, with depth; then, for each light, the light
+// it adds where the stencil is zero. Both in one draw if there is one light without shadows.
 //
-// Each style has pipelines of its own. With one for all, which asks for the style in the fragment stage,
-// lavapipe computed the strokes of hatch for every pixel, and threw them away: two thirds of a frame.
+// Each style has its own pipelines. With a common one that branches on the style in the fragment stage,
+// lavapipe computed the strokes of hatch for every pixel and discarded them: two thirds of a frame's time.
 
 #include <map>
 
-#include "engine/frame/draw_list.h"
+#include "engine/passes/draw_list.h"
 #include "engine/scene.h"
 #include "engine/vulkan/pipeline.h"
 
@@ -19,21 +19,21 @@ public:
     SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                 const AttachmentFormats& formats);
 
-    /// Makes ready for lists of `style`, before they are recorded; has no effect the second time.
+    /// Makes the pipelines of `style`, if there are none yet. Needed before a list of that style is recorded.
     void prepare(const DeviceContext& context, Style style);
 
     /// Writes color and depth. Inside a rendering scope with cleared attachments.
     void record_unlit(VkCommandBuffer commands, const DrawList& list) const;
-    /// The same as record_unlit() and record_lit() of the only light, where the stencil is all zero.
+    /// Equals record_unlit() and record_lit() of the only light with a stencil of zero everywhere.
     void record_shadowless(VkCommandBuffer commands, const DrawList& list) const;
-    /// Adds light `light` where depth is what record_unlit() left and the stencil is zero.
+    /// Adds light `light` where the depth equals that of record_unlit() and the stencil is zero.
     void record_lit(VkCommandBuffer commands, const DrawList& list, std::size_t light) const;
 
 private:
-    // Of one style, by whether an instance fades.
+    // Of one style. Index 1 is for instances that fade.
     struct Pipelines {
         OwnedPipeline unlit[2], lit[2], shadowless[2];
-        OwnedPipeline unlit_by_vertices[2];  // Null where a style's shade has strokes.
+        OwnedPipeline unlit_by_vertices[2];  // Null if the style shades with strokes.
     };
 
     void record(VkCommandBuffer commands, const DrawList& list, const OwnedPipeline (&pipelines)[2],

@@ -54,9 +54,10 @@ std::uint64_t StreamSize::state_bytes() const noexcept {
 }
 
 std::uint64_t StreamSize::first_ring_bytes() const noexcept {
-    constexpr std::uint64_t k_least = 4096;
+    constexpr std::uint64_t k_min_slots =
+        4096;  // 16 KiB: below that, growing costs more than memory.
     return std::max<std::uint64_t>(
-        4 * (std::min(slots, std::max(slots / 8, k_least)) + std::uint64_t{words}), 4);
+        4 * (std::min(slots, std::max(slots / 8, k_min_slots)) + std::uint64_t{words}), 4);
 }
 
 std::uint64_t StreamSize::last_ring_bytes() const noexcept {
@@ -95,14 +96,14 @@ std::uint64_t ChangeStream::size_bytes() const noexcept {
     return size;
 }
 
-// Room for `size_bytes` in this frame's ring slot, which no other frame uses.
+// Makes this frame's ring slot at least `size_bytes` large. No other frame uses it.
 void ChangeStream::reserve(std::uint64_t size_bytes) {
     RingSlot& slot = ring_[ring_slot_];
     if (size_bytes <= slot.data.size()) return;
     const std::string what = "the ring of change sets of " + model_;
     const std::uint64_t grown = std::min(std::max(size_bytes, slot.data.size() / 2 * 3),
                                          std::max(size_bytes, size_.last_ring_bytes()));
-    if (used_ == 0) slot.data = {};  // Free before making anew.
+    if (used_ == 0) slot.data = {};  // Frees its memory before the larger one is made.
     try {
         slot.share.resize(grown, what);
         Buffer larger(context_, grown, BufferPlace::upload, what);
@@ -164,7 +165,7 @@ void ChangeStream::resend(std::uint64_t sequence, std::span<const EdgeId> silhou
 void ChangeStream::record(VkCommandBuffer commands, const ScatterPass& pass) const {
     for (std::size_t i = 0; i < batches_.size(); ++i) {
         const Batch& batch = batches_[i];
-        // A later batch may name a place of an earlier one.
+        // A later batch may write to the same place as an earlier one.
         if (i > 0) record_barrier(commands, k_writers, k_writers);
         if (batch.full) {
             const auto copy = [&](std::uint64_t offset, std::uint32_t count, const Buffer& target) {
@@ -190,7 +191,7 @@ void ChangeStream::record(VkCommandBuffer commands, const ScatterPass& pass) con
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass.pipeline_);
         vkCmdPushConstants(commands, pass.layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
                            &constants);
-        // The shader strides, so any number of groups is right; 65535 exist everywhere.
+        // The shader loops with a stride, so any number of groups is right. Every device allows 65535.
         const std::uint32_t groups = (std::max(slot_writes, word_writes) + 63) / 64;
         vkCmdDispatch(commands, std::clamp(groups, 1u, 65535u), 1, 1);
     }

@@ -4,16 +4,16 @@
 //
 //     ChangeSet --memcpy--> ring (mapped) --scatter.comp--> slots, face words, draw arguments
 //
-// Writes are scattered in parallel, for a change set names each place once. Bytes a frame are
-// proportional to what changed. Where that would pass a full rewrite, or a change set was missed, the
-// whole state is sent: slots in use, 4 bytes each, and all words.
+// Writes are scattered in parallel, because a change set names each place once. The bytes of a frame are
+// proportional to the number of changes. If they exceeded the whole state, or if a change set was missed, the
+// whole state is sent: slots in use and all words, 4 bytes each.
 //
-// A ring slot belongs to one frame in flight: the caller names the slot, and has waited until the GPU
-// is done with the frame that used it last.
+// A ring slot belongs to one frame in flight. The caller names the slot, after the GPU is done with the frame
+// that used it last.
 //
-// The slots' buffer has room for every edge that can be on a silhouette. Ring slots do not: few
-// silhouettes come near that, and there are several ring slots. They begin with room for an eighth of the
-// edges, and one that is too small is replaced by a larger one when its frame begins to need it.
+// The slots' buffer holds every edge that can be on a silhouette. Ring slots are smaller: few silhouettes are
+// that large, and there are several ring slots. They begin with space for an eighth of the edges. One that is
+// too small for its frame is replaced by a larger one.
 
 #include <cstdint>
 #include <span>
@@ -28,7 +28,7 @@
 
 namespace rimline {
 
-/// The compute pass that scatters; one serves every stream of a device.
+/// The compute pass that scatters. All streams of a device share one.
 class ScatterPass {
 public:
     explicit ScatterPass(const DeviceContext& context);
@@ -39,18 +39,18 @@ private:
     OwnedPipeline pipeline_;
 };
 
-/// How many slots a silhouette can fill and how many words of face bits there are: what a stream costs.
+/// The size of a stream: the slots that a silhouette can fill, and the words of face bits.
 struct StreamSize {
     std::uint64_t slots = 0;
     std::uint32_t words = 0;
 
     static StreamSize of(const Mesh& mesh) noexcept;
-    /// What the GPU holds.
+    /// Bytes of the state on the GPU.
     std::uint64_t state_bytes() const noexcept;
-    /// A ring slot at first, and when a silhouette of all edges has been sent whole.
+    /// Bytes of a ring slot at first, and after a silhouette of all edges has been sent whole.
     std::uint64_t first_ring_bytes() const noexcept;
     std::uint64_t last_ring_bytes() const noexcept;
-    /// A stream when it is made; it grows to state_bytes() + ring_slots * last_ring_bytes() at most.
+    /// Bytes of a new stream. It grows to at most state_bytes() + ring_slots * last_ring_bytes().
     std::uint64_t first_bytes(std::uint32_t ring_slots) const noexcept {
         return state_bytes() + ring_slots * first_ring_bytes();
     }
@@ -58,47 +58,47 @@ struct StreamSize {
 
 class ChangeStream {
 public:
-    /// Its state is empty until the first resend(). What it allocates, later too, is of `budget`, which
-    /// must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the budget,
-    /// or the device's limit.
+    /// Its state is empty until the first resend(). All its allocations, also later ones, count in `budget`,
+    /// which must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the
+    /// budget, or the device's limit.
     ChangeStream(const DeviceContext& context, const StreamSize& size, std::uint32_t ring_slots,
                  MemoryBudget* budget = nullptr, const std::string& model = "the model");
-    /// Room for any silhouette of `mesh`.
+    /// For any silhouette of `mesh`, without a budget.
     ChangeStream(const DeviceContext& context, const Mesh& mesh, std::uint32_t ring_slots)
         : ChangeStream(context, StreamSize::of(mesh), ring_slots) {}
 
-    /// Forgets what the GPU holds: only resend() will do next. For a frame that was queued and never
-    /// ran.
+    /// Declares the GPU's state unknown: the next frame must use resend(). For a frame that was queued and
+    /// never ran.
     void invalidate() noexcept { has_state_ = false; }
 
     /// Opens ring slot `ring_slot` for a new frame.
     void begin_frame(std::uint32_t ring_slot);
 
-    /// Queues a change set. False, and nothing queued, where only resend() will do: the sequence has a
-    /// gap, or the whole state is smaller. Throws Error{too_large} when the ring slot cannot grow, as
-    /// resend() does; call invalidate() then.
+    /// Queues a change set. Returns false and queues nothing if resend() is needed: the sequence has a gap,
+    /// or the whole state is smaller. Throws Error{too_large} if the ring slot cannot grow, as resend() does;
+    /// call invalidate() then.
     [[nodiscard]] bool apply(const ChangeSet& changes);
 
-    /// Queues the whole state; what was queued this frame before is dropped.
+    /// Queues the whole state, in place of everything queued in this frame before.
     void resend(std::uint64_t sequence, std::span<const EdgeId> silhouette,
                 std::span<const std::uint32_t> face_words);
 
-    /// Records copies and scatters of what was queued. Surround it with record_before() and
-    /// record_after(), once for all streams of a frame.
+    /// Records copies and scatters of the queued changes. Call record_before() before it and record_after()
+    /// after it, once for all streams of a frame.
     void record(VkCommandBuffer commands, const ScatterPass& pass) const;
     static void record_before(VkCommandBuffer commands);
     static void record_after(VkCommandBuffer commands);
 
     /// Bytes of buffers.
     std::uint64_t size_bytes() const noexcept;
-    /// Bytes queued in this frame, and what sending the whole state would have cost.
+    /// Bytes queued in this frame, and bytes of the whole state.
     std::uint64_t bytes_streamed() const noexcept { return used_; }
     std::uint64_t bytes_full() const noexcept;
     std::uint32_t silhouette_size() const noexcept { return silhouette_size_; }
 
     /// For a caller's own shaders: slots hold edge numbers, words hold face bits, and the arguments
-    /// (gpu::SlotArguments) draw the slots in use, as points, as strips of four vertices, or as the sides
-    /// of shadow volumes.
+    /// (gpu::SlotArguments) draw the slots in use as points, as strips of four vertices, or as the sides of
+    /// shadow volumes.
     const Buffer& slots() const noexcept { return slots_; }
     const Buffer& face_words() const noexcept { return face_words_; }
     const Buffer& arguments() const noexcept { return arguments_; }
@@ -124,7 +124,7 @@ private:
     DeviceContext context_;
     StreamSize size_;
     std::string model_;
-    MemoryBudget::Share share_;  // Of all but the ring.
+    MemoryBudget::Share share_;  // Of everything but the ring.
     std::vector<RingSlot> ring_;
     Buffer slots_;
     Buffer face_words_;

@@ -23,7 +23,7 @@ std::uint64_t copied_bytes(const SilhouetteSnapshot& state) {
            sizeof(std::uint32_t) * state.words.size();
 }
 
-// Places in [first, first + expected.size()) that differ; `first` is moved behind them.
+// Counts the elements that differ between `expected` and the bytes at `first`, and advances `first`.
 template <typename Word>
 std::uint64_t count_differences(const std::byte*& first, std::span<const Word> expected) {
     std::uint64_t count = 0;

@@ -1,10 +1,10 @@
 #pragma once
 
-// Whether the GPU holds what the trackers say: at the end of a frame the slots in use, face bits and draw
-// arguments of its silhouettes are copied to the host, and compared with the trackers' own state, which
-// went no way through change sets or streams.
+// Checks that the GPU's state equals the trackers'. At the end of a frame the slots in use, face bits and
+// draw arguments of its silhouettes are copied to the host, and compared with the trackers' own state, which
+// did not pass through change sets and streams.
 //
-// For looking into a doubt, and for tests: a frame costs what all its silhouettes cost whole.
+// For debugging and for tests: each frame reads back the whole state of its silhouettes.
 
 #include <cstdint>
 #include <span>
@@ -20,17 +20,17 @@ public:
     ConsistencyCheck(const DeviceContext& context, std::uint32_t ring_slots)
         : context_(context), frames_(ring_slots) {}
 
-    /// Records the copies, after all that the frame does, and keeps the trackers' states: nothing may
-    /// have been announced since the silhouettes were followed. The GPU must be done with the frame that
-    /// was in `ring_slot`. Throws what Buffer does.
+    /// Records the copies, at the end of the frame, and keeps copies of the trackers' states. Nothing may
+    /// have been announced since the silhouettes were followed, and the GPU must be done with the frame that
+    /// used `ring_slot` before. Throws what Buffer does.
     void record(VkCommandBuffer commands, std::uint32_t ring_slot,
                 std::span<TrackedSilhouette* const> silhouettes);
 
-    /// Words that differ in the frame of `ring_slot`, which the GPU is done with. Forgets the frame: 0
-    /// the next time, and where nothing was recorded.
+    /// The number of words that differ in the frame of `ring_slot`, which the GPU is done with. Forgets the
+    /// frame: returns 0 the next time, and if nothing was recorded.
     std::uint64_t take_differences(std::uint32_t ring_slot);
 
-    /// The frame of `ring_slot` never ran.
+    /// Forgets the frame of `ring_slot`, which never ran.
     void forget(std::uint32_t ring_slot) noexcept { frames_[ring_slot].expected.clear(); }
 
 private:

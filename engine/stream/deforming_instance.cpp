@@ -40,14 +40,14 @@ DeformedCounts DeformedFrame::counts(Purpose purpose) const {
     DeformedCounts sum;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         if (uses_[i].purpose != purpose) continue;
-        GpuSilhouetteCounts found;
-        std::memcpy(&found, counts_.mapped() + sizeof found * i, sizeof found);
-        sum.silhouette += found.silhouette;
-        sum.regular += found.regular;
+        GpuSilhouetteCounts run;
+        std::memcpy(&run, counts_.mapped() + sizeof run * i, sizeof run);
+        sum.silhouette += run.silhouette;
+        sum.regular += run.regular;
         if (uses_[i].is_first) continue;
-        sum.flips += found.flips;
-        sum.added += found.added;
-        sum.removed += found.removed;
+        sum.flips += run.flips;
+        sum.added += run.added;
+        sum.removed += run.removed;
     }
     return sum;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-// An instance that deforms, as the renderer keeps it: its mesh, a silhouette for the camera and one for
-// each light, and what a frame has the GPU find of them.
+// The state of an instance that deforms: its mesh, a silhouette for the camera and one for each light. A
+// frame lists what the GPU computes for all such instances.
 //
-//     begin_frame(): where the mesh is    camera(), light(): from where to look
+//     begin_frame(): the deformation    camera(), light(): the silhouette points
 //            +--> DeformedFrame::record(): positions, normals, all silhouettes at once
-//            +--> DeformedFrame::counts(): how large they were, when the GPU is done
+//            +--> DeformedFrame::counts(): their sizes, when the GPU is done
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace rimline {
 
-/// The pipelines of all that deforms on a device.
+/// The pipelines for everything that deforms on a device.
 struct DeformPasses {
     explicit DeformPasses(const DeviceContext& context) : deform(context), silhouettes(context) {}
     DeformPass deform;
@@ -31,28 +31,28 @@ struct DeformPasses {
 struct DeformedCounts {
     std::uint64_t silhouette = 0;  ///< Edges.
     std::uint64_t regular = 0;     ///< Of them, regular ones.
-    // Since the frame before; nothing for a silhouette in its first frame.
+    // Since the previous frame; 0 for a silhouette in its first frame.
     std::uint64_t flips = 0;
     std::uint64_t added = 0;
     std::uint64_t removed = 0;
 };
 
-/// What one frame in flight has the GPU find, and the counts that come back.
+/// The work of one frame in flight, and the counts that the GPU returns.
 class DeformedFrame {
 public:
     enum class Purpose : std::uint8_t { line, shadow };
 
-    /// Empties it for another frame; the GPU must be done with the one before.
+    /// Clears it for another frame. The GPU must be done with the previous one.
     void clear() noexcept;
     void add(const DeformingMesh& mesh) { meshes_.push_back(&mesh); }
-    /// `is_first`: the silhouette has not run before.
+    /// `is_first`: the silhouette has not been computed before.
     void add(const SilhouetteRun& run, Purpose purpose, bool is_first);
     bool is_empty() const noexcept { return meshes_.empty(); }
 
-    /// Records everything that was added. Throws Error{too_large} where there is no memory for counts.
+    /// Records everything that was added. Throws Error{too_large} if there is no memory for counts.
     void record(const DeviceContext& context, VkCommandBuffer commands, const DeformPasses& passes);
 
-    /// When the GPU is done with the frame.
+    /// Sums over the runs of one purpose. The GPU must be done with the frame.
     DeformedCounts counts(Purpose purpose) const;
 
 private:
@@ -77,15 +77,15 @@ public:
           model_(model),
           mesh_(context, mesh, gpu_mesh, crease_angle_rad, ring_slots, &budget, model) {}
 
-    /// Moves the mesh, and adds it to `frame`. Throws as DeformingMesh::move().
+    /// Sets the deformation, and adds the mesh to `frame`. Throws as DeformingMesh::move().
     void begin_frame(const Deformation& deformation, std::uint32_t ring_slot,
                      DeformedFrame& frame) {
         mesh_.move(deformation, ring_slot);
         frame.add(mesh_);
     }
 
-    /// The silhouettes from the camera and from a light, which `frame` will find. Made when asked for
-    /// the first time.
+    /// The silhouettes from the camera and from a light, which `frame` will compute. They are made at the
+    /// first call.
     const GpuSilhouette& camera(const HomogeneousPoint& point, DeformedFrame& frame) {
         return add(camera_, point, DeformedFrame::Purpose::line, frame);
     }
@@ -95,8 +95,8 @@ public:
         return add(lights_[light], point, DeformedFrame::Purpose::shadow, frame);
     }
 
-    /// Gives up the silhouette from the last of its lights; for who frees it when no frame reads it any
-    /// more.
+    /// Removes and returns the silhouette from the last light. The caller frees it when no frame reads it
+    /// any more. There must be a light.
     std::size_t light_count() const noexcept { return lights_.size(); }
     std::unique_ptr<GpuSilhouette> take_last_light() noexcept {
         std::unique_ptr<GpuSilhouette> last = std::move(lights_.back());

@@ -33,7 +33,7 @@ constexpr StageAccess k_normals{
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
 void check_range(const BoundingSphere& sphere) {
-    // A hair less, for the GPU rounds.
+    // With a margin for the GPU's rounding.
     const double reach = sphere.radius * (1.0 + 1e-6);
     for (int axis = 0; axis < 3; ++axis)
         if (!(std::abs(sphere.center[axis]) + reach <= double{k_max_coordinate}))

@@ -1,15 +1,15 @@
 #pragma once
 
-// A mesh whose vertices move every frame. Topology is uploaded once; positions and the normals to shade
-// with are made anew on the GPU, and silhouettes from them (gpu_silhouette.h). Nothing is rebuilt on the
-// CPU: no planes, no index.
+// A mesh whose vertices move every frame. Topology is uploaded once. The GPU computes positions and shading
+// normals in every frame, and silhouettes from them (gpu_silhouette.h). Nothing is rebuilt on the CPU: no
+// planes, no index.
 //
 //     rest positions --wave--> positions --normals--> corner normals
 //     caller's positions --copy-->  |
 //                                   +--> silhouettes, surfaces, caps, sides, lines: all read the same
 //
-// Normals keep the groups of corners that share one at rest (corner_normals.h): what is an edge to the
-// eye at rest stays one, and what is smooth stays smooth, however the surface bends later.
+// Corners that share a normal at rest (corner_normals.h) share one in every frame: an edge that is sharp at
+// rest stays sharp, and a smooth one stays smooth, however the surface bends.
 
 #include <cstdint>
 #include <span>
@@ -26,18 +26,17 @@ namespace rimline {
 class DeformingMesh {
 public:
     /// `gpu_mesh` is the same mesh, uploaded; it must outlive this. Surfaces are shaded smooth across
-    /// edges that bend by at most `crease_angle_rad` at rest. Uploads and waits. Memory is of `budget`,
+    /// edges that bend by at most `crease_angle_rad` at rest. Uploads and waits. Memory counts in `budget`,
     /// which must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the
     /// budget or the device's limit.
     DeformingMesh(const DeviceContext& context, const Mesh& mesh, const GpuMesh& gpu_mesh,
                   float crease_angle_rad, std::uint32_t ring_slots, MemoryBudget* budget = nullptr,
                   const std::string& model = "the model");
 
-    /// Where the mesh is from now on, for the frame of `ring_slot`: the caller has waited until the GPU is
-    /// done with the frame that used that slot last. O(1), or O(vertices) for positions of the caller's.
-    /// Throws Error{too_large} where the deformed mesh would leave the range of coordinates, and as the
-    /// constructor where positions of the caller's come for the first time; they must be as
-    /// MovedPositions says.
+    /// Sets the deformation from now on, in the frame of `ring_slot`. The GPU must be done with the frame
+    /// that used that slot last. O(1), or O(vertices) for MovedPositions, which must fulfill their contract.
+    /// Throws Error{too_large} if the deformed mesh would leave the range of coordinates, and as the
+    /// constructor when MovedPositions are given for the first time.
     void move(const Deformation& deformation, std::uint32_t ring_slot);
 
     VkDeviceAddress positions() const noexcept { return positions_.address(); }
@@ -61,25 +60,25 @@ private:
     VkDeviceAddress triangles_;
     std::string model_;
     SilhouetteTopology topology_;
-    MemoryBudget::Share share_;  // Of all but the topology and the ring.
+    MemoryBudget::Share share_;  // Of everything but the topology and the ring.
     MemoryBudget::Share ring_share_;
     Buffer positions_;
     Buffer corner_normals_;
     Buffer group_begin_;
     Buffer group_corners_;
     Buffer job_;
-    Buffer ring_;  // Positions of the caller's; empty until there are some.
+    Buffer ring_;  // The caller's positions; empty until there are some.
     std::uint32_t ring_slot_ = 0;
     Deformation deformation_;
 };
 
-/// The compute pipelines; one set serves every mesh of a device.
+/// The compute pipelines. All meshes of a device share one set.
 class DeformPass {
 public:
     explicit DeformPass(const DeviceContext& context);
 
-    /// Records the positions and normals of all `meshes`, each as it was moved last. What read the old ones
-    /// is waited for; shaders of every stage see the new ones afterwards.
+    /// Records the computation of positions and normals of all `meshes`, each with its last deformation.
+    /// Waits for all earlier reads of the old ones. Shaders of every stage see the new ones afterwards.
     void record(VkCommandBuffer commands, std::span<const DeformingMesh* const> meshes) const;
 
 private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/stream/edge_records.h"
 #include "silhouette/mesh/corner_normals.h"
 #include "silhouette/mesh/creases.h"
 
@@ -11,35 +12,7 @@ namespace {
 
 static_assert(sizeof(Triangle) == sizeof(gpu::TriangleRecord));
 
-std::vector<gpu::EdgeRecord> edge_records(const Mesh& mesh) {
-    std::vector<gpu::EdgeRecord> records;
-    records.reserve(mesh.edge_count());
-    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
-        records.push_back(edge_record(mesh, EdgeId{e}));
-    return records;
-}
-
 }  // namespace
-
-gpu::EdgeRecord edge_record(const Mesh& mesh, EdgeId id) {
-    const Edge& edge = mesh.edge(id);
-    const bool regular = mesh.edge_class(id) == EdgeClass::regular;
-    return {index(edge.vertices[0]), index(edge.vertices[1]), index(edge.faces[0]),
-            index(regular ? edge.faces[1] : k_no_face)};
-}
-
-std::vector<gpu::EdgeRecord> loose_edge_records(const Mesh& mesh) {
-    std::vector<gpu::EdgeRecord> records;
-    for (std::uint32_t e = mesh.edges_of_class(EdgeClass::regular).last; e < mesh.edge_count(); ++e)
-        for (const FaceId face : mesh.faces_of(EdgeId{e})) {
-            const Triangle& triangle = mesh.triangles()[index(face)];
-            for (std::size_t corner = 0; corner < 3; ++corner)
-                if (mesh.edges_of(face)[corner] == EdgeId{e})
-                    records.push_back({index(triangle[corner]), index(triangle[(corner + 1) % 3]),
-                                       index(face), index(k_no_face)});
-        }
-    return records;
-}
 
 GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, LinePath line_path)
     : vertex_count_(mesh.vertex_count()),
@@ -47,7 +20,7 @@ GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, L
       border_count_(mesh.edges_of_class(EdgeClass::border).size()),
       border_offset_bytes_(sizeof(gpu::EdgeRecord) *
                            std::uint64_t{mesh.edges_of_class(EdgeClass::border).first}),
-      middle_(mesh.center()),
+      center_(mesh.center()),
       positions_(batch.add(mesh.positions(), "positions")),
       triangles_(batch.add(mesh.triangles(), "triangles")) {
     const std::vector<glm::vec3> normals = rimline::corner_normals(mesh, crease_angle_rad);

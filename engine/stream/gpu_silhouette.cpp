@@ -45,7 +45,7 @@ std::vector<gpu::EdgeFaces> edge_faces(const Mesh& mesh) {
     return faces;
 }
 
-// The faces of edges that have three or more, one after the other, and where each edge's begin.
+// The faces of edges with three or more faces, one edge after the other, and where those of each edge begin.
 struct Fans {
     std::vector<std::uint32_t> begin{0};
     std::vector<FaceId> faces;
@@ -62,7 +62,7 @@ Fans fans(const Mesh& mesh) {
     return fans;
 }
 
-// Of 32 faces or edges a word.
+// The number of workgroups for `count` faces or edges, 32 in a word.
 std::uint32_t group_count(std::uint32_t count) {
     return (face_word_count(count) + RIMLINE_GROUP_WORDS - 1) / RIMLINE_GROUP_WORDS;
 }
@@ -72,7 +72,7 @@ std::uint64_t total_size(const Buffers&... buffers) {
     return (buffers.size() + ...);
 }
 
-// What the buffers of a silhouette hold.
+// Bytes of the buffers of a silhouette.
 struct Sizes {
     Sizes(std::uint32_t face_count, std::uint32_t edge_count, GpuSilhouette::Changes changes)
         : face_words(std::uint64_t{4} * face_word_count(face_count)),
@@ -86,7 +86,7 @@ struct Sizes {
     std::uint64_t face_words, edge_words;
     std::uint64_t face_tallies, edge_tallies;
     std::uint64_t slots;
-    std::uint64_t list, word_writes;  // Of changes; 0 where they are not listed.
+    std::uint64_t list, word_writes;  // Of changes; 0 if they are not listed.
 };
 
 }  // namespace

@@ -1,18 +1,17 @@
 #pragma once
 
-// Silhouettes that the GPU finds by itself, from scratch, every frame: for meshes whose positions change,
-// which no index made beforehand can serve, and as the brute force that streamed silhouettes are
-// compared with.
+// Silhouettes that the GPU computes from scratch in every frame: for meshes whose positions change, where no
+// index built beforehand is valid, and as the brute force that streamed silhouettes are compared with.
 //
 //     faces: bits, what flipped --> edges: bits, what joined or left --> scan: sums over groups
 //                                                                  --> lists: slots and change set
 //
-// Four dispatches, each for all silhouettes of a frame, with a barrier after each. Bits are words of 32;
-// lists are compacted by prefix sums, not by atomics, so they have one order, ascending, on every run.
-// Consumers find what a ChangeStream gives them: slots, face words, draw arguments.
+// Four dispatches, each for all silhouettes of a frame, with a barrier after each. Bits are packed in words
+// of 32. Lists are compacted by prefix sums, not by atomics, so they are in ascending order on every run. The
+// results have the form of a ChangeStream: slots, face words, draw arguments.
 //
-// Bits come from planes, and then equal silhouette/mesh/plane.h's, or from the corners where they are
-// now, and then equal silhouette/mesh/moving_face.h's: all bit for bit. Edges follow the rules of
+// Bits computed from planes equal those of silhouette/mesh/plane.h; bits computed from the current corners
+// equal those of silhouette/mesh/moving_face.h, all bit for bit. Edges follow the rules of
 // silhouette/mesh/face_bits.h.
 
 #include <cstdint>
@@ -30,14 +29,14 @@ namespace rimline {
 /// The faces of a mesh's edges, for any number of silhouettes of it. 8 bytes an edge.
 class SilhouetteTopology {
 public:
-    /// Uploads and waits. `mesh` is not needed afterwards. Memory is of `budget`, which must outlive it;
+    /// Uploads and waits. `mesh` is not needed afterwards. Memory counts in `budget`, which must outlive it;
     /// null for none. Messages name `model`. Throws Error{too_large} naming the budget or the device's
     /// limit.
     SilhouetteTopology(const DeviceContext& context, const Mesh& mesh,
                        MemoryBudget* budget = nullptr, const std::string& model = "the model");
 
     std::uint32_t face_count() const noexcept { return face_count_; }
-    /// Edges that may be on a silhouette: all but borders.
+    /// The number of edges that may be on a silhouette: all but borders.
     std::uint32_t edge_count() const noexcept { return edge_count_; }
     std::uint64_t size_bytes() const noexcept;
 
@@ -53,54 +52,54 @@ private:
     Buffer fan_faces_;
 };
 
-/// Where face bits come from: one plane a face, or three corners. Addresses of what GpuMesh and others
-/// hold; `positions` and `triangles` are not read where `planes` is given.
+/// What face bits are computed from: one plane a face, or three corners. Addresses of buffers that the caller
+/// keeps. `positions` and `triangles` are not read if `planes` is given.
 struct FaceSource {
     VkDeviceAddress planes = 0;
     VkDeviceAddress positions = 0;
     VkDeviceAddress triangles = 0;
 };
 
-/// What a run found, as the device writes it (gpu::SilhouetteCounts).
+/// The counts of a run, as the device writes them (gpu::SilhouetteCounts).
 struct GpuSilhouetteCounts {
     std::uint32_t silhouette = 0;  ///< Slots in use.
-    std::uint32_t regular = 0;     ///< Of them, those of regular edges, which come first.
+    std::uint32_t regular = 0;     ///< Of these, slots of regular edges, which come first.
     std::uint32_t added = 0;       ///< Edges that joined since the run before.
     std::uint32_t removed = 0;     ///< Edges that left.
     std::uint32_t words = 0;       ///< Words of face bits that changed.
     std::uint32_t flips = 0;       ///< Faces that turned.
 };
 
-/// One silhouette of one mesh: its state on the GPU. Before the first run no face is front and no edge
-/// is on the silhouette; the first change set is against that.
+/// The state of one silhouette of one mesh on the GPU. Before the first run no face is front and no edge is
+/// on the silhouette; the first change set is relative to that.
 class GpuSilhouette {
 public:
     enum class Changes {
-        counted,  ///< Only how many: counts().
-        listed,   ///< Also which: added(), removed(), word_writes().
+        counted,  ///< Their numbers alone: counts().
+        listed,   ///< Also the lists: added(), removed(), word_writes().
     };
 
-    /// Makes room for any silhouette, uploads and waits. `topology`, and what `faces` names, must outlive
-    /// it. About 1/4 byte a face and 4 1/4 an edge, and 8 an edge more where changes are listed. Budget,
-    /// messages and errors are as SilhouetteTopology's.
+    /// Allocates memory for any silhouette, uploads and waits. `topology` and the buffers of `faces` must
+    /// outlive it. About 1/4 byte a face and 4 1/4 bytes an edge, and 8 more an edge if changes are listed.
+    /// Budget, messages and errors are as in SilhouetteTopology.
     GpuSilhouette(const DeviceContext& context, const SilhouetteTopology& topology,
                   const FaceSource& faces, Changes changes = Changes::counted,
                   MemoryBudget* budget = nullptr, const std::string& model = "the model");
 
-    /// For consumers, as a ChangeStream's: slots hold edge numbers, words hold face bits, and the
-    /// arguments (gpu::SlotArguments) draw the slots in use.
+    /// As those of a ChangeStream: slots hold edge numbers, words hold face bits, and the arguments
+    /// (gpu::SlotArguments) draw the slots in use.
     const Buffer& slots() const noexcept { return slots_; }
     const Buffer& face_words() const noexcept { return face_words_; }
     const Buffer& arguments() const noexcept { return arguments_; }
     /// GpuSilhouetteCounts.
     const Buffer& counts() const noexcept { return counts_; }
     /// The change set, in ascending order: edge numbers, and WordWrite (silhouette/hough/change_set.h).
-    /// Empty buffers where changes are only counted.
+    /// Empty buffers if changes are only counted.
     const Buffer& added() const noexcept { return added_; }
     const Buffer& removed() const noexcept { return removed_; }
     const Buffer& word_writes() const noexcept { return word_writes_; }
 
-    /// Bytes of buffers, also before there are any.
+    /// Bytes of buffers; the static function computes them beforehand.
     std::uint64_t size_bytes() const noexcept;
     static std::uint64_t size_bytes(const SilhouetteTopology& topology,
                                     Changes changes = Changes::counted) noexcept;
@@ -125,22 +124,22 @@ private:
     Buffer job_;
 };
 
-/// A silhouette to find, and where from.
+/// A silhouette to compute, and its silhouette point.
 struct SilhouetteRun {
     const GpuSilhouette* silhouette;
     HomogeneousPoint point;
 };
 
-/// The four compute pipelines; one set serves every silhouette of a device.
+/// The four compute pipelines. All silhouettes of a device share one set.
 class GpuSilhouettePass {
 public:
-    /// Dispatches are cut into rows of at most `groups_a_row` workgroups, and never more than the device
-    /// takes; tests make them short.
+    /// Dispatches are divided into rows of at most `groups_a_row` workgroups, and of at most the device's
+    /// limit. Tests use short rows.
     explicit GpuSilhouettePass(const DeviceContext& context, std::uint32_t groups_a_row = 65535);
 
-    /// Records all runs, each silhouette at most once. What drew from the silhouettes before is waited
-    /// for, and what draws from them or copies them afterwards sees them; positions must have been made
-    /// visible to compute shaders. O(faces + edges) a silhouette, whatever changed.
+    /// Records all runs, each silhouette at most once. Waits for earlier reads of the silhouettes, and makes
+    /// the results visible to later draws and copies. Positions must be visible to compute shaders.
+    /// O(faces + edges) a silhouette, independent of the changes.
     void record(VkCommandBuffer commands, std::span<const SilhouetteRun> runs) const;
 
 private:

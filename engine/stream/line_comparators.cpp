@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/stream/gpu_mesh.h"
+#include "engine/stream/edge_records.h"
 #include "shaders/layout.h"
 
 namespace rimline {
@@ -26,8 +26,8 @@ std::vector<gpu::FacePairRecord> irregular_pairs(const Mesh& mesh) {
     return pairs;
 }
 
-// Vulkan's order for triangles with adjacency: each corner is followed by the neighbor's corner across
-// the edge that begins there, or by itself where the edge is not regular.
+// Vulkan's order for triangles with adjacency: each corner is followed by the neighbor's corner across the
+// edge that begins there, or by itself if the edge is not regular.
 std::vector<std::uint32_t> adjacency_indices(const Mesh& mesh) {
     const auto corner_across = [&](FaceId face, const Edge& edge) {
         for (const VertexId corner : mesh.triangles()[index(face)])

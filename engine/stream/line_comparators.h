@@ -1,9 +1,9 @@
 #pragma once
 
-// What the line paths without slots (line_path.h) keep of a mesh beside GpuMesh: a plane a face, six
-// indices a face, and the edges that are not regular. Rimline's own paths need none of it.
+// The data of a mesh that line paths without slots (line_path.h) need besides GpuMesh: a plane a face, six
+// indices a face, and the edges that are not regular. Rimline's own paths do not need it.
 
-#include "engine/frame/draw_list.h"
+#include "engine/stream/every_edge_draw.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/uploads.h"
 #include "silhouette/mesh/mesh.h"
@@ -22,7 +22,7 @@ public:
 
     VkDeviceAddress planes() const noexcept { return planes_.address(); }
     /// gpu::FacePairRecord: one for an inconsistent edge, and one for each two consecutive faces of a
-    /// non-manifold edge, whose bits are not all equal when those of two consecutive faces are not.
+    /// non-manifold edge. The bits of such an edge's faces differ exactly if those of such a pair do.
     VkDeviceAddress irregular_pairs() const noexcept { return irregular_pairs_.address(); }
     EveryEdgeDraw draw() const noexcept;
 

@@ -5,16 +5,6 @@
 
 namespace rimline {
 
-SilhouetteChanges& SilhouetteChanges::operator+=(const SilhouetteChanges& other) noexcept {
-    edges += other.edges;
-    flips += other.flips;
-    added += other.added;
-    removed += other.removed;
-    counters += other.counters;
-    update_us += other.update_us;
-    return *this;
-}
-
 TrackedSilhouette::TrackedSilhouette(const DeviceContext& context, SilhouetteService& service,
                                      const HoughOctree& octree, const HomogeneousPoint& point,
                                      std::uint32_t ring_slots, MemoryBudget& stream_budget,

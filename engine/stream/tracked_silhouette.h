@@ -11,23 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "engine/silhouette_changes.h"
 #include "engine/stream/change_stream.h"
 #include "silhouette/hough/service/silhouette_follower.h"
 
 namespace rimline {
-
-/// How silhouettes changed since the frame before; nothing for those in their first frame.
-struct SilhouetteChanges {
-    std::uint64_t edges = 0;     ///< On the silhouettes now, borders not among them.
-    std::uint64_t flips = 0;     ///< Faces that turned.
-    std::uint64_t added = 0;     ///< Edges that joined.
-    std::uint64_t removed = 0;   ///< Edges that left.
-    TraversalCounters counters;  ///< Work on the CPU: none for what the GPU finds by itself.
-    /// Time that the frame spent on them on the CPU: little where the service was ahead.
-    double update_us = 0.0;
-
-    SilhouetteChanges& operator+=(const SilhouetteChanges& other) noexcept;
-};
 
 class TrackedSilhouette {
 public:
@@ -37,37 +25,37 @@ public:
                       std::uint32_t ring_slots, MemoryBudget& stream_budget,
                       MemoryBudget& tracker_budget, const std::string& model);
 
-    /// Says where the next follow() will probably lead: the service begins with it. Does not wait.
+    /// Announces the point of the next follow(), so that the service begins to move there. Does not wait.
     void announce(const HomogeneousPoint& point) noexcept { follower_.announce(point); }
 
-    /// Opens `ring_slot` of the stream and queues what makes it the silhouette from `point`. Waits for
-    /// the service where it is not that far.
+    /// Opens `ring_slot` of the stream and queues the changes that make it the silhouette from `point`.
+    /// Waits for the service if it has not finished the move.
     void follow(const HomogeneousPoint& point, std::uint32_t ring_slot);
 
-    /// What was queued never ran: the next follow() sends the whole state.
+    /// Call if queued changes never ran: the next follow() sends the whole state.
     void invalidate() noexcept {
         follower_.invalidate();
         stream_.invalidate();
     }
 
     const ChangeStream& stream() const noexcept { return stream_; }
-    /// Where the last follow() led.
+    /// The point of the last follow().
     const HomogeneousPoint& point() const noexcept { return follower_.point(); }
-    /// What the last follow() did.
+    /// The changes of the last follow().
     const SilhouetteChanges& changes() const noexcept { return changes_; }
-    /// What the GPU holds after the last follow(): the slots in use, and the face bits. Valid until the
-    /// next one.
+    /// The GPU's state after the last follow(): the slots in use, and the face bits. Valid until the next
+    /// follow().
     std::span<const EdgeId> silhouette() const noexcept { return slots_; }
     std::span<const std::uint32_t> face_words() const noexcept { return words_; }
     const Mesh& mesh() const noexcept { return *mesh_; }
-    /// How many of its edges are regular (EdgeClass); the stream has the number of all.
+    /// The number of its regular edges (EdgeClass). The stream has the number of all edges.
     std::uint32_t regular_count() const noexcept { return regular_count_; }
 
-    /// The tracker's own state where the last follow() led; only while nothing was announced since.
+    /// The tracker's own state at the point of the last follow(). Nothing may have been announced since.
     void read_tracker(SilhouetteSnapshot& snapshot) { follower_.read_state(snapshot); }
 
 private:
-    // What the follower leads: the stream, and the count beside it.
+    // Receives the follower's changes: for the stream, and for the copy on the CPU.
     struct Consumer {
         TrackedSilhouette& silhouette;
         bool apply(const ChangeSet& changes);

@@ -1,14 +1,8 @@
 #pragma once
 
-// Barriers in one line. Every one drains lavapipe, so a frame has few, each for everything at once.
+// Memory barriers in one line. Each one drains lavapipe, so a frame has few, each for everything at once.
 
 #include <vulkan/vulkan.h>
-
-#include <initializer_list>
-#include <vector>
-
-#include "engine/vulkan/memory.h"
-#include "engine/vulkan/picture_target.h"
 
 namespace rimline {
 
@@ -17,52 +11,16 @@ struct StageAccess {
     VkAccessFlags2 access;
 };
 
-struct ImageTransition {
-    ImageTransition(const Image& moved, VkImageLayout from, VkImageLayout to)
-        : image(moved.handle()),
-          range{moved.aspects(), 0, 1, 0, 1},
-          old_layout(from),
-          new_layout(to) {}
-    ImageTransition(const PictureTarget& target, VkImageLayout from, VkImageLayout to)
-        : image(target.image),
-          range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, target.layer, 1},
-          old_layout(from),
-          new_layout(to) {}
-
-    VkImage image;
-    VkImageSubresourceRange range;
-    VkImageLayout old_layout;
-    VkImageLayout new_layout;
-};
-
-/// Orders `from` before `to`: for all memory, or, where there are some, for these images, which move
-/// to new layouts.
-inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAccess to,
-                           std::initializer_list<ImageTransition> transitions = {}) {
-    std::vector<VkImageMemoryBarrier2> images;
-    for (const ImageTransition& t : transitions)
-        images.push_back({.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                          .srcStageMask = from.stages,
-                          .srcAccessMask = from.access,
-                          .dstStageMask = to.stages,
-                          .dstAccessMask = to.access,
-                          .oldLayout = t.old_layout,
-                          .newLayout = t.new_layout,
-                          .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                          .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                          .image = t.image,
-                          .subresourceRange = t.range});
+/// Orders `from` before `to`, for all memory.
+inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAccess to) {
     const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                   .srcStageMask = from.stages,
                                   .srcAccessMask = from.access,
                                   .dstStageMask = to.stages,
                                   .dstAccessMask = to.access};
-    const VkDependencyInfo dependency{
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-        .memoryBarrierCount = images.empty() ? 1u : 0u,
-        .pMemoryBarriers = &memory,
-        .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
-        .pImageMemoryBarriers = images.data()};
+    const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                      .memoryBarrierCount = 1,
+                                      .pMemoryBarriers = &memory};
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 

@@ -6,7 +6,6 @@
 #include <span>
 #include <string_view>
 
-#include "engine/passes/face_bits_pass.h"
 #include "engine/vulkan/barrier.h"
 #include "engine/vulkan/queue_choice.h"
 
@@ -14,7 +13,7 @@ namespace rimline {
 
 namespace {
 
-// The features that judge_device() asks for, chained for a query or for vkCreateDevice.
+// The features that judge_device() requires, chained for a query or for vkCreateDevice.
 struct FeatureChain {
     VkPhysicalDeviceVulkan13Features v13{.sType =
                                              VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
@@ -32,7 +31,7 @@ std::vector<VkPhysicalDevice> physical_devices(const VulkanInstance& instance) {
         [&](std::uint32_t* count, VkPhysicalDevice* devices) {
             const VkResult result = vkEnumeratePhysicalDevices(instance.handle(), count, devices);
             if (result != VK_ERROR_INITIALIZATION_FAILED) return result;
-            // A loader without drivers answers so; that is a machine without devices.
+            // A loader without drivers returns this: the machine has no devices.
             *count = 0;
             return VK_SUCCESS;
         },
@@ -84,7 +83,7 @@ DeviceFacts describe(VkPhysicalDevice device) {
                       .driver = {},
                       .type = properties.properties.deviceType,
                       .api_version = properties.properties.apiVersion};
-    // Older devices do not know the structures below; their version says enough.
+    // Older devices do not know the structures below. Their version is enough to refuse them.
     if (facts.api_version < VK_API_VERSION_1_3) return facts;
 
     properties.pNext = &v12;
@@ -187,16 +186,10 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
                                     .occlusion_query_precise = facts_.occlusion_query_precise});
     context_.transfer_family = queues.transfer_family;
     vkGetDeviceQueue(device, queues.transfer_family, 0, &context_.transfer_queue);
-    try {
-        face_bits_agree_ = test_face_bits(context_);
-    } catch (...) {
-        vkDestroyDevice(device, nullptr);
-        throw;
-    }
 }
 
 Device::~Device() {
-    // A device that was lost is done with everything.
+    // A lost device runs nothing any more.
     (void)repeat_wait([&] { return vkDeviceWaitIdle(context_.device); });
     vkDestroyDevice(context_.device, nullptr);
 }
@@ -249,7 +242,7 @@ void run_commands(const DeviceContext& context,
     const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
     const VkCommandBuffer commands = begin_commands(context, pool);
     record(commands);
-    // That the queue has been waited for makes nothing visible to what is submitted next.
+    // Waiting for the queue does not make writes visible to later submissions. This barrier does.
     record_barrier(commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
                    {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                     VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT});

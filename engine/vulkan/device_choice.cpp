@@ -30,7 +30,7 @@ bool fits(std::span<const DeviceFacts> devices, std::size_t index, const std::st
     const bool is_cpu = facts.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
     if (wanted == "cpu") return is_cpu;
     if (wanted == "gpu") return !is_cpu;
-    // "4090" is part of a name unless there are so many devices.
+    // A number that is no index, such as 4090, is a part of a name.
     if (const auto number = as_index(wanted); number && *number < devices.size())
         return *number == index;
     return lower(facts.name).find(wanted) != std::string::npos;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which device, and why not the others. Separate from Vulkan calls, so that it can be tested on
-// machines that do not exist.
+// The choice of a device, with a reason for each that was not chosen. Separate from Vulkan calls, so that it
+// can be tested with made-up devices.
 
 #include <vulkan/vulkan.h>
 
@@ -12,7 +12,7 @@
 
 namespace rimline {
 
-/// What the choice looks at, read from a physical device by describe_devices() or made up by a test.
+/// The facts that the choice depends on: from describe_devices(), or made up by a test.
 struct DeviceFacts {
     std::string name;
     std::string driver;
@@ -36,28 +36,27 @@ struct DeviceFacts {
 };
 
 struct DeviceVerdict {
-    /// What it lacks, one phrase each; empty means that Rimline can use it.
+    /// The requirements it lacks, one phrase each. Empty: Rimline can use the device.
     std::vector<std::string> lacks;
     bool usable() const noexcept { return lacks.empty(); }
 };
 
 DeviceVerdict judge_device(const DeviceFacts& facts);
 
-/// How a user names a device: "gpu", "cpu", an index below the number of devices, or a part of its
-/// name, case ignored; empty takes a discrete GPU if there is one, else an integrated or virtual one,
-/// else whatever is usable.
+/// How a user names a device: "gpu", "cpu", an index below the number of devices, or a part of its name, case
+/// ignored. Empty: a discrete GPU if there is one, else an integrated or virtual one, else any usable device.
 using DeviceRequest = std::string;
 
 struct DeviceChoice {
     std::size_t index;
-    /// One line a device: why it was or was not chosen.
+    /// One line for each device: why it was or was not chosen.
     std::vector<std::string> reasons;
 };
 
-/// What to say where there is no device at all.
+/// The advice for a machine without any device.
 extern const char* const k_no_device_advice;
 
-/// Throws Error{no_device} listing every device with its reason when none fits the request.
+/// Throws Error{no_device}, which lists every device with its reason, if none fits the request.
 DeviceChoice choose_device(std::span<const DeviceFacts> devices, const DeviceRequest& request = {});
 
 /// "discrete GPU", "CPU" and so on.

@@ -1,13 +1,13 @@
 #pragma once
 
-// Going on after the GPU has given up.
+// Continuing after the loss of a device.
 //
-// A driver that restarts, a graphics card that is pulled out or a shader that runs too long end every
-// call on a device with Error{device_lost}. The VulkanInstance, meshes, octrees and scenes stay; the
-// Device and all that was made from it (renderers, buffers, swapchains) are only good for being
-// destroyed, which never waits long, and are made again:
+// If a driver restarts, a graphics card is removed or a shader runs too long, every call on the device ends
+// with Error{device_lost}. The VulkanInstance, meshes, octrees and scenes stay valid. The Device and
+// everything made from it (renderers, buffers, swapchains) can only be destroyed, which never waits long, and
+// made again:
 //
-//     struct OnDevice {                       // In the order in which they need one another.
+//     struct OnDevice {                       // In the order of dependence.
 //         OnDevice(const VulkanInstance& instance) : device(instance), renderer(device.context()) {}
 //         Device device;
 //         Renderer renderer;
@@ -17,8 +17,8 @@
 //         [&] { return gpu->renderer.render(scene, 800, 600); },
 //         [&] { gpu.reset(); gpu.emplace(instance); });
 //
-// The picture is the one that an undisturbed device would have drawn. What was submitted and not yet
-// finished is gone with the device, so `call` submits it anew.
+// The picture is the one that an undisturbed device would have drawn. Work that was submitted and not
+// finished is lost with the device, so `call` submits it again.
 
 #include <utility>
 
@@ -26,13 +26,13 @@
 
 namespace rimline {
 
-/// How often in a row a device may be lost. More often it is not chance but what we ask of it, and
-/// asking again would never end.
+/// How often in a row a device may be lost. After more losses the cause is probably the work itself, and
+/// another attempt would lose the device again.
 constexpr int k_max_device_losses = 3;
 
-/// The result of `call`. Where it throws Error{device_lost}, `make_again` is called and then `call` once
-/// more, up to k_max_device_losses times; then the error is passed on, as every other is. A device that
-/// is lost while it is made counts too.
+/// Returns the result of `call`. If it throws Error{device_lost}, calls `make_again` and then `call` again,
+/// up to k_max_device_losses times. After that the error is rethrown, as every other error is. A loss during
+/// `make_again` counts too.
 template <typename Call, typename MakeAgain>
 auto surviving_device_loss(Call&& call, MakeAgain&& make_again) -> decltype(call()) {
     bool is_lost = false;

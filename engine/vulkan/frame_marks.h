@@ -1,10 +1,10 @@
 #pragma once
 
-// Which recorded frames the GPU is done with, whoever submitted them: the last command of a frame
-// writes its number where the host reads it.
+// Tells which recorded frames the GPU is done with, independent of who submitted them: the last command of a
+// frame writes the frame's number to memory that the host reads.
 //
-// A renderer inside another one has no fence of its own. It takes its caller's word for when a frame is
-// done, and with the marks it can tell when that word does not hold.
+// A renderer inside another one has no fence of its own. It relies on its caller to know when a frame is
+// done; the marks let it detect a caller that is wrong.
 
 #include "engine/vulkan/memory.h"
 
@@ -12,12 +12,13 @@ namespace rimline {
 
 class FrameMarks {
 public:
-    /// For frames in `slots` ring slots; a slot's mark is that of the last frame there.
+    /// For frames in `slots` ring slots. Each slot has one mark, of its last frame.
     FrameMarks(const DeviceContext& context, std::uint32_t slots);
 
-    /// Marks `frame_number`, not 0, in `slot` once all commands recorded before are done.
+    /// Records the mark `frame_number`, not 0, of `slot`, written when all earlier commands are done.
     void record(VkCommandBuffer commands, std::uint32_t slot, std::uint64_t frame_number) const;
 
+    /// Whether the mark of `slot` is that of `frame_number`.
     bool has(std::uint32_t slot, std::uint64_t frame_number) const noexcept;
 
 private:

@@ -11,7 +11,7 @@ namespace rimline {
 
 namespace {
 
-// vk_check(), and what the memory was for where there is none left.
+// As vk_check(). If memory has run out, the message names what it was for.
 void check_room(VkResult result, const char* call, VkDeviceSize size, const std::string& what) {
     if (is_out_of_memory(result))
         throw Error(ErrorCode::too_large,

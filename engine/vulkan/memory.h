@@ -15,20 +15,20 @@
 namespace rimline {
 
 enum class BufferPlace {
-    /// Fast for the GPU; the host writes it through uploads. Shared by both queue families, so that either
-    /// reads what the other wrote as soon as a semaphore says so.
+    /// Fast for the GPU; the host writes it through uploads. Shared by both queue families: either may read
+    /// what the other wrote after waiting for its semaphore.
     device,
     upload,    ///< Persistently mapped; the host writes, the GPU reads.
     readback,  ///< Persistently mapped; the GPU writes, the host reads.
 };
 
-/// Every buffer can be addressed by shaders, bound as uniforms, copied from and to, drawn from
-/// indirectly, and can hold indices.
+/// A buffer with its memory. Every buffer has a device address and can be a uniform buffer, a source and a
+/// target of copies, an indirect buffer and an index buffer.
 class Buffer {
 public:
     Buffer() = default;
-    /// A size of 0 is made 4. Throws Error{too_large} when that is beyond a limit of the device, or when
-    /// it has no such memory left; the message names `what` and the limit.
+    /// A size below 4 is raised to buffer_bytes(). Throws Error{too_large} if the size exceeds a limit of the
+    /// device, or if its memory has run out; the message names `what` and the limit.
     Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place,
            const std::string& what);
 
@@ -46,12 +46,12 @@ private:
     std::byte* mapped_ = nullptr;
 };
 
-/// What a buffer of `size_bytes` holds.
+/// The size of a buffer that is made for `size_bytes`: at least 4.
 constexpr VkDeviceSize buffer_bytes(VkDeviceSize size_bytes) noexcept {
     return size_bytes > 4 ? size_bytes : 4;
 }
 
-/// Makes a device buffer that holds `data`, and waits until it does.
+/// Makes a device buffer with the content `data`, and waits for the copy.
 Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,
                      const std::string& what);
 
@@ -69,14 +69,14 @@ struct ImageDescription {
     VkExtent2D extent{};
     VkImageUsageFlags usage = 0;
     std::uint32_t samples = 1;
-    /// What sampling sees of it; attachments use every aspect of the format.
+    /// The aspect of its sampled view. Attachments use every aspect of the format.
     VkImageAspectFlags sampled_aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 
 class Image {
 public:
     Image() = default;
-    /// Throws Error{too_large} naming the limit when the device cannot make it.
+    /// Throws Error{too_large} naming `what` and the limit if the device cannot make it.
     Image(const DeviceContext& context, const ImageDescription& description,
           const std::string& what);
 

@@ -21,7 +21,7 @@ std::string size_text(std::uint64_t bytes) {
         ++unit;
     }
     std::array<char, 32> text{};
-    // One digit after the point where it says something.
+    // One digit after the point for values below 10, but not for bytes.
     std::snprintf(text.data(), text.size(), size < 10.0 && unit > 0 ? "%.1f %s" : "%.0f %s", size,
                   k_units[unit]);
     return text.data();

@@ -1,7 +1,7 @@
 #pragma once
 
-// A stated amount of memory, and who has how much of it. What does not fit is refused before the device
-// is asked, with an error that says for what, how much, and which budget.
+// A limit of memory, and the shares that its users have taken. A share that does not fit is refused before
+// anything is allocated, with an error that names the purpose, the size and the budget.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@ namespace rimline {
 
 class MemoryBudget {
 public:
-    /// `name` is how messages call it and say where it is set.
+    /// `name` is for messages: it names the budget and where it is set.
     MemoryBudget(std::uint64_t size_bytes, std::string name)
         : size_bytes_(size_bytes), name_(std::move(name)) {}
     MemoryBudget(const MemoryBudget&) = delete;
@@ -22,10 +22,10 @@ public:
     std::uint64_t size_bytes() const noexcept { return size_bytes_; }
     std::uint64_t used_bytes() const noexcept { return used_bytes_; }
 
-    /// What one owner has taken; given back with it. The budget must outlive it.
+    /// The share of one owner. Its destructor returns it. The budget must outlive it.
     class Share {
     public:
-        /// Nothing yet. Null: of a budget without an end.
+        /// An empty share. Null: without a budget, unlimited.
         explicit Share(MemoryBudget* budget = nullptr) noexcept : budget_(budget) {}
         Share(Share&& other) noexcept
             : budget_(other.budget_), bytes_(std::exchange(other.bytes_, 0)) {}
@@ -38,8 +38,8 @@ public:
             if (budget_) budget_->used_bytes_ -= bytes_;
         }
 
-        /// Makes the share `bytes`. Throws Error{too_large} naming `what` and the budget, which is then
-        /// as before.
+        /// Sets the share to `bytes`. Throws Error{too_large} naming `what` and the budget; then nothing has
+        /// changed.
         void resize(std::uint64_t bytes, const std::string& what) {
             if (budget_) {
                 if (bytes > bytes_) budget_->check(bytes - bytes_, what);
@@ -62,7 +62,7 @@ private:
     std::string name_;
 };
 
-/// "12 MiB", "1.5 KiB": for messages.
+/// A size for messages: "12 MiB", "1.5 KiB".
 std::string size_text(std::uint64_t bytes);
 
 }  // namespace rimline

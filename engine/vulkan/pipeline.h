@@ -1,6 +1,6 @@
 #pragma once
 
-// Pipelines for dynamic rendering, described by what differs between our passes.
+// Pipelines for dynamic rendering, described by the properties in which the passes differ.
 
 #include <vulkan/vulkan.h>
 
@@ -26,20 +26,21 @@ OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code
 enum class Blend {
     replace,
     add,
-    over,            ///< By the source's alpha; the target's is left alone.
-    maximum_alpha,   ///< Alpha keeps its maximum, color is left alone.
-    over_by_target,  ///< By the target's own alpha, which becomes zero.
+    over,            ///< By the source's alpha; the target's alpha does not change.
+    maximum_alpha,   ///< Alpha keeps its maximum; color does not change.
+    over_by_target,  ///< By the target's alpha, which becomes zero.
     none_written,    ///< The pass writes no color.
 };
 
-/// Of what indices draw: larger ones are a device feature (fullDrawIndexUint32), and not asked for.
+/// The limit of vertices in indexed draws. Larger indices need a device feature (fullDrawIndexUint32) that is
+/// not required.
 constexpr std::uint32_t k_max_indexed_vertices = 1u << 24;
 
 enum class StencilUse {
     off,
-    count,  ///< Operations and written bits are set dynamically; always passes.
-    zero,   ///< Passes where the stencil is zero, writes nothing.
-    given,  ///< As GraphicsPipelineDescription::stencil_state says, on both faces.
+    count,  ///< Always passes. Operations and write mask are dynamic state.
+    zero,   ///< Passes if the stencil is zero. Writes nothing.
+    given,  ///< GraphicsPipelineDescription::stencil_state, for both faces.
 };
 
 /// Formats and samples of the attachments a pipeline draws into.
@@ -49,12 +50,12 @@ struct AttachmentFormats {
     std::uint32_t samples = 1;
 };
 
-/// Viewport and scissor are dynamic; counter-clockwise on the screen is front.
+/// Viewport and scissor are dynamic state. Counter-clockwise on the screen is front.
 struct GraphicsPipelineDescription {
     SpirvCode vertex;
     SpirvCode geometry;  ///< Empty: none.
     SpirvCode fragment;  ///< Empty: none.
-    /// Of the fragment stage's specialization constants those of numbers 0, 1, ...; empty: none.
+    /// The fragment stage's specialization constants 0, 1, ...; empty: none.
     std::span<const std::uint32_t> fragment_constants{};
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     AttachmentFormats formats;
@@ -62,12 +63,12 @@ struct GraphicsPipelineDescription {
     VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
     bool depth_write = false;
     bool depth_clamp = false;
-    /// Added to depth: this many times what it changes by towards the next pixel, right or down.
+    /// Slope-scaled depth bias: a multiple of the change of depth to the next pixel, right or down.
     float depth_bias_slopes = 0.0f;
     StencilUse stencil = StencilUse::off;
     VkStencilOpState stencil_state{};
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
-    bool sets_cull = false;  ///< What is culled is set dynamically instead.
+    bool sets_cull = false;  ///< The cull mode is dynamic state instead.
     VkPipelineLayout layout = VK_NULL_HANDLE;
 };
 

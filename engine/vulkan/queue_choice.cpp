@@ -5,7 +5,7 @@ namespace rimline {
 namespace {
 
 constexpr VkQueueFlags k_draws = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-// What engines for copies may do beside them. Not so those for video, which copy only what they code.
+// What families for copies may do besides. Excludes families for video, which copy only their own data.
 constexpr VkQueueFlags k_beside_copies = VK_QUEUE_SPARSE_BINDING_BIT | VK_QUEUE_PROTECTED_BIT;
 
 bool draws(const VkQueueFamilyProperties& family) {

@@ -13,13 +13,13 @@ namespace rimline {
 
 struct QueueChoice {
     std::uint32_t family = 0;  ///< Draws and computes.
-    /// Copies: a family that does nothing else, where there is one, for it has engines of its own which
-    /// run beside what is drawn. Else the same.
+    /// Copies. A family that only copies, if there is one: it has its own engines, which work in parallel
+    /// with drawing. Else the same family.
     std::uint32_t transfer_family = 0;
 };
 
-/// Of equal families the first. Nothing where no family both draws and computes. One queue of each is
-/// enough: a second queue of the family that draws would take turns with the first.
+/// Returns the first of equal families; std::nullopt if no family both draws and computes. One queue of each
+/// family is enough: two queues of the family that draws would share the same engine.
 std::optional<QueueChoice> choose_queues(std::span<const VkQueueFamilyProperties> families);
 
 }  // namespace rimline

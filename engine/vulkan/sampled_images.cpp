@@ -7,7 +7,7 @@ namespace rimline {
 namespace {
 
 OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter) {
-    // Where shaders fetch texels filters do not matter, and nearest is allowed for every format.
+    // Shaders that fetch texels use no filter, and nearest is allowed for every format.
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = filter,
                                    .minFilter = filter,

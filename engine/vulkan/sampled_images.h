@@ -1,6 +1,6 @@
 #pragma once
 
-// The descriptor set of a pass that reads finished images in its fragment shader: binding i is image i.
+// The descriptor set of a pass whose fragment shader reads finished images: binding i is image i.
 
 #include <vulkan/vulkan.h>
 
@@ -13,12 +13,12 @@ namespace rimline {
 
 class SampledImages {
 public:
-    /// Linear filters are for color alone.
+    /// VK_FILTER_LINEAR is valid for color images only.
     SampledImages(const DeviceContext& context, std::uint32_t count,
                   VkFilter filter = VK_FILTER_NEAREST);
 
-    /// Points the bindings at `images`, which will be in SHADER_READ_ONLY_OPTIMAL or, for depth,
-    /// DEPTH_STENCIL_READ_ONLY_OPTIMAL. Not while a frame that reads the set is in flight.
+    /// Sets the images of the bindings. When they are read they must be in SHADER_READ_ONLY_OPTIMAL or, for
+    /// depth, DEPTH_STENCIL_READ_ONLY_OPTIMAL. Not while a frame that reads the set is in flight.
     void set(std::initializer_list<const Image*> images);
 
     VkDescriptorSetLayout layout() const noexcept { return sets_.layout(); }

@@ -14,7 +14,7 @@ OwnedSemaphore make_semaphore(VkDevice device) {
     return {device, semaphore};
 }
 
-// Pictures hold sRGB bytes already: a format that encodes once more would brighten them.
+// Pictures hold sRGB bytes already. A format that encodes again would brighten them.
 VkFormat choose_format(VkPhysicalDevice device, VkSurfaceKHR surface) {
     const auto offered = enumerate<VkSurfaceFormatKHR>(
         [&](std::uint32_t* count, VkSurfaceFormatKHR* formats) {
@@ -50,7 +50,7 @@ Swapchain::Swapchain(const DeviceContext& context, VkSurfaceKHR surface, std::ui
 
 Swapchain::~Swapchain() { wait_until_unused(); }
 
-// What is presented may use its image and semaphore until the queue is idle; a lost device is done.
+// Presentation may use its image and semaphore until the queue is idle. A lost device uses nothing.
 void Swapchain::wait_until_unused() const noexcept {
     (void)repeat_wait([&] { return vkQueueWaitIdle(context_.queue); });
 }
@@ -82,7 +82,7 @@ void Swapchain::remake(VkExtent2D window_size) {
         .imageColorSpace = VK_COLOR_SPACE_SRGB_NONLINEAR_KHR,
         .imageExtent = extent_,
         .imageArrayLayers = 1,
-        // Copies out of it are for saving what the window shows.
+        // The transfer usage is for saving the window's picture.
         .imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                       (can.supportedUsageFlags &
                        (VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT)),
@@ -96,7 +96,7 @@ void Swapchain::remake(VkExtent2D window_size) {
         .oldSwapchain = swapchain_};
     VkSwapchainKHR handle = VK_NULL_HANDLE;
     const VkResult made = vkCreateSwapchainKHR(context_.device, &info, nullptr, &handle);
-    // Also where it failed: the old one is retired, and cannot be followed by another.
+    // Also if it failed: the old swapchain is retired and cannot be replaced a second time.
     swapchain_ = OwnedSwapchain(context_.device, handle);
     vk_check(made, "vkCreateSwapchainKHR");
 
@@ -125,7 +125,7 @@ bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
     ring_slot_ = ring_slot;
     if (window_size.width != window_size_.width || window_size.height != window_size_.height)
         stale_ = true;
-    // Once more where the images went out of date between the two calls.
+    // A second attempt, if the images went out of date between the two calls.
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (stale_ || images_.empty()) remake(window_size);
         if (images_.empty()) return false;
@@ -134,7 +134,8 @@ bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
                                   VK_NULL_HANDLE, &current_);
         if (result == VK_SUCCESS) return true;
         stale_ = true;
-        if (result == VK_SUBOPTIMAL_KHR) return true;  // Its semaphore will be signaled: draw.
+        if (result == VK_SUBOPTIMAL_KHR)
+            return true;  // Its semaphore will be signaled, so it must be drawn.
         if (result != VK_ERROR_OUT_OF_DATE_KHR) vk_check(result, "vkAcquireNextImageKHR");
     }
     return false;

@@ -1,13 +1,12 @@
 #pragma once
 
-// The pictures of a window: a surface, the images that it shows in turn, and when they must be made
-// anew.
+// The images of a window: a surface, and a swapchain that is made again when the window's size changes.
 //
 //     acquire --> record into image() --> submit: waits for acquired(), signals drawn() --> present
 //
-// An X11 swapchain may never report that its window was resized, so acquire() is told the window's size
-// in every frame and makes the images anew when it is another one. A window of no size (minimized) has
-// no images: acquire() returns nothing, and the caller waits for better times.
+// An X11 swapchain may never report that its window was resized. So acquire() gets the window's size in every
+// frame, and makes new images when the size has changed. A minimized window has size 0 and no images:
+// acquire() returns false, and the caller waits until the window has a size again.
 
 #include <vulkan/vulkan.h>
 
@@ -21,7 +20,7 @@
 
 namespace rimline {
 
-/// Owns a surface that a window system made. The instance must outlive it.
+/// Owns a surface of a window system. The instance must outlive it.
 class WindowSurface {
 public:
     WindowSurface() = default;
@@ -47,24 +46,24 @@ private:
 
 class Swapchain {
 public:
-    /// For `ring_slots` frames in flight; shows them one after another as the display refreshes (FIFO).
-    /// Makes no images yet. `surface` must outlive it. Throws Error{no_device} where the device cannot
-    /// show pictures there, or only in formats that hold no plain sRGB bytes.
+    /// For `ring_slots` frames in flight. Images are shown in order, one for each refresh of the display
+    /// (FIFO). Makes no images yet. `surface` must outlive it. Throws Error{no_device} if the device cannot
+    /// present to the surface, or only in formats that do not hold plain sRGB bytes.
     Swapchain(const DeviceContext& context, VkSurfaceKHR surface, std::uint32_t ring_slots);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
 
-    /// The next image, for the frame of ring slot `ring_slot`, whose last use must be done. Nothing
-    /// where the window has no size now, or changed it this moment: draw again later. May wait for the
-    /// display. Throws Error{no_device} when the surface is lost, Error{device_lost} when the device is,
-    /// Error{too_large} where memory has run out.
+    /// Acquires the next image, for the frame of `ring_slot`, whose last frame must be done. Returns false if
+    /// the window has size 0 or is just changing its size; then try again later. May wait for the display.
+    /// Throws Error{no_device} if the surface is lost, Error{device_lost} if the device is, and
+    /// Error{too_large} if memory has run out.
     [[nodiscard]] bool acquire(std::uint32_t ring_slot, VkExtent2D window_size);
 
-    /// Shows the acquired image when drawn() is signaled. Throws as acquire().
+    /// Presents the acquired image after drawn() is signaled. Throws as acquire().
     void present();
 
-    // Of the acquired image. Its content is undefined; present() wants PRESENT_SRC_KHR.
+    // The acquired image. Its content is undefined; for present() it must be in PRESENT_SRC_KHR.
     VkImage image() const noexcept { return images_[current_].image; }
     VkImageView view() const noexcept { return images_[current_].view; }
     VkSemaphore acquired() const noexcept { return acquired_[ring_slot_]; }
@@ -72,7 +71,7 @@ public:
 
     VkFormat format() const noexcept { return format_; }
     VkExtent2D extent() const noexcept { return extent_; }
-    /// How often images were made.
+    /// The number of times that images were made.
     std::uint32_t generation() const noexcept { return generation_; }
 
 private:

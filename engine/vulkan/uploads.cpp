@@ -8,9 +8,9 @@ Uploads::Uploads(const DeviceContext& context)
     : context_(context), timeline_(make_timeline(context)) {}
 
 Uploads::~Uploads() {
-    // A lost device is done with everything. Frames that waited for the timeline are done with it by the
-    // rules when they have ended, but Mesa's queues (22.3) look at it once more afterwards: only an idle
-    // queue surely does not.
+    // A lost device runs nothing any more. By the specification, frames that waited for the timeline no
+    // longer use it when they have ended. But Mesa's queues (22.3) access it once more afterwards, unless
+    // they are idle.
     for (const VkQueue queue : {context_.transfer_queue, context_.queue})
         (void)repeat_wait([&] { return vkQueueWaitIdle(queue); });
 }
@@ -30,7 +30,7 @@ bool Uploads::is_done() noexcept {
 }
 
 void Uploads::send(std::vector<StagedCopy>& copies) {
-    is_done();  // Frees what is no longer needed.
+    is_done();  // Frees finished copies.
     OwnedCommandPool pool = make_command_pool(context_, context_.transfer_family);
     const VkCommandBuffer commands = begin_commands(context_, pool);
     for (const StagedCopy& copy : copies) {
@@ -49,7 +49,7 @@ void Uploads::send(std::vector<StagedCopy>& copies) {
                                .pCommandBufferInfos = &submitted,
                                .signalSemaphoreInfoCount = 1,
                                .pSignalSemaphoreInfos = &signal};
-    // Before what cannot be taken back.
+    // May throw, so before the submission, which cannot be undone.
     Sent& sent = in_flight_.emplace_back(Sent{sent_ + 1, std::move(pool), {}});
     const VkResult result = vkQueueSubmit2(context_.transfer_queue, 1, &submit, VK_NULL_HANDLE);
     if (result != VK_SUCCESS) {

@@ -1,14 +1,14 @@
 #pragma once
 
-// Data on its way into device buffers, over the queue for copies (queue_choice.h).
+// Copies of data into device buffers, on the queue for copies (queue_choice.h).
 //
 //     UploadBatch::add():  data --memcpy--> staging                      any time
 //     UploadBatch::send(): staging --copied--> buffers, timeline = n     the queue for copies
 //     a frame:             waits for timeline >= n, reads them           the queue that draws
 //
-// Nobody waits but who reads: copies run beside frames that are in flight. Where one queue does both, the
-// same commands and the same semaphore go there. Buffers for the GPU alone are shared by both families
-// (memory.h), so there is no ownership to hand over, and none to lose when a frame is dropped.
+// Only the readers wait: copies run in parallel with frames in flight. If there is one queue for both, the
+// same commands and the same semaphore are used there. Device buffers are shared by both families (memory.h),
+// so ownership is never transferred, and cannot be lost when a frame is dropped.
 
 #include <vulkan/vulkan.h>
 
@@ -23,23 +23,23 @@
 
 namespace rimline {
 
-/// What has been sent and may still be copied; one for each user of a device.
+/// The copies that were sent and may still be in progress. Each user of a device has its own.
 class Uploads {
 public:
     /// The context's device must outlive it.
     explicit Uploads(const DeviceContext& context);
-    /// Waits for all that was sent, and until the context's queues are idle.
+    /// Waits until the context's queues are idle.
     ~Uploads();
     Uploads(const Uploads&) = delete;
     Uploads& operator=(const Uploads&) = delete;
 
-    /// Reaches sent_value() when all is there. Who reads it on a queue waits for that.
+    /// Reaches sent_value() when all copies are done. Commands that read the buffers must wait for it.
     VkSemaphore timeline() const noexcept { return timeline_; }
     std::uint64_t sent_value() const noexcept { return sent_; }
 
-    /// Waits here until all is there. Throws what vk_check() does.
+    /// Waits on the host until all copies are done. Throws what vk_check() does.
     void wait();
-    /// Whether all is there; false too where the device cannot say.
+    /// Whether all copies are done. Also false if the device cannot tell.
     bool is_done() noexcept;
 
 private:
@@ -63,24 +63,25 @@ private:
     std::deque<Sent> in_flight_;
 };
 
-/// Buffers that are filled together. One that is not sent leaves nothing behind.
+/// Buffers that are filled together. A batch that is not sent has no effect.
 class UploadBatch {
 public:
     explicit UploadBatch(const DeviceContext& context, Uploads& uploads)
         : context_(context), uploads_(uploads) {}
 
-    /// A device buffer that will hold `data` when the batch is sent and the copies are done; it must stay
-    /// until then. `data` is not needed afterwards. Throws as Buffer, and what vk_check() does: where more
-    /// than k_max_staged_bytes have gathered they are sent and waited for.
+    /// A device buffer that holds `data` after the batch is sent and the copies are done. The buffer must
+    /// exist until then; `data` is not needed after the call. If more than k_max_staged_bytes are staged,
+    /// they are sent and waited for. Throws as Buffer, and what vk_check() does.
     Buffer add(std::span<const std::byte> data, const std::string& what);
     template <typename T>
     Buffer add(std::span<const T> data, const std::string& what) {
         return add(std::as_bytes(data), what);
     }
 
-    /// Begins to copy what was added. Does not wait. Throws what vk_check() does; nothing is copied then.
+    /// Begins the copies. Does not wait. Throws what vk_check() does; then nothing is copied.
     void send();
 
+    /// Limit of host memory for staging: 64 MiB.
     static constexpr std::uint64_t k_max_staged_bytes = std::uint64_t{64} << 20;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Vulkan's results become errors, its handles move-only owners.
+// Vulkan's results as errors, and its handles as move-only owners.
 
 #include <vulkan/vulkan.h>
 
@@ -19,20 +19,20 @@ namespace rimline {
 /// The name of a result as Vulkan writes it: "VK_ERROR_DEVICE_LOST".
 std::string name_of(VkResult result);
 
-/// Whether memory, address space, a pool or a number of objects has run out: the same call may do later.
+/// Whether memory, address space, a pool or the number of objects has run out. A later call may succeed.
 bool is_out_of_memory(VkResult result) noexcept;
 
-/// What a failed `call` throws: device_lost where the device is, too_large where memory has run out, and
-/// no_device for all else, which a machine that judge_device() found usable does not answer.
+/// The error of a failed `call`: device_lost if the device is lost, too_large if memory has run out, and
+/// no_device for other results, which a device that judge_device() accepts does not return.
 Error error_of(VkResult result, const std::string& call);
 
-/// Throws error_of() unless `result` is VK_SUCCESS. Calls with another good answer look at it first.
+/// Throws error_of() unless `result` is VK_SUCCESS. For calls without other success codes.
 inline void vk_check(VkResult result, const char* call) {
     if (result != VK_SUCCESS) throw error_of(result, call);
 }
 
-/// All that a vkEnumerate function lists, called as call(&count, items): with null items it counts. The
-/// list may grow between the two calls (VK_INCOMPLETE); then both are made again.
+/// All items of a vkEnumerate function, called as call(&count, items). With null items it counts them. The
+/// list may grow between the two calls (VK_INCOMPLETE); then both are repeated.
 template <typename Item, typename Call>
 std::vector<Item> enumerate(Call&& call, const char* name) {
     std::vector<Item> items;
@@ -48,11 +48,11 @@ std::vector<Item> enumerate(Call&& call, const char* name) {
     return items;
 }
 
-/// Calls `wait` again, for about a second, while it fails for want of memory: what it waits for is still
-/// in use, and nobody may free it because the wait could not be made. Returns its last answer.
+/// Repeats `wait`, for about a second, while it fails because memory has run out: the objects it waits for
+/// are still in use and must not be freed before the wait succeeds. Returns the last result.
 template <typename Wait>
 VkResult repeat_wait(Wait&& wait) {
-    constexpr int k_max_repetitions = 1000;
+    constexpr int k_max_repetitions = 1000;  // Of 1 ms.
     VkResult result = wait();
     for (int i = 0; is_out_of_memory(result) && i < k_max_repetitions; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -61,8 +61,8 @@ VkResult repeat_wait(Wait&& wait) {
     return result;
 }
 
-/// Owns one object of a device: `destroy` is its vkDestroy function. The device must outlive it; it may
-/// be lost.
+/// Owns one object of a device. `destroy` is its vkDestroy function. The device must outlive the owner, but
+/// may be lost.
 template <typename Handle, auto destroy>
 class DeviceHandle {
 public:

@@ -73,7 +73,8 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
     constexpr std::array k_checks{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
     const VkValidationFeaturesEXT features{
         .sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
-        .pNext = &messenger,  // Covers the making and the end of the instance itself.
+        .pNext =
+            &messenger,  // Also receives messages about the creation and destruction of the instance.
         .enabledValidationFeatureCount = k_checks.size(),
         .pEnabledValidationFeatures = k_checks.data()};
     std::vector<const char*> extensions;
@@ -92,7 +93,7 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
         info.ppEnabledLayerNames = &k_validation_layer;
     }
     const VkResult created = vkCreateInstance(&info, nullptr, &instance_);
-    // The loader's answer where no driver is installed at all.
+    // The loader's result if no driver is installed.
     if (created == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw Error(ErrorCode::no_device, k_no_device_advice);
     vk_check(created, "vkCreateInstance");

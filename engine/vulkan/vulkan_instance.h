@@ -1,7 +1,7 @@
 #pragma once
 
-// The Vulkan instance, with validation when asked: messages are counted, so that a test or the command
-// can demand silence.
+// The Vulkan instance, optionally with validation. Validation messages are counted, so that a test or the
+// command can check that there are none.
 
 #include <vulkan/vulkan.h>
 
@@ -16,13 +16,14 @@ namespace rimline {
 struct InstanceOptions {
     /// Turns on the validation layer with synchronization checks. Missing layers are an error.
     bool validate = false;
-    /// Instance extensions that a window system needs; with any, devices are opened for presenting.
+    /// Instance extensions that a window system needs. If there are any, devices are opened for presenting.
     std::vector<std::string> window_extensions;
 };
 
 class VulkanInstance {
 public:
-    /// Throws Error{no_device} where there is no Vulkan 1.3 loader, or no validation layer when asked.
+    /// Throws Error{no_device} if there is no Vulkan 1.3 loader, or if the requested validation layer is
+    /// missing.
     explicit VulkanInstance(const InstanceOptions& options = {});
     ~VulkanInstance();
     VulkanInstance(const VulkanInstance&) = delete;
@@ -33,9 +34,10 @@ public:
     /// Whether it was made with the extensions of a window system.
     bool presents() const noexcept { return presents_; }
 
-    /// Warnings and errors of the validation layer so far; nothing where it is off. Any thread.
+    /// The number of warnings and errors of the validation layer so far; std::nullopt if it is off. Any
+    /// thread.
     std::optional<std::uint32_t> validation_message_count() const noexcept;
-    /// The first of them, to tell what went wrong; empty when there were none.
+    /// The first of these messages; empty if there were none.
     std::string first_validation_message() const;
 
 private:

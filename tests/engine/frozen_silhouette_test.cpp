@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/renderer.h"
+#include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 

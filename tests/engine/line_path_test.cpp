@@ -8,6 +8,9 @@
 #include <random>
 #include <string>
 
+#include "engine/frame/draw_data.h"
+#include "engine/frame/render_targets.h"
+#include "engine/passes/line_pass.h"
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"

@@ -5,6 +5,7 @@
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/memory.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"

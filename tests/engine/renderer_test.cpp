@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "engine/stream/tracked_silhouette.h"
 #include "engine/view_defaults.h"
+#include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/solid.h"

@@ -9,12 +9,13 @@
 #include <memory>
 #include <numbers>
 
-#include "engine/measure/field_pass.h"
 #include "engine/measure/visible_ratio.h"
 #include "engine/renderer.h"
+#include "engine/stream/change_stream.h"
 #include "engine/view_defaults.h"
-#include "silhouette/field/named_functions.h"
+#include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/orbit.h"
+#include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/solid.h"
 #include "tools/progress.h"
 #include "tools/timing.h"
@@ -29,7 +30,7 @@ constexpr VkExtent2D k_frame_size{1024, 1024};
 constexpr double k_orbit_radii = 2.0;
 constexpr double k_step_deg = 0.5;
 constexpr std::uint32_t k_warm_up_frames = 2;
-// Two ways differ where a corner is rounded otherwise, if anywhere.
+// Two ways may differ only where they round a corner differently.
 constexpr double k_max_differing_pixels = 1e-4;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
@@ -85,15 +86,15 @@ double differing_share(const Picture& a, const Picture& b) {
     return 4.0 * static_cast<double>(differing) / static_cast<double>(a.rgba.size());
 }
 
-// One way to a picture.
+// One way to draw the picture.
 struct FrameWay {
     std::string name;
     RendererOptions renderer;
-    std::function<void(Scene&)> change{};  // Of the scene that all ways draw; may be empty.
-    bool draws_the_same = true;            // As the first way.
+    std::function<void(Scene&)> change{};  // Changes the scene that all ways draw; may be empty.
+    bool draws_the_same = true;            // Whether its picture equals that of the first way.
 };
 
-// Frames of all ways in turn. Fills `times`, or returns what differs from the first way.
+// Draws frames in all ways in turn. Fills `times`, or returns the first difference from the first way.
 std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& octree,
                         const Device& device, std::uint32_t frames,
                         const std::function<void(Scene&)>& change, std::vector<EngineTime>& times,
@@ -142,14 +143,14 @@ std::vector<FrameWay> line_ways(const DeviceContext& device) {
     add("all edges, geometry shader", LinePath::all_edges);
     add("all edges, quads", LinePath::quads);
     add("adjacency, geometry shader", LinePath::adjacency);
-    // What it gives that the backs of a solid are left out.
+    // The gain from leaving out the backs of a solid.
     ways.push_back({"slots, vertex pulling, backs drawn too",
                     {.samples = 1, .scale = 1, .line_path = LinePath::pulling},
                     [](Scene& scene) { scene.instances[0].is_solid = false; }});
     return ways;
 }
 
-// The first is what a renderer chooses; pictures are all the same, but those without any shadows.
+// The first way is the renderer's choice. All pictures are equal but those without shadows.
 std::vector<FrameWay> shadow_ways(const DeviceContext& device) {
     std::vector<FrameWay> ways;
     const auto add = [&](const char* name, SideStage sides, ShadowMethod method, ShadowForm form) {
@@ -174,7 +175,7 @@ std::vector<FrameWay> shadow_ways(const DeviceContext& device) {
     return ways;
 }
 
-// In the shell of the thesis, by the golden angle.
+// Viewpoints in the shell of the thesis, by the golden angle.
 std::vector<glm::dvec3> shell(const Mesh& mesh, std::uint32_t count) {
     std::vector<glm::dvec3> eyes;
     const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -234,54 +235,6 @@ std::string time_ratios(const HoughOctree& octree, const Device& device,
     return {};
 }
 
-// A lattice in the ball of origins, summed by all in turn. Fills `times`, or returns which errs.
-std::string time_field(const Mesh& mesh, const Device& device, const EngineBenchOptions& options,
-                       std::vector<EngineTime>& times, const Context& context) {
-    const UnitPlanes planes(mesh);
-    const TangentialFunction function = origin_function();
-    std::vector<glm::dvec3> points;
-    for (int i = 0; i < 17 * 17 * 17; ++i) {
-        const glm::dvec3 point(i % 17 - 8, i / 17 % 17 - 8, i / (17 * 17) - 8);
-        if (glm::dot(point, point) <= 64.0) points.push_back(3.0 / 8.0 * point);
-    }
-    FieldPass pass(device.context(), planes, function);
-    const TangentialField all(planes, function, {0.0});
-    const TangentialField clusters(planes, function);
-    struct Way {
-        const char* name;
-        std::function<void(std::span<double>)> sum;
-        double error_bound;
-        std::vector<double> taken_ms{};
-    };
-    const LongCall call{context.stop, {}};
-    Way ways[] = {
-        {"compute shader, all planes", [&](auto out) { pass.values(points, out, call); },
-         pass.error_bound()},
-        {"CPU, all threads, all planes", [&](auto out) { all.values(points, out, call); },
-         all.error_bound()},
-        {"CPU, all threads, clusters, error 1e-3",
-         [&](auto out) { clusters.values(points, out, call); }, clusters.error_bound()},
-    };
-    std::vector<double> first(points.size());
-    std::vector<double> values(points.size());
-    Progress progress(context, "summing a field");
-    const LongCall rounds = progress.call();
-    for (std::uint32_t round = 0; round <= options.rounds; ++round)
-        for (Way& way : ways) {
-            rounds.checkpoint(double(round) / (options.rounds + 1));
-            const Clock::time_point start = Clock::now();
-            way.sum(values);
-            const std::chrono::duration<double, std::milli> took = Clock::now() - start;
-            if (&way == ways) first = values;
-            for (std::size_t i = 0; i < points.size(); ++i)
-                if (std::abs(values[i] - first[i]) > way.error_bound + pass.error_bound())
-                    return std::string("field, ") + way.name + ": its value";
-            if (round > 0) way.taken_ms.push_back(took.count());
-        }
-    for (const Way& way : ways) times.push_back({way.name, quantile(way.taken_ms, 0.5)});
-    return {};
-}
-
 double over(const EngineTime& baseline, const EngineTime& ours) {
     return baseline.median_ms / ours.median_ms;
 }
@@ -317,9 +270,6 @@ EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Devi
     if (!result.difference.empty()) return result;
 
     result.difference = time_ratios(octree, device, options, result.ratios, context);
-    if (!result.difference.empty()) return result;
-
-    result.difference = time_field(mesh, device, options, result.field, context);
     return result;
 }
 

@@ -1,14 +1,14 @@
 #pragma once
 
-// How long commands take: by the clock, around submitting and waiting, and by the device's own
-// timestamps where it has them. On lavapipe trust the clock: its timestamps miss what threads still
+// The time of commands: by the clock, around submitting and waiting, and by the device's timestamps where
+// it has them. On lavapipe only the clock is right: the timestamps miss the work of threads that still
 // rasterize.
 
 #include <functional>
 #include <optional>
 
 #include "engine/vulkan/device.h"
-#include "engine/vulkan/vulkan_handle.h"
+#include "engine/vulkan/query_pool.h"
 
 namespace rimline::tools {
 
@@ -21,14 +21,14 @@ class CommandTimer {
 public:
     explicit CommandTimer(const DeviceContext& context);
 
-    /// Records, submits, waits. What `record` itself takes is in wall_ms.
+    /// Records, submits and waits. wall_ms includes the time of `record`.
     CommandTimes run(const std::function<void(VkCommandBuffer)>& record) const;
 
 private:
     DeviceContext context_;
     std::uint32_t valid_bits_ = 0;
     double tick_ms_ = 0.0;
-    OwnedQueryPool queries_;
+    QueryPool queries_;
 };
 
 }  // namespace rimline::tools

@@ -58,7 +58,7 @@ struct SliceGrid {
 };
 
 SliceGrid make_grid(const Slice& slice, const NamedFunction& function, int side) {
-    SliceGrid grid{side, function.greatest_radius, {}, {}};
+    SliceGrid grid{side, function.max_radius, {}, {}};
     const int right = slice.axis == 0 ? 1 : 0;
     const int up = slice.axis == 2 ? 1 : 2;
     for (int row = 0; row < side; ++row)
@@ -70,7 +70,7 @@ SliceGrid make_grid(const Slice& slice, const NamedFunction& function, int side)
             const double radius = glm::length(p);
             grid.points.push_back(p);
             grid.is_inside.push_back(radius >= function.min_radius &&
-                                     radius <= function.greatest_radius);
+                                     radius <= function.max_radius);
         }
     return grid;
 }
@@ -183,7 +183,7 @@ public:
             {"planes", field.plane_count()},
             {"center", json_vector(field.frame().center)},
             {"radius", field.frame().radius},
-            {"greatest_value", field.greatest_value()},
+            {"greatest_value", field.max_value()},
             {"error_bound", votes.error_bound()},
         };
         add_values(field.frame(), votes, object);
@@ -238,7 +238,7 @@ private:
         if (!(minimum <= maximum))
             throw Error(ErrorCode::bad_input,
                         "--slice: that plane does not meet the function's domain, which ends " +
-                            short_number(function.greatest_radius, 0.1) + " from the center");
+                            short_number(function.max_radius, 0.1) + " from the center");
         write_picture(file, draw(grid, values, minimum, maximum));
         const glm::dvec3 at = votes.field().frame().to_model(grid.points[best]);
         object["slice"] = {{"axis", std::string(1, static_cast<char>('x' + slice_->axis))},

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "engine/vulkan/device.h"
+#include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/options/picture_options.h"
 
@@ -18,7 +18,7 @@ struct DrawingDevice {
     const DeviceContext& context() const noexcept { return device.context(); }
 
     VulkanInstance instance;
-    Device device;
+    TestedDevice device;
 };
 
 /// `device driver validation_messages`. The last one is null without validation layers. All three are null

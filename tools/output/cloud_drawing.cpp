@@ -1,11 +1,11 @@
 #include "tools/output/cloud_drawing.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "engine/clouds/disc_pieces.h"
 #include "engine/clouds/disc_radii.h"
+#include "silhouette/points/border_edges.h"
 #include "tools/output/label_output.h"
 
 namespace rimline::tools {
@@ -100,7 +100,8 @@ SplatCloud CloudDrawing::drawn(const std::optional<PointColor>& clay, float line
                                                  : mixed(own, k_feature, weights_[p]),
                   drawn.splats);
     }
-    drawn.strokes = strokes(border_edges(), label_color(PointLabel::border), line_width_px);
+    drawn.strokes =
+        strokes(border_edges(*surface_), label_color(PointLabel::border), line_width_px);
     return drawn;
 }
 
@@ -116,28 +117,6 @@ std::vector<gpu::StrokeRecord> CloudDrawing::strokes(std::span<const PointEdge> 
                            .color = packed(color),
                            .lifts = glm::vec2(lift(index(a)), lift(index(b)))});
     return strokes;
-}
-
-// Edges at gaps that both their points have.
-std::vector<PointEdge> CloudDrawing::border_edges() const {
-    std::vector<PointEdge> directed;
-    for (std::uint32_t p = 0; p < surface_->size(); ++p) {
-        if (surface_->label(PointId{p}) != PointLabel::border) continue;
-        const auto range = surface_->umbrellas_of(PointId{p});
-        for (std::uint32_t u = range.first; u < range.last; ++u) {
-            const Umbrella umbrella = surface_->umbrella(UmbrellaId{u});
-            const std::size_t size = umbrella.ring.size();
-            for (std::size_t j = 0; j < size; ++j)
-                if (umbrella.is_gap(j) != umbrella.is_gap((j + size - 1) % size))
-                    directed.push_back({PointId{p}, umbrella.ring[j]});
-        }
-    }
-    std::ranges::sort(directed);
-    std::vector<PointEdge> edges;
-    for (const PointEdge& edge : directed)
-        if (edge[0] < edge[1] && std::ranges::binary_search(directed, PointEdge{edge[1], edge[0]}))
-            edges.push_back(edge);
-    return edges;
 }
 
 }  // namespace rimline::tools

@@ -73,8 +73,6 @@ public:
                    std::vector<gpu::SplatRecord>& splats) const;
 
 private:
-    std::vector<PointEdge> border_edges() const;
-
     const PointCloud* cloud_;
     const PointSurface* surface_;
     const UmbrellaIndex* umbrellas_;

@@ -8,7 +8,12 @@
 #include <cstring>
 
 #include "engine/renderer.h"
+#include "engine/stream/tracked_silhouette.h"
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/memory.h"
+#include "engine/vulkan/pipeline.h"
 #include "sample_count_comp.h"
+#include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/solid.h"

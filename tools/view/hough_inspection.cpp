@@ -37,7 +37,7 @@ void HoughInspection::update(const ModelDocument& model, const HomogeneousPoint&
     }
 
     const BoxTree& tree = model.face_tree();
-    boxes_ = walk_boxes(tree, BoxQuery(point, origin, tree.greatest_reach()));
+    boxes_ = walk_boxes(tree, BoxQuery(point, origin, tree.max_reach()));
     blocks_ = {.all = tree.block_count()};
     for (WalkedBox& box : boxes_) {
         box.center /= float(unit_);

@@ -5,7 +5,8 @@
 #include <variant>
 
 #include "engine/picture_readback.h"
-#include "engine/vulkan/barrier.h"
+#include "engine/tested_device.h"
+#include "engine/vulkan/image_barrier.h"
 #include "engine/vulkan/device_loss.h"
 
 namespace rimline::tools {
@@ -85,7 +86,7 @@ struct WindowRenderer::OnDevice {
     void submit(const RingSlot& slot);
 
     WindowSurface surface;
-    Device device;
+    TestedDevice device;
     Swapchain swapchain;
     // One of the two, by the kind of the document. Both identify what they drew by its address, which a
     // later object may reuse.

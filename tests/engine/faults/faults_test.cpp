@@ -2,10 +2,15 @@
 
 #include <array>
 
+#include "engine/frame/draw_data.h"
+#include "engine/frame/render_targets.h"
 #include "engine/measure/visible_ratio.h"
 #include "engine/passes/face_bits_pass.h"
+#include "engine/passes/line_pass.h"
+#include "engine/passes/shadow_volume_pass.h"
 #include "engine/stream/change_stream.h"
 #include "engine/vulkan/barrier.h"
+#include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/face_bits.h"
 #include "tests/engine/faults/stage.h"
 #include "tests/engine/support/gpu_fixture.h"
@@ -28,7 +33,7 @@ RIMLINE_FAULT_SCENARIO("a picture") {
 RIMLINE_FAULT_SCENARIO("an instance and its device") {
     const auto instance =
         stage.make<VulkanInstance>(InstanceOptions{.validate = stage.instance().validates()});
-    const auto device = stage.step([&] { return std::make_unique<Device>(*instance); });
+    const auto device = stage.step([&] { return std::make_unique<TestedDevice>(*instance); });
     CHECK(device->face_bits_agree());
     stage.show(std::vector<char>(device->facts().name.begin(), device->facts().name.end()));
     CHECK(instance->first_validation_message() == "");

@@ -122,7 +122,7 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
         FaultReport report;
         bool ended = false;
         {
-            const Device device(gpu->instance());
+            const TestedDevice device(gpu->instance());
             Stage stage(gpu->instance(), device.context(), models);
             arm({.kind = FaultKind::lost_device, .call = calls, .result = 0});
             try {
@@ -144,7 +144,7 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
         injected = report.injected;
         if (!injected) break;
         // Another device, and everything anew.
-        const Device device(gpu->instance());
+        const TestedDevice device(gpu->instance());
         Stage again(gpu->instance(), device.context(), models);
         scenario(again);
         CHECK(again.shown() == expected);

@@ -28,7 +28,9 @@
 #include <vector>
 
 #include "engine/renderer.h"
+#include "engine/tested_device.h"
 #include "engine/vulkan/device.h"
+#include "silhouette/hough/hough_octree.h"
 #include "tests/engine/faults/failing_new.h"
 #include "tests/engine/faults/vulkan_faults.h"
 #include "tests/engine/support/test_pictures.h"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/shadow_choice.h"
+#include "engine/stream/edge_records.h"
 #include "engine/stream/gpu_mesh.h"
 #include "shaders/shadow_emission.h"
 #include "silhouette/mesh/face_bits.h"

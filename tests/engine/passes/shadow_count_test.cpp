@@ -12,8 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/frame/render_targets.h"
 #include "engine/renderer.h"
-#include "engine/vulkan/barrier.h"
+#include "engine/vulkan/image_barrier.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/ray_reference.h"
 #include "tests/engine/support/shadow_scenes.h"

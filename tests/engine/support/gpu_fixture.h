@@ -1,7 +1,7 @@
 #pragma once
 
-// A device for a test, with the validation layers on where they are installed. A machine without a
-// device skips the test; a validation message fails it.
+// A device for a test. Where the validation layer is installed it is on, with synchronization checks, and any
+// message of it fails the case; the case prints whether it is on. Without a device the case is skipped.
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/vulkan/device.h"
+#include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "tests/skip.h"
 
@@ -35,7 +35,7 @@ public:
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
 
-    const Device& device() const noexcept { return *device_; }
+    const TestedDevice& device() const noexcept { return *device_; }
     const DeviceContext& context() const noexcept { return device_->context(); }
     const VulkanInstance& instance() const noexcept { return *instance_; }
 
@@ -43,15 +43,17 @@ private:
     Gpu() {
         try {
             instance_.emplace(InstanceOptions{.validate = true});
+            MESSAGE("validation: on, with synchronization checks");
         } catch (const Error& error) {
-            MESSAGE("without validation: ", std::string(error.what()));
+            if (error.code() != ErrorCode::no_device) throw;
+            MESSAGE("validation: off, ", std::string(error.what()));
             instance_.emplace();
         }
         device_.emplace(*instance_);
     }
 
     std::optional<VulkanInstance> instance_;
-    std::optional<Device> device_;
+    std::optional<TestedDevice> device_;
 };
 
 }  // namespace rimline::tests

@@ -1,3 +1,4 @@
+#include "silhouette/hough/hough_octree.h"
 #include "tests/engine/support/ray_reference.h"
 
 #include <algorithm>

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "engine/scene.h"
+#include "silhouette/mesh/mesh.h"
 
 namespace rimline::tests {
 

@@ -19,7 +19,7 @@ TEST_CASE("an opened device says who it is and decides face bits as the CPU does
 
 TEST_CASE("asking for a device that is not there is an error that names it") {
     RIMLINE_OPEN_GPU(gpu);
-    CHECK_THROWS_WITH_AS(Device(gpu->instance(), "no such device"),
+    CHECK_THROWS_WITH_AS(TestedDevice(gpu->instance(), "no such device"),
                          doctest::Contains("'no such device'"), Error);
 }
 
@@ -55,7 +55,7 @@ std::optional<std::string> first_message(
     const std::function<void(VkCommandBuffer, const Buffer&)>& record, std::string& reason) {
     try {
         const VulkanInstance instance({.validate = true});
-        const Device device(instance);
+        const TestedDevice device(instance);
         REQUIRE(instance.validation_message_count() == 0u);
         const Buffer buffer(device.context(), 64, BufferPlace::device, "test");
         run_commands(device.context(), [&](VkCommandBuffer commands) { record(commands, buffer); });

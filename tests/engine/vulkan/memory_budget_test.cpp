@@ -6,6 +6,8 @@
 
 #include "engine/renderer.h"
 #include "engine/stream/change_stream.h"
+#include "engine/stream/gpu_silhouette.h"
+#include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"

@@ -13,6 +13,7 @@
 #include <optional>
 #include <thread>
 
+#include "engine/tested_device.h"
 #include "engine/view_defaults.h"
 #include "engine/vulkan/device.h"
 #include "tests/skip.h"
@@ -65,7 +66,7 @@ public:
     // The same scene by a device and a renderer of its own, as `rimline render` draws it.
     Picture rendered(std::uint32_t width, std::uint32_t height) const {
         const VulkanInstance own;
-        const Device device(own);
+        const TestedDevice device(own);
         if (session.is_cloud())
             return SplatRenderer(device.context()).render(session.cloud_scene(), width, height);
         return Renderer(device.context()).render(session.scene(), width, height);
@@ -140,7 +141,7 @@ int contrast(const Picture& picture) {
     if (!display) RIMLINE_SKIP(display##_reason);                       \
     try {                                                               \
         const VulkanInstance probe;                                     \
-        const Device device(probe);                                     \
+        const TestedDevice device(probe);                                     \
     } catch (const Error& error) {                                      \
         RIMLINE_SKIP(error.what());                                     \
     }
@@ -209,7 +210,7 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
     RIMLINE_OPEN_DISPLAY(display);
     const Window window("test", k_width, k_height);
     const VulkanInstance instance({.window_extensions = window.vulkan_extensions()});
-    const Device device(instance);
+    const TestedDevice device(instance);
     const WindowSurface surface = window.make_surface(instance.handle());
     Swapchain swapchain(device.context(), surface.get(), 1);
     CHECK_FALSE(swapchain.acquire(0, {0, 0}));

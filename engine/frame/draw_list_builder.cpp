@@ -1,0 +1,243 @@
+#include "engine/frame/draw_list_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/frame/scene_data.h"
+#include "engine/frame/silhouette_points.h"
+#include "silhouette/mesh/face_bits.h"
+
+namespace rimline {
+
+namespace {
+
+// The index of `color` in `inks`. Appends it if it is new.
+std::size_t ink_index(std::vector<glm::vec3>& inks, const glm::vec3& color) {
+    const auto place = std::ranges::find(inks, color);
+    const auto number = static_cast<std::size_t>(place - inks.begin());
+    if (place == inks.end()) inks.push_back(color);
+    return number;
+}
+
+// The bytes of all face bits of a mesh.
+std::uint64_t face_bits_bytes(std::uint32_t face_count) { return 4 * face_word_count(face_count); }
+
+class DrawListBuilder {
+public:
+    DrawListBuilder(const FrameView& view, std::uint32_t ring_slot, const DrawListParts& parts,
+                    RecordedFrame& frame)
+        : view_(view), scene_(view.scene), ring_slot_(ring_slot), parts_(parts), frame_(frame) {}
+
+    DrawList build(const gpu::FrameData& frame_data) {
+        const std::size_t light_count = scene_.lights.size();
+        parts_.draw_data.begin_frame(ring_slot_, frame_data, scene_.instances.size(),
+                                     scene_.instances.size() * light_count);
+        list_ = {.data = parts_.draw_data.set(ring_slot_),
+                 .light_count = light_count,
+                 .shadows = scene_.shadows,
+                 .is_orthographic = scene_.camera.is_orthographic(),
+                 .style = static_cast<std::uint32_t>(scene_.style),
+                 .instances = {},
+                 .inks = {},
+                 .shadow_batches = {}};
+        for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
+        if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
+        list_.shadow_batches.resize(light_count);
+        for (std::size_t l = 0; l < light_count; ++l) plan_shadows(l);
+        return std::move(list_);
+    }
+
+private:
+    // An instance as the shadow choice sees it.
+    struct Caster {
+        ShadowView view;
+        CasterBox box;
+    };
+
+    InstanceState& state_of(std::size_t i) { return parts_.instances.all()[i]; }
+
+    void add_instance(std::size_t i) {
+        const SceneInstance& instance = scene_.instances[i];
+        InstanceState& state = state_of(i);
+        DrawnInstance drawn{.data = 0,
+                            .indices = state.mesh->indices(),
+                            .vertex_count = state.mesh->vertex_count(),
+                            .face_count = state.mesh->face_count(),
+                            .border_count = state.mesh->border_count(),
+                            .crease_count = 0,
+                            .loose_count = state.mesh->loose_count(),
+                            .has_lines = has_lines(scene_, instance),
+                            .fades = instance.fade_radius > 0.0,
+                            .ink = 0,
+                            .silhouette = {},
+                            .every_edge = {},
+                            .lights = {}};
+        if (state.deforming)
+            state.deforming->begin_frame(instance.deformation, ring_slot_, frame_.deformed);
+        const VkDeviceAddress slots = drawn.has_lines ? add_lines(i, drawn) : 0;
+        drawn.data = put_instance(i, slots);
+        const Caster caster{shadow_view(view_, instance), caster_box(instance)};
+        // A ground seen from below would show nothing but its back.
+        drawn.shows_backs =
+            !drawn.fades && (!instance.is_solid || state.deforming ||
+                             !is_outside(caster.view, caster.box.low, caster.box.high));
+        for (std::size_t l = 0; l < scene_.lights.size(); ++l)
+            drawn.lights.push_back(add_light(i, l, caster, drawn));
+        list_.instances.push_back(std::move(drawn));
+    }
+
+    // Returns the address of the silhouette's slots; 0 for a line path without slots.
+    VkDeviceAddress add_lines(std::size_t i, DrawnInstance& drawn) {
+        InstanceState& state = state_of(i);
+        FrameReport& report = frame_.report;
+        drawn.ink = ink_index(list_.inks, line_color(scene_, scene_.instances[i]));
+        drawn.crease_count = crease_count(scene_, *state.mesh);
+        report.silhouette += drawn.border_count;
+        report.creases += drawn.crease_count;
+        if (state.mesh->comparator()) drawn.every_edge = state.mesh->comparator()->draw();
+        const HomogeneousPoint& point = *view_.instances[i].lines;
+        if (state.deforming) {
+            RIMLINE_CHECK(draws_slots(parts_.line_path));
+            const GpuSilhouette& silhouette = state.deforming->camera(point, frame_.deformed);
+            drawn.silhouette = {silhouette.arguments().handle()};
+            report.bytes_full += face_bits_bytes(drawn.face_count);
+            return silhouette.slots().address();
+        }
+        if (!draws_slots(parts_.line_path)) return 0;
+        const ChangeStream& stream = follow(*state.camera, point);
+        drawn.silhouette = {stream.arguments().handle()};
+        report.camera += state.camera->changes();
+        report.silhouette += stream.silhouette_size();
+        return stream.slots().address();
+    }
+
+    const ChangeStream& follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point) {
+        silhouette.follow(point, ring_slot_);
+        const ChangeStream& stream = silhouette.stream();
+        frame_.silhouettes.push_back(&silhouette);
+        frame_.report.bytes_streamed += stream.bytes_streamed();
+        frame_.report.bytes_full += stream.bytes_full();
+        return stream;
+    }
+
+    std::uint32_t put_instance(std::size_t i, VkDeviceAddress slots) {
+        const InstanceState& state = state_of(i);
+        gpu::InstanceData data = instance_data(view_, i, *state.mesh, slots);
+        if (state.deforming) {
+            data.positions = state.deforming->mesh().positions();
+            data.corner_normals = state.deforming->mesh().corner_normals();
+        }
+        return parts_.draw_data.put(data);
+    }
+
+    DrawnLight add_light(std::size_t i, std::size_t l, const Caster& caster,
+                         const DrawnInstance& drawn) {
+        const SceneInstance& instance = scene_.instances[i];
+        const HomogeneousPoint& point = view_.instances[i].lights[l].point;
+        gpu::LightData data{.slots = 0,
+                            .face_words = 0,
+                            .point = {point.x, point.y, point.z, point.w},
+                            .color = glm::vec3(1.0f / float(scene_.lights.size())),
+                            .extrusion = 0.0f};
+        if (scene_.camera.is_orthographic())
+            data.extrusion = finite_extrusion(scene_.lights[l], instance, view_.bounds);
+        DrawnLight light{.casts_shadow = casts_shadows(scene_, instance),
+                         .ends_in_one_point = point.is_direction() && data.extrusion == 0.0f};
+        if (light.casts_shadow) {
+            choose_volume(i, l, caster, data, light);
+            add_volume(i, l, drawn, data, light);
+        }
+        light.data = parts_.draw_data.put(data);
+        return light;
+    }
+
+    void choose_volume(std::size_t i, std::size_t l, const Caster& caster,
+                       const gpu::LightData& data, DrawnLight& light) {
+        const LightView& seen = view_.instances[i].lights[l];
+        const ShadowChoice choice =
+            choose_shadow(scene_.shadow_method, scene_.shadow_form, caster.view,
+                          {.low = caster.box.low,
+                           .high = caster.box.high,
+                           .is_closed_chain = state_of(i).is_closed_chain,
+                           .light = seen.point,
+                           .extrusion = data.extrusion,
+                           .reaches_far_enough = seen.point.is_direction() ||
+                                                 data.extrusion < k_max_extrusion_times});
+        light.method = choice.method;
+        light.form = choice.form;
+        frame_.report.shadows.push_back({.instance = static_cast<std::uint32_t>(i),
+                                         .light = static_cast<std::uint32_t>(l),
+                                         .choice = choice,
+                                         .light_moved = seen.is_moved});
+    }
+
+    // The silhouette and face bits that the volume is drawn from.
+    void add_volume(std::size_t i, std::size_t l, const DrawnInstance& drawn, gpu::LightData& data,
+                    DrawnLight& light) {
+        InstanceState& state = state_of(i);
+        const HomogeneousPoint& point = view_.instances[i].lights[l].point;
+        frame_.report.shadow_edges += drawn.loose_count;
+        if (state.deforming) {
+            const GpuSilhouette& silhouette = state.deforming->light(l, point, frame_.deformed);
+            data.slots = silhouette.slots().address();
+            data.face_words = silhouette.face_words().address();
+            light.sides = {silhouette.arguments().handle()};
+            frame_.report.bytes_full += face_bits_bytes(drawn.face_count);
+            return;
+        }
+        const ChangeStream& stream = follow(*state.lights[l], point);
+        data.slots = stream.slots().address();
+        data.face_words = stream.face_words().address();
+        light.sides = {stream.arguments().handle()};
+        frame_.report.shadow_edges += state.lights[l]->regular_count();
+    }
+
+    // Divides the casters of light `l` into batches that the stencil can count.
+    void plan_shadows(std::size_t l) {
+        ShadowCounter& counter = parts_.shadow_counter;
+        std::vector<ShadowReport>& shadows = frame_.report.shadows;
+        counter.begin();
+        for (ShadowReport& shadow : shadows) {
+            if (shadow.light != l) continue;
+            const InstanceState& state = state_of(shadow.instance);
+            if (state.deforming) {
+                shadow.bound = counter.add_unseen(shadow.instance, state.mesh->face_count());
+                continue;
+            }
+            const TrackedSilhouette& volume = *state.lights[l];
+            shadow.bound = counter.add(shadow.instance, {.mesh = &volume.mesh(),
+                                                         .silhouette = volume.silhouette(),
+                                                         .face_words = volume.face_words(),
+                                                         .light = volume.point(),
+                                                         .form = shadow.choice.form});
+        }
+        list_.shadow_batches[l] = counter.end();
+        for (const ShadowBatch& batch : list_.shadow_batches[l])
+            for (const ShadowDraw& draw : batch.draws) {
+                if (!draw.face_by_face) continue;
+                const auto shadow = std::ranges::find_if(shadows, [&](const ShadowReport& s) {
+                    return s.light == l && s.instance == draw.instance;
+                });
+                ++shadow->runs;
+                shadow->choice.form = ShadowForm::general;
+                shadow->choice.form_reason = "more triangles may be in a row than a batch counts";
+            }
+    }
+
+    const FrameView& view_;
+    const Scene& scene_;
+    std::uint32_t ring_slot_;
+    const DrawListParts& parts_;
+    RecordedFrame& frame_;
+    DrawList list_;
+};
+
+}  // namespace
+
+DrawList build_draw_list(const FrameView& view, const gpu::FrameData& frame_data,
+                         std::uint32_t ring_slot, const DrawListParts& parts,
+                         RecordedFrame& frame) {
+    return DrawListBuilder(view, ring_slot, parts, frame).build(frame_data);
+}
+
+}  // namespace rimline

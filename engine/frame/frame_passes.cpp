@@ -1,0 +1,109 @@
+#include "engine/frame/frame_passes.h"
+
+#include <algorithm>
+#include <glm/vec4.hpp>
+#include <utility>
+
+#include "engine/frame/drawn_rect.h"
+
+namespace rimline {
+
+namespace {
+
+AttachmentFormats surface_formats(std::uint32_t samples) {
+    return {k_surface_format, k_depth_stencil_format, samples};
+}
+
+// The part of the picture to draw: without the background around the scene, unless a grid is drawn on it.
+DrawnArea drawn_area(const FrameView& view, const PictureTarget& target) {
+    const Palette& palette = view.scene.palette;
+    const auto around = composite_of(palette.background, target.format);
+    if (!around || palette.grid_strength > 0.0f) return DrawnArea::whole(target.extent);
+    return {drawn_rect(view), *around};
+}
+
+}  // namespace
+
+FramePasses::FramePasses(const DeviceContext& context, const RendererOptions& options,
+                         VkDescriptorSetLayout draw_data)
+    : context_(context),
+      samples_(std::min(options.samples, context.samples)),
+      scale_(options.scale),
+      surface_pass_(context, draw_data, surface_formats(samples_)),
+      shadow_pass_(context, draw_data, surface_formats(samples_), options.shadow_sides),
+      line_pass_(context, draw_data, k_surface_format, options.line_path),
+      ink_pass_(context, k_surface_format),
+      composite_pass_(context) {}
+
+std::uint32_t FramePasses::scale_for(VkExtent2D size) const {
+    return fitting_scale(context_, size, scale_, samples_);
+}
+
+bool FramePasses::has_targets_for(VkExtent2D size) const {
+    return targets_ && targets_->size().width == size.width &&
+           targets_->size().height == size.height && targets_->scale() == scale_for(size);
+}
+
+void FramePasses::make_targets(VkExtent2D size) {
+    targets_.reset();  // Frees their memory before the new ones are made.
+    auto targets = std::make_unique<RenderTargets>(context_, size, scale_for(size), samples_);
+    line_pass_.set_surface_depth(targets->depth());
+    composite_pass_.set_surfaces(targets->surfaces());
+    targets_ = std::move(targets);
+}
+
+void FramePasses::prepare(const Scene& scene, VkFormat format) {
+    composite_pass_.prepare(context_, {format, targets_->scale()});
+    surface_pass_.prepare(context_, scene.style);
+}
+
+void FramePasses::record(VkCommandBuffer commands, const FrameView& view, const DrawList& list,
+                         const PictureTarget& target) const {
+    const DrawnArea area = drawn_area(view, target);
+    targets_->record_before_surfaces(commands, target);
+    record_surfaces(commands, view.scene, list, area);
+    targets_->record_before_lines(commands);
+    record_lines(commands, view.scene, list, area);
+    targets_->record_before_picture(commands);
+    record_picture(commands, list, target, area);
+    RenderTargets::record_after_picture(commands, target);
+}
+
+void FramePasses::record_surfaces(VkCommandBuffer commands, const Scene& scene,
+                                  const DrawList& list, const DrawnArea& area) const {
+    targets_->begin_surfaces(commands, scene.palette.background, area);
+    if (!list.shadows && list.light_count == 1) {
+        surface_pass_.record_shadowless(commands, list);
+    } else {
+        surface_pass_.record_unlit(commands, list);
+        for (std::size_t light = 0; light < list.light_count; ++light) {
+            if (list.shadows)
+                shadow_pass_.record(commands, list, light, targets_->in_pass(area.rect));
+            surface_pass_.record_lit(commands, list, light);
+        }
+    }
+    vkCmdEndRendering(commands);
+}
+
+void FramePasses::record_lines(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+                               const DrawnArea& area) const {
+    const Palette& palette = scene.palette;
+    targets_->begin_lines(commands, area);
+    if (palette.grid_strength > 0.0f)
+        ink_pass_.record_grid(commands, glm::vec4(palette.grid, palette.grid_strength),
+                              targets_->size(), targets_->scale());
+    for (std::size_t ink = 0; ink < list.inks.size(); ++ink) {
+        if (ink > 0) ink_pass_.record_ink(commands, list.inks[ink - 1]);
+        line_pass_.record(commands, list, ink);
+    }
+    vkCmdEndRendering(commands);
+}
+
+void FramePasses::record_picture(VkCommandBuffer commands, const DrawList& list,
+                                 const PictureTarget& target, const DrawnArea& area) const {
+    RenderTargets::begin_picture(commands, target, area);
+    composite_pass_.record(commands, {target.format, targets_->scale()}, list.inks.back());
+    vkCmdEndRendering(commands);
+}
+
+}  // namespace rimline

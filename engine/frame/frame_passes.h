@@ -1,0 +1,69 @@
+#pragma once
+
+// The passes of a frame over its draw list, in order, and the images they draw into.
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/frame/frame_view.h"
+#include "engine/frame/render_targets.h"
+#include "engine/passes/composite_pass.h"
+#include "engine/passes/draw_list.h"
+#include "engine/passes/ink_pass.h"
+#include "engine/passes/line_pass.h"
+#include "engine/passes/shadow_volume_pass.h"
+#include "engine/passes/surface_pass.h"
+#include "engine/renderer_options.h"
+
+namespace rimline {
+
+class FramePasses {
+public:
+    /// `draw_data` is DrawData::layout(). Throws what the passes do.
+    FramePasses(const DeviceContext& context, const RendererOptions& options,
+                VkDescriptorSetLayout draw_data);
+
+    LinePath line_path() const noexcept { return line_pass_.path(); }
+
+    /// As Renderer::set_scale() and Renderer::targets().
+    void set_scale(std::uint32_t scale) noexcept { scale_ = scale; }
+    const RenderTargets* targets() const noexcept { return targets_.get(); }
+
+    /// Whether the images fit a picture of `size`, at the scale set.
+    bool has_targets_for(VkExtent2D size) const;
+    /// Frees the images and makes others for `size`. The GPU must be done with all frames. Throws
+    /// Error{too_large} naming the limit where the device cannot hold them.
+    void make_targets(VkExtent2D size);
+
+    /// Makes the pipelines that `scene` and the target's format need. There must be targets. Throws
+    /// Error{bad_input} for a format that cannot be drawn into.
+    void prepare(const Scene& scene, VkFormat format);
+
+    /// Records all passes. Face bits, slots and draw arguments must be complete for all stages. There
+    /// must be targets for `target`, and everything must be prepared.
+    void record(VkCommandBuffer commands, const FrameView& view, const DrawList& list,
+                const PictureTarget& target) const;
+
+private:
+    std::uint32_t scale_for(VkExtent2D size) const;
+    void record_surfaces(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+                         const DrawnArea& area) const;
+    void record_lines(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+                      const DrawnArea& area) const;
+    void record_picture(VkCommandBuffer commands, const DrawList& list, const PictureTarget& target,
+                        const DrawnArea& area) const;
+
+    DeviceContext context_;
+    std::uint32_t samples_;
+    std::uint32_t scale_;
+    SurfacePass surface_pass_;
+    ShadowVolumePass shadow_pass_;
+    LinePass line_pass_;
+    InkPass ink_pass_;
+    CompositePass composite_pass_;
+    std::unique_ptr<RenderTargets> targets_;
+};
+
+}  // namespace rimline

@@ -1,0 +1,44 @@
+#pragma once
+
+// A scene as one frame sees it: its bounds, the projection, and every silhouette point of every instance,
+// computed once for all steps of the frame.
+
+#include <vulkan/vulkan.h>
+
+#include <glm/mat3x3.hpp>
+#include <optional>
+#include <vector>
+
+#include "engine/camera.h"
+#include "engine/scene.h"
+#include "silhouette/mesh/homogeneous_point.h"
+
+namespace rimline {
+
+/// A light in an instance's coordinates.
+struct LightView {
+    HomogeneousPoint point;  ///< casting_point().
+    bool is_moved = false;   ///< The light lay on a vertex; `point` lies beside it.
+};
+
+/// One instance in one frame, in its own coordinates.
+struct InstanceView {
+    HomogeneousPoint camera;                ///< Of Scene::camera.
+    std::optional<HomogeneousPoint> lines;  ///< Of lines_camera(); nothing without lines.
+    std::vector<LightView> lights;          ///< One for each light of the scene.
+};
+
+struct FrameView {
+    /// For a picture of `size`. Holds a reference: `scene` must outlive it. O(instances * lights), and
+    /// O(vertices) for each light within the bounds of a caster (light_off_vertices()).
+    FrameView(const Scene& scene, VkExtent2D size);
+
+    const Scene& scene;
+    VkExtent2D size;
+    SceneBounds bounds;
+    Projection projection;
+    glm::dmat3 eye_from_world;            ///< camera_from_world() of Scene::camera.
+    std::vector<InstanceView> instances;  ///< One for each instance of the scene.
+};
+
+}  // namespace rimline

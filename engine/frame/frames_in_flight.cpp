@@ -1,0 +1,276 @@
+#include "engine/frame/frames_in_flight.h"
+
+#include <algorithm>
+
+#include "engine/frame/draw_list_builder.h"
+#include "engine/frame/scene_data.h"
+#include "engine/picture_readback.h"
+
+namespace rimline {
+
+namespace {
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+// Adds to the report what the GPU counted of instances that deform. The GPU must be done with the frame.
+void add_deformed_counts(RecordedFrame& frame) {
+    if (frame.deformed.is_empty()) return;
+    const DeformedCounts lines = frame.deformed.counts(DeformedFrame::Purpose::line);
+    const DeformedCounts shadows = frame.deformed.counts(DeformedFrame::Purpose::shadow);
+    FrameReport& report = frame.report;
+    report.silhouette += static_cast<std::uint32_t>(lines.silhouette);
+    report.shadow_edges += static_cast<std::uint32_t>(shadows.regular);
+    report.bytes_full += 4 * (lines.silhouette + shadows.silhouette);
+    report.camera.edges += lines.silhouette;
+    report.camera.flips += lines.flips;
+    report.camera.added += lines.added;
+    report.camera.removed += lines.removed;
+}
+
+}  // namespace
+
+FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptions& options,
+                               std::uint32_t ring_slots)
+    : context_(context),
+      own_service_(options.service ? nullptr : std::make_unique<SilhouetteService>()),
+      scatter_(context),
+      draw_data_(context, ring_slots),
+      passes_(context, options, draw_data_.layout()),
+      timeline_(make_timeline(context)),
+      command_pool_(make_command_pool(context, context.queue_family)),
+      frames_(ring_slots),
+      marks_(context, ring_slots),
+      checks_silhouettes_(options.check_silhouettes),
+      check_(context, ring_slots),
+      instances_(context, options.service ? *options.service : *own_service_,
+                 {.crease_angle_rad = options.crease_angle_rad,
+                  .line_path = passes_.line_path(),
+                  .ring_slots = ring_slots,
+                  .stream_memory_bytes = options.stream_memory_bytes,
+                  .tracker_memory_bytes = options.tracker_memory_bytes}) {
+    for (Frame& frame : frames_) {
+        const VkCommandBufferAllocateInfo info{
+            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+            .commandPool = command_pool_,
+            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+            .commandBufferCount = 1};
+        vk_check(vkAllocateCommandBuffers(context.device, &info, &frame.commands),
+                 "vkAllocateCommandBuffers");
+    }
+}
+
+FramesInFlight::~FramesInFlight() {
+    try {
+        wait_for(submitted_);
+    } catch (const Error&) {
+        // A lost device runs nothing any more.
+    }
+}
+
+void FramesInFlight::wait_for(std::uint64_t timeline_value) const {
+    wait_for_timeline(context_, timeline_, timeline_value);
+}
+
+bool FramesInFlight::is_done(std::uint32_t slot) const noexcept {
+    return frames_[slot].number == 0 || marks_.has(slot, frames_[slot].number);
+}
+
+// The frame of `slot`, which nothing may use any more, for a new frame.
+FramesInFlight::Frame& FramesInFlight::free_frame(std::uint32_t slot) {
+    RIMLINE_CHECK(is_done(slot) && std::ranges::find(queued_, slot) == queued_.end());
+    count_differences(slot);
+    return frames_[slot];
+}
+
+void FramesInFlight::prepare_targets(VkExtent2D size) {
+    if (passes_.has_targets_for(size)) return;
+    wait_for(submitted_);
+    for (std::uint32_t slot = 0; slot < frames_.size(); ++slot)
+        RIMLINE_CHECK(frames_[slot].timeline_value != 0 || is_done(slot));
+    passes_.make_targets(size);
+}
+
+void FramesInFlight::prepare_picture(VkExtent2D size) {
+    const VkExtent2D old = picture_.description().extent;
+    if (old.width == size.width && old.height == size.height) return;
+    wait_for(submitted_);
+    picture_ = {};  // Frees its memory before the new one is made.
+    picture_ = make_picture_image(context_, size);
+}
+
+// Makes everything that a frame needs before its recording begins.
+void FramesInFlight::prepare(const Scene& scene, const PictureTarget& target, Frame& frame) {
+    prepare_targets(target.extent);
+    passes_.prepare(scene, target.format);
+    FrameReport& report = frame.recorded.report;
+    report = {};
+    InstanceStates::Frames numbers{.recorded = recorded_};
+    for (std::uint32_t slot = 0; slot < frames_.size(); ++slot)
+        if (!is_done(slot))
+            numbers.first_running = std::min(numbers.first_running, frames_[slot].number);
+    const InstanceStates::Uploaded uploaded = instances_.prepare(scene, numbers);
+    report.meshes_uploaded = uploaded.meshes;
+    report.bytes_uploaded = uploaded.bytes;
+}
+
+// The part that submit() and record() share. When it returns, `frame` counts as recorded.
+FrameReport FramesInFlight::record_frame(VkCommandBuffer commands, const Scene& scene,
+                                         const PictureTarget& target, Frame& frame) {
+    const std::uint32_t slot = ring_slot();
+    RecordedFrame& recorded = frame.recorded;
+    recorded.started = std::chrono::steady_clock::now();
+    recorded.silhouettes.clear();
+    recorded.deformed.clear();
+    FrameReport report;
+    try {
+        const FrameView view(scene, target.extent);
+        instances_.prepare_silhouettes(view);
+        const DrawList list = build_draw_list(
+            view, frame_data(view, *passes_.targets()), slot,
+            {instances_, draw_data_, shadow_counter_, passes_.line_path()}, recorded);
+        record_silhouettes(commands, recorded);
+        passes_.record(commands, view, list, target);
+        if (checks_silhouettes_) check_.record(commands, slot, recorded.silhouettes);
+        marks_.record(commands, slot, recorded_ + 1);
+        recorded.report.record_ms = milliseconds_since(recorded.started);
+        report = recorded.report;  // Copied before the frame counts, because it allocates.
+    } catch (...) {
+        check_.forget(slot);
+        instances_.invalidate();
+        throw;
+    }
+    frame.number = ++recorded_;
+    return report;
+}
+
+// Makes slots, face bits and draw arguments of all silhouettes complete on the GPU.
+void FramesInFlight::record_silhouettes(VkCommandBuffer commands, RecordedFrame& frame) const {
+    if (!frame.deformed.is_empty())
+        frame.deformed.record(context_, commands, instances_.deform_passes());
+    ChangeStream::record_before(commands);
+    for (const TrackedSilhouette* silhouette : frame.silhouettes)
+        silhouette->stream().record(commands, scatter_);
+    ChangeStream::record_after(commands);
+}
+
+FrameReport FramesInFlight::record(VkCommandBuffer commands, const Scene& scene,
+                                   const PictureTarget& target) {
+    Frame& frame = free_frame(ring_slot());
+    prepare(scene, target, frame);
+    instances_.uploads().wait();  // The caller's submission does not wait for uploads.
+    FrameReport report = record_frame(commands, scene, target, frame);
+    frame.timeline_value = 0;
+    return report;
+}
+
+void FramesInFlight::forget_recorded() noexcept {
+    bool forgotten = false;
+    for (std::uint32_t slot = 0; slot < frames_.size(); ++slot) {
+        if (frames_[slot].timeline_value != 0 || is_done(slot)) continue;
+        frames_[slot].number = 0;
+        check_.forget(slot);
+        forgotten = true;
+    }
+    if (forgotten) instances_.invalidate();
+}
+
+void FramesInFlight::submit(const Scene& scene, VkExtent2D size) {
+    RIMLINE_CHECK(queued_.size() < frames_.size());
+    const std::uint32_t slot = ring_slot();
+    Frame& frame = free_frame(slot);
+    frame.size = size;
+    prepare_picture(size);
+    if (frame.picture.size() < VkDeviceSize{4} * size.width * size.height)
+        frame.picture = make_picture_buffer(context_, size);
+    record_submission(scene, frame);
+    try {
+        record_read_back(frame.commands, picture_.handle(), size, frame.picture);
+        vk_check(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
+        queued_.push_back(slot);  // May throw, so before the submission, which cannot be undone.
+        enqueue(frame);
+    } catch (...) {
+        take_back(slot);
+        throw;
+    }
+}
+
+// Records the frame into its own command buffer, which is left open.
+void FramesInFlight::record_submission(const Scene& scene, Frame& frame) {
+    const PictureTarget target = picture_target(picture_);
+    prepare(scene, target, frame);
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(vkResetCommandBuffer(frame.commands, 0), "vkResetCommandBuffer");
+    vk_check(vkBeginCommandBuffer(frame.commands, &begin), "vkBeginCommandBuffer");
+    record_frame(frame.commands, scene, target, frame);
+}
+
+// Submits the frame's commands. They wait for uploads in progress and signal the next timeline value.
+void FramesInFlight::enqueue(Frame& frame) {
+    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                             .commandBuffer = frame.commands};
+    const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                       .semaphore = timeline_,
+                                       .value = submitted_ + 1,
+                                       .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    Uploads& uploads = instances_.uploads();
+    const VkSemaphoreSubmitInfo uploaded{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                         .semaphore = uploads.timeline(),
+                                         .value = uploads.sent_value(),
+                                         .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .waitSemaphoreInfoCount = uploads.is_done() ? 0u : 1u,
+                               .pWaitSemaphoreInfos = &uploaded,
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &commands,
+                               .signalSemaphoreInfoCount = 1,
+                               .pSignalSemaphoreInfos = &signal};
+    vk_check(vkQueueSubmit2(context_.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
+    frame.timeline_value = ++submitted_;
+}
+
+// Undoes the recording of the frame in `slot`, which was not submitted.
+void FramesInFlight::take_back(std::uint32_t slot) noexcept {
+    if (!queued_.empty() && queued_.back() == slot) queued_.pop_back();
+    frames_[slot].number = 0;
+    check_.forget(slot);
+    --recorded_;  // The next frame gets the same slot: the other slot may still be in use.
+    instances_.invalidate();
+}
+
+Picture FramesInFlight::finish() {
+    RIMLINE_CHECK(!queued_.empty());
+    const std::uint32_t slot = queued_.front();
+    Frame& frame = frames_[slot];
+    queued_.pop_front();
+    try {
+        wait_for(frame.timeline_value);
+    } catch (...) {
+        frame.number = 0;  // A lost device leaves no marks.
+        check_.forget(slot);
+        throw;
+    }
+    count_differences(slot);
+    Picture picture = read_picture(frame.picture, frame.size);
+    add_deformed_counts(frame.recorded);
+    report_ = frame.recorded.report;
+    report_.frame_ms = milliseconds_since(frame.recorded.started);
+    return picture;
+}
+
+void FramesInFlight::count_differences(std::uint32_t slot) {
+    FrameReport& report = frames_[slot].recorded.report;
+    report.differences = check_.take_differences(slot);
+    differences_ += report.differences;
+}
+
+const TrackedSilhouette* FramesInFlight::silhouette(std::size_t instance,
+                                                    std::optional<std::size_t> light) const {
+    const InstanceState& state = instances_.all().at(instance);
+    return light ? state.lights.at(*light).get() : state.camera.get();
+}
+
+}  // namespace rimline

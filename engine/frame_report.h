@@ -1,0 +1,53 @@
+#pragma once
+
+// What a Renderer reports of one frame.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/shadow_choice.h"
+#include "engine/silhouette_changes.h"
+
+namespace rimline {
+
+/// How the shadow of one caster from one light was drawn.
+struct ShadowReport {
+    std::uint32_t instance = 0;
+    std::uint32_t light = 0;
+    ShadowChoice choice;
+    /// Upper bound of the triangles that a ray from the light meets (shadow_batches.h).
+    std::uint32_t bound = 0;
+    /// Number of runs of faces the volume was divided into, each face casting for itself in the general
+    /// form. 0: the volume was drawn whole.
+    std::uint32_t runs = 0;
+    /// The light lay exactly on a vertex and was moved (light_off_vertices()).
+    bool light_moved = false;
+};
+
+/// Work of one frame. Instances that deform are counted by the GPU: their counts are added when the frame is
+/// finished, and are missing from a frame that a caller submits.
+struct FrameReport {
+    /// Silhouette edges of the camera and borders drawn as lines. A line path without slots knows no
+    /// silhouette: then the borders alone.
+    std::uint32_t silhouette = 0;
+    std::uint32_t creases = 0;  ///< Creases drawn as lines, on the silhouette or not.
+    /// Sides of shadow volumes over all lights: one for each regular silhouette edge, and one for each
+    /// face of every other edge.
+    std::uint32_t shadow_edges = 0;
+    std::vector<ShadowReport> shadows;  ///< Each caster before each light.
+    std::uint64_t bytes_streamed = 0;   ///< Bytes of silhouettes and face bits sent to the GPU.
+    std::uint64_t bytes_full = 0;       ///< Bytes if all of them were sent whole.
+    /// Wall-clock time from moving the trackers to the last recorded command. Includes the first
+    /// extraction of silhouettes, not the upload of meshes drawn for the first time.
+    double record_ms = 0.0;
+    std::uint32_t meshes_uploaded = 0;  ///< Meshes drawn for the first time.
+    std::uint64_t bytes_uploaded = 0;   ///< Bytes of these meshes.
+    /// Wall-clock time from the same start to the finished picture; 0 for a frame that a caller submits.
+    double frame_ms = 0.0;
+    SilhouetteChanges camera;  ///< Of the silhouettes drawn as lines, over all instances.
+    /// With RendererOptions::check_silhouettes: words on the GPU that differ from the trackers'. For a
+    /// frame that a caller submits they are known later: Renderer::differences().
+    std::uint64_t differences = 0;
+};
+
+}  // namespace rimline

@@ -1,0 +1,96 @@
+#pragma once
+
+// The input of the passes of one frame: everything to draw, as places in buffers. Passes know nothing of
+// scenes, trackers or streams.
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "engine/shadow_choice.h"
+#include "engine/stream/every_edge_draw.h"
+#include "shaders/layout.h"
+
+namespace rimline {
+
+/// Draw arguments in a buffer (gpu::SlotArguments), as in ChangeStream::arguments().
+struct IndirectDraw {
+    VkBuffer arguments = VK_NULL_HANDLE;
+    static constexpr VkDeviceSize k_points = offsetof(gpu::SlotArguments, points);
+    static constexpr VkDeviceSize k_strips = offsetof(gpu::SlotArguments, strips);
+    static constexpr VkDeviceSize k_pointed_sides = offsetof(gpu::SlotArguments, pointed_sides);
+    static constexpr VkDeviceSize k_sides = offsetof(gpu::SlotArguments, sides);
+};
+
+/// One instance as seen from one light.
+struct DrawnLight {
+    std::uint32_t data = 0;  ///< Offset of its gpu::LightData in DrawData.
+    bool casts_shadow = false;
+    bool ends_in_one_point = false;  ///< A directional light whose volumes reach infinity.
+    IndirectDraw sides;              ///< Draws its silhouette slots; only for casters.
+    ShadowMethod method = ShadowMethod::fail;  ///< Not automatic.
+    ShadowForm form = ShadowForm::general;     ///< Not automatic.
+};
+
+struct DrawnInstance {
+    std::uint32_t data = 0;             ///< Offset of its gpu::InstanceData in DrawData.
+    VkBuffer indices = VK_NULL_HANDLE;  ///< Of its triangles' vertices, 32 bits each; three a face.
+    std::uint32_t vertex_count = 0;
+    std::uint32_t face_count = 0;
+    std::uint32_t border_count = 0;
+    std::uint32_t crease_count = 0;  ///< Creases drawn as lines.
+    std::uint32_t loose_count = 0;
+    bool has_lines = false;
+    bool fades = false;
+    bool shows_backs = true;   ///< False: back faces are hidden behind front faces.
+    std::size_t ink = 0;       ///< Index in DrawList::inks: the color of its lines.
+    IndirectDraw silhouette;   ///< Draws its slots; only if has_lines and the path draws slots.
+    EveryEdgeDraw every_edge;  ///< Only if has_lines and the path draws no slots.
+    std::vector<DrawnLight> lights;  ///< One for each light of the frame.
+};
+
+/// The volume of a caster, or of some of its faces.
+struct ShadowDraw {
+    std::uint32_t instance = 0;
+    std::uint32_t first_face = 0;
+    std::uint32_t face_count = 0;
+    /// Each face casts its own volume, in the general form. If false, all faces of the caster are drawn.
+    bool face_by_face = false;
+};
+
+/// The volumes counted between two folds of the stencil (shadow_volume_pass.h).
+struct ShadowBatch {
+    std::vector<ShadowDraw> draws;
+};
+
+struct DrawList {
+    VkDescriptorSet data = VK_NULL_HANDLE;  ///< DrawData's.
+    std::size_t light_count = 0;
+    bool shadows = false;
+    bool is_orthographic = false;
+    std::uint32_t style = RIMLINE_STYLE_INK;  ///< A RIMLINE_STYLE_ value.
+    std::vector<DrawnInstance> instances;
+    /// The colors of lines, each once, in linear light. Lines of a later color lie over those of earlier
+    /// ones.
+    std::vector<glm::vec3> inks;
+    /// The batches of each light. A single batch counts up to 255, each of several up to 127.
+    std::vector<std::vector<ShadowBatch>> shadow_batches;
+};
+
+constexpr VkShaderStageFlags k_draw_stages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_GEOMETRY_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+/// Selects the instance and the light of the next draws: binds set 0, and pushes the constants.
+inline void set_draw(VkCommandBuffer commands, VkPipelineLayout layout, const DrawList& list,
+                     const DrawnInstance& instance, const DrawnLight* light, std::uint32_t choice) {
+    const std::array<std::uint32_t, 2> offsets{instance.data, light ? light->data : 0};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &list.data,
+                            offsets.size(), offsets.data());
+    const gpu::DrawConstants constants{choice};
+    vkCmdPushConstants(commands, layout, k_draw_stages, 0, sizeof constants, &constants);
+}
+
+}  // namespace rimline

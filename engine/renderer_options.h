@@ -1,0 +1,41 @@
+#pragma once
+
+// The options of a Renderer.
+
+#include <cstdint>
+
+#include "engine/line_path.h"
+#include "engine/shadow_choice.h"
+
+namespace rimline {
+
+class SilhouetteService;
+
+struct RendererOptions {
+    /// Samples per pixel of the surface pass: 1, 2 or 4. Limited to what the device supports.
+    std::uint32_t samples = 4;
+    /// The passes draw `scale` x `scale` pixels for each pixel of the picture.
+    std::uint32_t scale = 2;
+    /// Shading is smooth across edges that bend by at most this angle.
+    float crease_angle_rad = 0.7f;
+    /// Does not change the pixels, except as SideStage says.
+    SideStage shadow_sides = SideStage::vertex;
+    /// Limit of GPU memory for all silhouettes together (StreamSize, change_stream.h): 80 MiB for
+    /// each silhouette point of a mesh of 10 million faces. A mesh that deforms counts with its silhouettes,
+    /// its moved positions and normals, and the data that finds them (deforming_mesh.h).
+    std::uint64_t stream_memory_bytes = std::uint64_t{1} << 30;
+    /// Limit of memory reserved by all trackers together (SilhouetteTracker::size_bytes()): about 80 bytes
+    /// a face for each silhouette point. Most of it is not touched before a large move.
+    std::uint64_t tracker_memory_bytes = std::uint64_t{16} << 30;
+    /// Moves the trackers. Several renderers may share one; it must outlive them. Null: the renderer makes
+    /// its own.
+    SilhouetteService* service = nullptr;
+    /// Reads slots, face bits and draw arguments back in every frame and compares them with the trackers
+    /// (consistency_check.h).
+    bool check_silhouettes = false;
+    /// How lines are drawn. The comparators (line_path.h) throw Error{no_device} if they need geometry
+    /// shaders and the device has none.
+    LinePath line_path = LinePath::geometry;
+};
+
+}  // namespace rimline

@@ -1,0 +1,39 @@
+#pragma once
+
+// A pool of queries of one type, and their results.
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/vulkan_handle.h"
+
+namespace rimline {
+
+class QueryPool {
+public:
+    /// No pool: for devices that have no use for one.
+    QueryPool() = default;
+    /// `count` queries of `type`. Throws what vk_check() does.
+    QueryPool(const DeviceContext& context, VkQueryType type, std::uint32_t count);
+
+    VkQueryPool handle() const noexcept { return pool_; }
+    explicit operator bool() const noexcept { return pool_.get() != VK_NULL_HANDLE; }
+
+    /// Records the reset of all queries, before their first use and between uses.
+    void record_reset(VkCommandBuffer commands) const;
+
+    /// Reads the results of the first `results.size()` queries, 32 or 64 bits each. Waits for them. Throws
+    /// what vk_check() does.
+    void read(std::span<std::uint32_t> results) const;
+    void read(std::span<std::uint64_t> results) const;
+
+private:
+    VkDevice device_ = VK_NULL_HANDLE;
+    std::uint32_t count_ = 0;
+    OwnedQueryPool pool_;
+};
+
+}  // namespace rimline
