@@ -12,8 +12,8 @@ namespace rimline::tools {
 
 namespace {
 
-void check_range(const glm::dvec3& place, const char* what) {
-    const glm::dvec3 reach = glm::abs(place);
+void check_range(const glm::dvec3& position, const char* what) {
+    const glm::dvec3 reach = glm::abs(position);
     if (!(std::max({reach.x, reach.y, reach.z}) <= double{k_max_coordinate}))
         throw Error(
             ErrorCode::too_large,
@@ -56,10 +56,9 @@ void Animation::place_camera(std::uint32_t frame) {
     if (motion_.eyes.empty()) return;
     Camera& camera = scene_.camera;
     const HomogeneousPoint& point = motion_.eyes[frame];
-    const glm::dvec3 place(point.xyz());
-    camera.eye = point.is_direction()
-                     ? first_camera_.target + motion_.distance * glm::normalize(place)
-                     : place;
+    const glm::dvec3 xyz(point.xyz());
+    camera.eye =
+        point.is_direction() ? first_camera_.target + motion_.distance * glm::normalize(xyz) : xyz;
     if (!motion_.ups.empty()) camera.up = motion_.ups[frame];
     camera.target = first_camera_.target;
     const glm::dvec3 away = camera.eye - camera.target;

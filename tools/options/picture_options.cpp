@@ -6,7 +6,8 @@ namespace rimline::tools {
 
 void PictureOptions::add_camera_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_point(app, "--eye", eye, "Position of the camera (default: chosen)")->group(k_group);
+    add_point(app, "--eye", eye, "Position of the camera (default: chosen to show the model)")
+        ->group(k_group);
     add_point(app, "--target", target,
               "Point that the camera looks at (default: the model's center)")
         ->group(k_group);

@@ -29,22 +29,21 @@ void SurfaceOptions::add_to(CLI::App& app) {
         ->default_str("robust")
         ->group(group);
     add_number(app, "--gap-ratio", gap_ratio_, 1.001, 1000.0,
-               "robust: a gap has a circumradius above this many scales of its corners (default: "
-               "2.75)")
+               "robust: smallest circumradius of a gap, in scales of its corners (default: 2.75)")
         ->group(group);
     add_number(app, "--omega", omega_, 0.001, 89.999,
                "thesis: largest angle between a neighbor and the plane, in degrees (default: 30)")
         ->group(group);
     add_number(app, "--omega-t", omega_t_, 0.0, 89.999,
-               "thesis: marginal band around omega, in degrees (default: omega / 3)")
+               "thesis: half width of the marginal band around omega, in degrees (default: "
+               "omega / 3)")
         ->group(group);
     add_number(app, "--phi", phi_, 0.001, 180.0,
                "thesis: widest sector that is not a gap, in degrees (default: 180 - omega)")
         ->group(group);
-    add_number(
-        app, "--gamma", gamma_, 1.001, 1000.0,
-        "thesis: a gap has a circumradius above this many of the Gabriel triangle's (default: "
-        "2)")
+    add_number(app, "--gamma", gamma_, 1.001, 1000.0,
+               "thesis: smallest circumradius of a gap, in circumradii of the Gabriel triangle "
+               "(default: 2)")
         ->group(group);
 }
 

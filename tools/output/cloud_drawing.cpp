@@ -13,7 +13,7 @@ namespace rimline::tools {
 namespace {
 
 constexpr PointColor k_feature{44, 62, 112};
-// A line is moved towards the camera by so many radii of the discs at its ends.
+// Lines are moved towards the camera by this many radii of the discs at their ends.
 constexpr double k_lift = 1.5;
 
 PointColor mixed(const PointColor& a, const PointColor& b, float share) {
@@ -71,7 +71,7 @@ PointColor CloudDrawing::own_color(std::uint32_t point) const {
 
 gpu::SplatRecord CloudDrawing::disc(std::uint32_t point, const glm::dvec3& normal,
                                     const PointColor& color, bool is_shaded) const {
-    return {.position = glm::vec3(place(point)),
+    return {.position = glm::vec3(position(point)),
             .radius = static_cast<float>(radii_[point]),
             .normal = glm::vec3(normal),
             .color = packed(color, is_shaded),
@@ -111,9 +111,9 @@ std::vector<gpu::StrokeRecord> CloudDrawing::strokes(std::span<const PointEdge> 
     std::vector<gpu::StrokeRecord> strokes;
     strokes.reserve(edges.size());
     for (const auto& [a, b] : edges)
-        strokes.push_back({.from = glm::vec3(place(index(a))),
+        strokes.push_back({.from = glm::vec3(position(index(a))),
                            .radius = 0.5f * line_width_px,
-                           .to = glm::vec3(place(index(b))),
+                           .to = glm::vec3(position(index(b))),
                            .color = packed(color),
                            .lifts = glm::vec2(lift(index(a)), lift(index(b)))});
     return strokes;

@@ -35,8 +35,8 @@ private:
     Camera camera_;
     glm::dvec2 size_;
     glm::dmat3 axes_;  // The rows of camera_from_world() as columns.
-    glm::dvec2
-        half_size_;  // Of the picture: at distance 1; of an orthographic camera, at any distance.
+    // Of the picture: at distance 1; with an orthographic camera, at any distance.
+    glm::dvec2 half_size_;
 };
 
 }  // namespace rimline::tools

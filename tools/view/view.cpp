@@ -20,9 +20,7 @@ namespace {
 class ViewCommand final : public Command {
 public:
     std::string name() const override { return "view"; }
-    std::string summary() const override {
-        return "Open a window to walk around a model or a cloud in";
-    }
+    std::string summary() const override { return "Open a window that shows a model or a cloud"; }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
@@ -30,32 +28,33 @@ public:
         scene_.add_to(app);
         picture_.add_camera_to(app);
         add_point(app, "--silhouette-from", silhouette_from_,
-                  "Freeze the silhouette as it is seen from here (default: the camera's own)")
+                  "Freeze the silhouette of this viewpoint (default: follow the camera)")
             ->group("Camera");
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         constexpr const char* k_window = "Window";
-        app.add_flag("--no-panel", no_panel_, "Nothing but the picture")->group(k_window);
-        app.add_flag("--inspect", inspect_, "Begin with Hough space open")->group(k_window);
+        app.add_flag("--no-panel", no_panel_, "Show only the picture, without the panel")
+            ->group(k_window);
+        app.add_flag("--inspect", inspect_, "Start with the Hough space window open")
+            ->group(k_window);
         add_count(app, "--frames", frames_, 1, 1'000'000,
-                  "Close after so many frames (default: when you do)")
+                  "Close after this number of frames (default: the user closes the window)")
             ->default_str("")
             ->group(k_window);
         add_output(app, "--screenshot", screenshot_, ".png",
-                   "Save what the window shows in the last of --frames, as a PNG")
+                   "Save the window in the last of --frames to this PNG file")
             ->group(k_window);
         app.footer(
-            "Without a model a built-in scene is shown; drop a file on the window to open it. A "
-            "file "
-            "without\n"
-            "faces is a cloud: its points, borders and features, and its silhouette in ink. Drag "
-            "to "
-            "turn,\n"
-            "with the right button to move, the wheel zooms; take the lights by their handles. The "
-            "panel has\n"
-            "the rest: flying, styles, the silhouette frozen to be looked at from elsewhere, Hough "
-            "space.\n\n"
+            "Without a model, a built-in scene is shown. Drop a file on the window to open it. A "
+            "file without\n"
+            "faces is shown as a cloud: its points, borders and features, and its silhouette in "
+            "ink. Drag to\n"
+            "orbit, drag with the right button to pan, turn the wheel to zoom, drag the handles of "
+            "lights to move\n"
+            "them. The panel controls flying, styles, a frozen silhouette to be viewed from other "
+            "viewpoints,\n"
+            "and Hough space.\n\n"
             "Examples:\n"
             "  rimline view horse.ply --up 0,0,1\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"

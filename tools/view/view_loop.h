@@ -29,9 +29,10 @@ struct ViewLoopOptions {
     std::string device;      ///< The value of --device.
     bool panel = true;       ///< Shows panel and handles; else only the picture.
     bool inspector = false;  ///< Starts with the Hough space window open.
-    std::uint32_t frames =
-        0;             ///< Closes after this number of frames. 0: the user closes the window.
-    bool fits = true;  ///< Starts with the model fitted into the part that the panel leaves free.
+    /// Closes after this number of frames. 0: the user closes the window.
+    std::uint32_t frames = 0;
+    /// Starts with the model fitted into the part of the window that the panel leaves free.
+    bool fits = true;
 };
 
 class ViewLoop {

@@ -101,10 +101,10 @@ void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view,
     list.AddCircleFilled(vec(*eye), 7.0f, k_halo);
     list.AddCircleFilled(vec(*eye), 5.0f, k_frozen);
     const char* text = frozen.is_orthographic() ? "silhouette direction" : "silhouette point";
-    const ImVec2 place = vec(*eye + glm::dvec2(11.0, -8.0));
+    const ImVec2 text_position = vec(*eye + glm::dvec2(11.0, -8.0));
     for (const ImVec2 off : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)})
-        list.AddText({place.x + off.x, place.y + off.y}, k_halo, text);
-    list.AddText(place, k_frozen, text);
+        list.AddText({text_position.x + off.x, text_position.y + off.y}, k_halo, text);
+    list.AddText(text_position, k_frozen, text);
 }
 
 }  // namespace

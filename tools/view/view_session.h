@@ -29,8 +29,8 @@ struct ViewAppearance {
     bool lines = true;
     float line_width_px = 2.5f;
     bool hidden = false;  ///< Draws hidden lines too, dashed.
-    float crease_angle_deg =
-        0.0f;  ///< Above 0: edges that bend by at least this angle are lines too.
+    /// Above 0: edges that bend by at least this angle are lines too.
+    float crease_angle_deg = 0.0f;
     bool shadows = true;
     ShadowMethod shadow_method = ShadowMethod::automatic;  ///< All methods give the same picture.
     bool ground = false;
