@@ -1,32 +1,32 @@
 #ifndef RIMLINE_SHADERS_CAPSULE_GLSL
 #define RIMLINE_SHADERS_CAPSULE_GLSL
 
-// An edge becomes a capsule on the screen: the segment it projects to, widened by the line's radius.
-// Every line path makes its capsules here, and line.frag inks them from these values alone, so all
-// paths give the same pixels: the quads of different stages may be rasterized with other roundings,
-// but ink ends an eighth of a pixel inside them. `precise`, for the same reason, all the way.
+// Converts an edge to a capsule on the screen: its projected segment, widened by the line's radius. All line
+// paths make their capsules here, and line.frag computes ink from these values only, so all paths give the
+// same pixels. Quads of different stages may be rasterized with different rounding, but ink ends an eighth of
+// a pixel inside them. For the same reason, all computations are `precise`.
 
 #include "draw.glsl"
 #include "line_edge.glsl"
 #include "project.glsl"
 
 struct Capsule {
-    vec4 ends;    // From and to, in pixels.
-    vec2 depths;  // At both ends; linear between them on the screen.
-    // Across the line, where its faces are not; of length 1. Where they lie on both sides, one of them,
-    // and two_sided is 1.
+    vec4 ends;    // Start and end, in pixels.
+    vec2 depths;  // Depths at both ends. Linear on the screen between them.
+    // Unit vector across the line, away from its faces. If faces are on both sides, two_sided is 1 and
+    // this is one of the two directions.
     vec2 outwards;
     float two_sided;
-    vec2 dashes;  // Where both ends lie in the dash pattern, in pixels.
+    vec2 dashes;  // Positions of both ends in the dash pattern, in pixels.
 };
 
-// What line.frag receives: ends; depths and outwards; dashes and two_sided.
+// The inputs of line.frag: ends; depths and outwards; dashes and two_sided.
 #define RIMLINE_CAPSULE_VARYINGS(direction)              \
     layout(location = 0) flat direction vec4 ends;       \
     layout(location = 1) flat direction vec4 depths_out; \
     layout(location = 2) flat direction vec3 pattern;
 
-// Narrows [begin, end] of a segment to where a value that runs from `a` to `b` along it is not negative.
+// Clips [begin, end] of a segment to the part where a value that goes linearly from `a` to `b` is >= 0.
 void clip(float a, float b, inout float begin, inout float end) {
     if (a < 0.0 && b < 0.0) end = -1.0;
     else if (a < 0.0) begin = max(begin, a / (a - b));
@@ -43,7 +43,7 @@ vec2 pixel_of(vec2 ndc) {
     return pixel;
 }
 
-// How far to the left of the line from `from` along `across` a corner lies on the screen.
+// The signed distance on the screen, along `across`, of a corner from the line through `from`.
 float side_of(vec3 eye_corner, vec2 from, vec2 across) {
     const vec4 clip = clip_from_eye(eye_corner, 1.0);
     if (clip.w <= 0.0) return 0.0;
@@ -52,12 +52,12 @@ float side_of(vec3 eye_corner, vec2 from, vec2 across) {
     return side;
 }
 
-// The direction in which dashes are counted. Lines are not chained, so each edge must find its place in
-// the pattern alone: it is the distance of its ends from a fixed point, counted along the one of four
-// fixed directions that the line runs nearest to. It is a function of place within a sector of 45
-// degrees: along a line dashes join, however finely it is divided, and are at most 8% longer than they
-// should be; where a line turns into the next sector one dash is odd. A silhouette of a fine mesh is a
-// zigzag around the contour it stands for; that contour runs across the surface's normal.
+// The direction along which dash positions are measured. Lines are not chained, so each edge computes its own
+// position in the pattern: the distance of its ends from a fixed point, measured along the nearest of four
+// fixed directions. Within a sector of 45 degrees it depends only on the position, so dashes of consecutive
+// edges join, for any tessellation. Dashes are at most 8% too long. One dash is irregular where a line enters
+// the next sector. The silhouette of a fine mesh is a zigzag around the true contour, so the direction is
+// perpendicular to the surface's normal.
 vec2 dash_direction(vec3 a, vec3 b, vec3 corner_0, vec3 corner_1, bool has_normals, vec2 along) {
     vec2 direction = along;
     if (has_normals) {
@@ -66,27 +66,27 @@ vec2 dash_direction(vec3 a, vec3 b, vec3 corner_0, vec3 corner_1, bool has_norma
         const vec3 sum = normal_0 + normal_1;
         const vec2 normal = sum.xy * sign(frame.clip_scale);
         const float bend = dot(normal_0, normal_1);
-        // Not where the faces meet at a sharp edge, or the normal points at the viewer.
+        // Not if the faces meet at a sharp edge, or the normal points to the viewer.
         if (bend > 0.76 * length(normal_0) * length(normal_1) && length(normal) > 0.5 * length(sum))
             direction = vec2(-normal.y, normal.x);
     }
     const float k_quarter = 0.785398163397448;
     const float angle = round(atan(direction.y, direction.x) / k_quarter) * k_quarter;
-    // A line has no sense of direction: of opposite ones, the one to the right, or else down.
+    // A line has no orientation. Of the two opposite directions, choose the one to the right, or else down.
     const vec2 counted = vec2(cos(angle), sin(angle));
     return counted.x < -1e-3 || (abs(counted.x) < 1e-3 && counted.y < 0.0) ? -counted : counted;
 }
 
-// False where nothing of the edge is in the picture.
+// Returns false if no part of the edge is in the picture.
 bool make_capsule(LineEdge edge, out Capsule capsule) {
-    // Edges are run from the lower vertex number, whichever face a path finds them by.
+    // Start at the lower vertex number, so that the result does not depend on the face.
     if (edge.v0 > edge.v1) edge = LineEdge(edge.v1, edge.v0, edge.corner_1, edge.corner_0);
     const vec3 eye_a = from_camera(edge.v0);
     const vec3 eye_b = from_camera(edge.v1);
     const vec4 a = clip_from_eye(eye_a, 1.0);
     const vec4 b = clip_from_eye(eye_b, 1.0);
 
-    // In front of the near plane, and not farther outside the picture than a line is wide.
+    // Clips to the near plane, and to the picture widened by the line's width.
     const float radius = frame.line_radius + 0.625;
     precise vec2 reach = (1.0 + 2.0 * radius / frame.extent) / frame.guard;
     precise float begin = 0.0;
@@ -109,7 +109,7 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     precise float len = sqrt(span.x * span.x + span.y * span.y);
     precise vec2 along = len > 1e-6 ? span / len : vec2(1.0, 0.0);
     const vec2 across = vec2(-along.y, along.x);
-    // Both faces of a silhouette lie to one side; the wider one tells it more surely.
+    // Both faces of a silhouette lie on one side. The wider one decides it more reliably.
     const bool has_0 = edge.corner_0 != k_no_corner;
     const bool has_1 = edge.corner_1 != k_no_corner;
     const vec3 eye_0 = has_0 ? from_camera(edge.corner_0) : eye_a;
@@ -128,16 +128,16 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     if (frame.dash_period > 0.0) {
         const bool is_contour = has_0 && has_1 && draw.choice != RIMLINE_LINES_CREASE;
         const vec2 counted = dash_direction(eye_a, eye_b, eye_0, eye_1, is_contour, along);
-        // Counted from the middle of the mesh, so that dashes go along with it.
-        const vec4 middle = clip_from_object(instance.center);
-        const vec2 anchor = middle.w > 0.0 ? pixel_of(middle.xy / middle.w) : vec2(0.0);
+        // Measured from the center of the mesh, so that dashes move with the mesh.
+        const vec4 center = clip_from_object(instance.center);
+        const vec2 anchor = center.w > 0.0 ? pixel_of(center.xy / center.w) : vec2(0.0);
         capsule.dashes = vec2(dot(p - anchor, counted), dot(q - anchor, counted));
     }
     return true;
 }
 
-// Corner 0 to 3, in the order of a triangle strip, of a quad that holds the capsule, the half pixel over which
-// its ink ends, and an eighth for rounding.
+// Corner 0 to 3, in triangle strip order, of a quad around the capsule. Adds half a pixel for the edge of the
+// ink and an eighth for rounding.
 vec4 capsule_corner(Capsule capsule, uint corner) {
     const vec2 p = capsule.ends.xy;
     const vec2 q = capsule.ends.zw;

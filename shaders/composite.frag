@@ -1,21 +1,20 @@
 #version 460
 
-// The finished picture: ink over surfaces, as much as their alpha says that lines cover, averaged
-// from k_scale x k_scale samples a pixel in linear light, then encoded as sRGB where the image does
-// not do so by itself.
+// The final picture: ink over surfaces, with the surfaces' alpha as line coverage. Averages k_scale x k_scale
+// samples per pixel in linear light. Then encodes as sRGB if the image format does not.
 
 layout(set = 0, binding = 0) uniform sampler2D surfaces;
 
 layout(push_constant) uniform Constants { vec3 ink; };  // Linear.
 
-// What is the same for many frames: a pipeline each, for what is not known costs each pixel.
+// Constants of the pipeline, because a dynamic value would cost time per pixel.
 layout(constant_id = 0) const int k_scale = 1;
 layout(constant_id = 1) const bool k_encodes_srgb = true;
 
 layout(location = 0) out vec4 color;
 
-// c^(1 / 2.4) is q^(5 / 3) of the fourth root q, here a polynomial: within 1e-5, a 400th of a step of 8 bits,
-// and far cheaper than powers where those are not the hardware's.
+// c^(1 / 2.4) = q^(5 / 3) with the fourth root q, approximated by a polynomial. The error is below 1e-5, a
+// 400th of an 8-bit step. It is much cheaper than pow() without hardware support.
 vec3 srgb_from_linear(vec3 c) {
     const vec3 q = sqrt(sqrt(c));
     const vec3 bright =

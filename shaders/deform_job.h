@@ -1,12 +1,12 @@
 #ifndef RIMLINE_SHADERS_DEFORM_JOB_H
 #define RIMLINE_SHADERS_DEFORM_JOB_H
 
-// A mesh whose positions are made anew every frame (engine/stream/deforming_mesh.h). In the scalar layout of
-// layout.h.
+// A mesh whose positions are recomputed every frame (engine/stream/deforming_mesh.h). In the scalar layout
+// of layout.h.
 
 #include "layout.h"
 
-// Invocations of a workgroup. (gl_WorkGroupSize is 1 where glslang reads it before the layout.)
+// Invocations per workgroup. (glslang gives 1 for gl_WorkGroupSize before the layout declaration.)
 #define RIMLINE_DEFORM_GROUP 64
 
 #ifdef __cplusplus
@@ -32,8 +32,8 @@ struct DeformJob {
 // position = rest + reach * sin(2 pi (per_length . (rest - center) - turns))
 struct WaveConstants {
     vec3 center;
-    vec3 per_length;  // The direction the wave runs in, over its length.
-    vec3 reach;       // The direction the vertices move in, times the amplitude.
+    vec3 per_length;  // Direction of the wave, divided by its length.
+    vec3 reach;       // Direction of vertex movement, times the amplitude.
     float turns;
 };
 

@@ -2,21 +2,21 @@
 #extension GL_GOOGLE_include_directive : require
 #include "deform_job.h"
 
-// Normals to shade with, from where the corners are now: one for each group of corners that share one
-// (silhouette/mesh/corner_normals.h), the mean of its faces' normals by their angles there.
+// Shading normals from current positions. Each group of corners (silhouette/mesh/corner_normals.h)
+// gets the mean of its faces' normals, weighted by their angles at the vertex.
 
 layout(local_size_x = RIMLINE_DEFORM_GROUP) in;
 
 vec3 unit(vec3 v) {
-    const float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    return greatest > 0.0 ? normalize(v / greatest) : vec3(0.0);
+    const float max_component = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    return max_component > 0.0 ? normalize(v / max_component) : vec3(0.0);
 }
 
 vec3 corner_of(TriangleRecord t, uint corner) {
     return job.data.positions.at[corner == 0u ? t.v0 : corner == 1u ? t.v1 : t.v2];
 }
 
-// The normal of the corner's face, 0 where that has no area, and the face's angle there.
+// xyz: the normal of the corner's face, 0 if it has no area. w: the face's angle at the corner.
 vec4 face_at(uint corner) {
     const TriangleRecord t = job.data.triangles.at[corner / 3u];
     const uint c = corner % 3u;
@@ -37,7 +37,7 @@ void main() {
         const vec4 face = face_at(job.data.group_corners.at[i]);
         sum += face.w * face.xyz;
     }
-    // Where the normals cancel, each face has its own.
+    // If the normals cancel, each corner gets its face's own normal.
     const bool cancels = dot(sum, sum) < 1e-12;
     const vec3 shared_normal = cancels ? vec3(0.0, 1.0, 0.0) : normalize(sum);
     for (uint i = begin; i < end; ++i) {

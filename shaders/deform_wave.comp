@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "deform_job.h"
 
-// A wave runs through a mesh: where every vertex is now, from where it is at rest.
+// A wave through a mesh: computes current vertex positions from rest positions.
 
 layout(local_size_x = RIMLINE_DEFORM_GROUP) in;
 

@@ -1,7 +1,7 @@
 #ifndef RIMLINE_SHADERS_DRAW_GLSL
 #define RIMLINE_SHADERS_DRAW_GLSL
 
-// What every drawing pass is given for a draw (engine/frame/draw_data.h).
+// The inputs of every drawing pass (engine/frame/draw_data.h).
 
 #include "layout.h"
 

@@ -2,9 +2,9 @@
 #define RIMLINE_SHADERS_FACE_BIT_GLSL
 
 // The face bit of silhouette/mesh/plane.h, the same expression in the same order, without contraction.
-// Decide in compute stages only, in modules that declare rounding to nearest even (below): vertex and
-// geometry stages may flush subnormals. Comparators that test faces there (line_edge.glsl) can be wrong
-// by such a face.
+// Use it only in compute stages, in modules that declare rounding to nearest even (below), because
+// vertex and geometry stages may flush subnormals. Comparators that test faces in those stages
+// (line_edge.glsl) can be wrong for such a face.
 
 #extension GL_EXT_spirv_intrinsics : require
 

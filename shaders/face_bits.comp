@@ -3,7 +3,7 @@
 #include "layout.h"
 #include "face_bit.glsl"
 
-// Face bits from planes: 32 faces an invocation, one word.
+// Face bits from planes: one word of 32 faces per invocation.
 
 layout(local_size_x = 64) in;
 

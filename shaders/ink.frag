@@ -1,6 +1,6 @@
 #version 460
 
-// Ink, to be blended by the coverage that its lines left in the surfaces' alpha.
+// Ink, blended with the line coverage in the surfaces' alpha.
 
 layout(push_constant) uniform Constants { vec3 ink; };  // Linear.
 

@@ -1,12 +1,12 @@
 #ifndef RIMLINE_SHADERS_LAYOUT_H
 #define RIMLINE_SHADERS_LAYOUT_H
 
-// What C++ and GLSL both read, written down once. Everything is in scalar layout, addresses first, so
-// that both languages place every member alike; the asserts at the end hold C++ to it.
+// Structures shared by C++ and GLSL. All are in scalar layout with addresses first, so that both
+// languages place members equally. The asserts at the end check C++.
 //
-// Buffers are reached by address, and have no limit on their size but the device's memory. There are
-// descriptors for the pictures that a pass samples, and for what all invocations of a draw read alike:
-// a load by address is each invocation's own, which a CPU that stands in for a GPU pays for.
+// Buffers are accessed by address, so only device memory limits their size. Descriptors are used for
+// sampled images, and for data that all invocations of a draw read equally. A load by address is
+// executed per invocation, which is slow on a CPU device.
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -27,9 +27,9 @@ using glm::vec4;
 #define RIMLINE_ADDRESS(type) type
 #endif
 
-// An edge as it is cast and drawn. f0 runs it from v0 to v1. In the list of all edges f1 is the face
-// on the other side where exactly two faces run it in opposite directions, else k_no_face: such an edge
-// casts through the loose list, one record for each of its faces, with f1 = k_no_face.
+// An edge for shadow casting and drawing. f0 traverses it from v0 to v1. In the list of all edges, f1 is
+// the second face of a regular edge (two faces that traverse it in opposite directions), else k_no_face.
+// Edges that are not regular cast through the loose list, with one record per face and f1 = k_no_face.
 struct EdgeRecord {
     uint v0;
     uint v1;
@@ -37,9 +37,9 @@ struct EdgeRecord {
     uint f1;
 };
 
-// A pair of faces at an edge that is not regular, for line paths that test every edge in every frame:
-// the edge, as it stands in the list of all edges, is drawn when the bits of a and b differ or, where
-// drawn_if_equal is 1, are equal. An edge with more faces has several pairs.
+// A pair of faces at an edge that is not regular, for line paths that test every edge in every frame.
+// `edge` is the record of the list of all edges. It is drawn if the bits of a and b differ, or, with
+// drawn_if_equal 1, if they are equal. An edge with more than two faces has several pairs.
 struct FacePairRecord {
     EdgeRecord edge;
     uint face_a;
@@ -59,7 +59,7 @@ struct TriangleRecord {
     uint v2;
 };
 
-// An edge to be drawn as a line: the vertices it runs between.
+// The two vertices of an edge that is drawn as a line.
 struct LineEnds {
     uint from;
     uint to;
@@ -73,9 +73,9 @@ struct DrawArguments {
     uint first_instance;
 };
 
-// How the slots of a stream are drawn: a point each where a geometry shader follows, an instance of four
-// vertices each, a strip, where the vertex shader does it all, or the side of a shadow volume each: one
-// triangle where all rays of light end in one point, else two.
+// Draws of the slots of a stream. `points`: one point per slot, for a geometry shader. `strips`: one
+// instance of a four-vertex strip per slot, for a vertex shader only. `pointed_sides` and `sides`: one
+// side of a shadow volume per slot, with one triangle if all rays of light end in one point, else two.
 struct SlotArguments {
     DrawArguments points;
     DrawArguments strips;
@@ -111,43 +111,42 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lin
 };
 #endif
 
-// One for each picture. Colors are linear light.
+// One per picture. Colors are linear.
 struct FrameData {
     vec2 clip_scale;    // clip.xy = clip_scale * eye.xy, so that the picture is |xy| <= w / guard
     vec2 clip_z;        // clip.z = clip_z.x * eye.z + clip_z.y * w
     vec2 clip_w;        // clip.w = clip_w.x * eye.z + clip_w.y * w
     vec2 extent;        // Width and height of the picture in the pass, in pixels.
-    vec2 depth_place;   // Where in a pixel its one depth was taken: of samples, the first.
+    vec2 depth_place;   // Position of the depth sample in a pixel. The first of several.
     float line_radius;  // Half of a line's width, in pixels of the pass.
-    float hidden_strength;  // Of hidden lines' ink; 0: they are not drawn.
+    float hidden_strength;  // Ink strength of hidden lines. 0: not drawn.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
     vec3 background;
-    vec3 shade;           // What shadow leaves of a surface's color.
+    vec3 shade;           // Factor of a surface's color in shadow.
     float hatch_spacing;  // Between strokes, in pixels of the pass.
-    float dash_period;    // Of hidden lines, in pixels of the pass; 0: they are not dashed.
-    float dash_length;    // What of that is drawn.
-    uint
-        frozen_lines;  // 1: the silhouette is another point's, and runs over surfaces as creases do.
-    float guard;  // How many times as wide and high as the picture the viewport is; a power of 2.
+    float dash_period;    // Of hidden lines, in pixels of the pass. 0: not dashed.
+    float dash_length;    // Drawn length per period.
+    uint frozen_lines;    // 1: the silhouette of another point; it may cross surfaces like creases.
+    float guard;          // Viewport size divided by picture size, a power of 2.
 };
 
-// As the enumerators of Style (engine/scene.h); a specialization constant of surface.frag.
+// Equal to the enumerators of Style (engine/scene.h). A specialization constant of surface.frag.
 #define RIMLINE_STYLE_INK 0
 #define RIMLINE_STYLE_TOON 1
 #define RIMLINE_STYLE_MASK 2
 #define RIMLINE_STYLE_BLUEPRINT 3
 #define RIMLINE_STYLE_HATCH 4
 
-// What a draw of lines makes lines of (DrawConstants.choice).
+// The edges that a draw of lines uses (DrawConstants.choice).
 #define RIMLINE_LINES_SILHOUETTE 0u  // The camera's streamed slots.
 #define RIMLINE_LINES_BORDER 1u
 #define RIMLINE_LINES_CREASE 2u
-#define RIMLINE_LINES_TESTED 3u     // Every regular edge, those whose faces' planes say so.
-#define RIMLINE_LINES_IRREGULAR 4u  // Every pair of faces at an irregular edge, likewise.
+#define RIMLINE_LINES_TESTED 3u     // All regular edges, tested by face planes.
+#define RIMLINE_LINES_IRREGULAR 4u  // All face pairs at irregular edges, likewise.
 
-// One for each instance. Passes work in the mesh's own coordinates: positions are taken relative to
-// the camera there before anything else, so that models far from the origin keep their precision.
+// One per instance. Passes work in the mesh's coordinates. They first subtract the camera's position
+// from each vertex, so that models far from the origin keep their precision.
 struct InstanceData {
     RIMLINE_ADDRESS(Positions) positions;
     RIMLINE_ADDRESS(Triangles) triangles;
@@ -157,33 +156,33 @@ struct InstanceData {
     RIMLINE_ADDRESS(EdgeRecords) borders;
     RIMLINE_ADDRESS(EdgeRecords) creases;
     RIMLINE_ADDRESS(Slots) slots;                      // The camera's silhouette.
-    RIMLINE_ADDRESS(Planes) planes;                    // For line paths without slots ...
-    RIMLINE_ADDRESS(FacePairRecords) irregular_pairs;  // ... else both are 0.
+    RIMLINE_ADDRESS(Planes) planes;                    // For line paths without slots, else 0.
+    RIMLINE_ADDRESS(FacePairRecords) irregular_pairs;  // For line paths without slots, else 0.
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
     vec4 viewpoint;        // The camera's silhouette point, homogeneous.
-    vec3 center;           // Of the mesh.
+    vec3 center;           // Center of the mesh.
     vec3 color;
-    vec3 ink;           // Of its strokes.
-    float fade_radius;  // Over 0: the surface fades into the background towards this distance ...
-    vec3 fade_center;   // ... from here.
+    vec3 ink;           // Color of its strokes.
+    float fade_radius;  // If > 0, the surface fades into the background at this distance from ...
+    vec3 fade_center;   // ... this point.
     uint padding;
 };
 
-// One for each pair of instance and light.
+// One per pair of instance and light.
 struct LightData {
     RIMLINE_ADDRESS(Slots) slots;
     RIMLINE_ADDRESS(FaceWords) face_words;
     vec4 point;  // Homogeneous, in the mesh's coordinates.
-    vec3 color;  // Its share of a fully lit surface.
-    float
-        extrusion;  // 0: volumes reach infinity. Else how far (directional light) or how many times as
-    // far as the edge (point light), for orthographic views, which infinity is not in.
+    vec3 color;  // Its share in the light of a fully lit surface.
+    // 0: volumes reach infinity. Else their length: a distance for a directional light, a multiple of
+    // the distance to the edge for a point light. For orthographic views, which do not contain infinity.
+    float extrusion;
 };
 
 // Push constants of every drawing pass.
 struct DrawConstants {
-    uint choice;  // What the pass's shader says.
+    uint choice;  // Its meaning depends on the pass's shader.
 };
 
 // Push constants of the passes of a visible ratio: one viewpoint of one mesh.
@@ -193,8 +192,8 @@ struct RatioConstants {
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The viewpoint.
     vec2 clip_scale;       // clip.xy = clip_scale * eye.xy
-    float near_distance;   // Of the near plane; clip.z everywhere.
-    float side_px;         // Of the square picture.
+    float near_distance;   // Of the near plane. clip.z has this value everywhere.
+    float side_px;         // Side of the square picture, in pixels.
 };
 
 #ifdef __cplusplus

@@ -2,20 +2,20 @@
 #extension GL_GOOGLE_include_directive : require
 #include "draw.glsl"
 
-// The ink of one capsule: how much of this pixel it covers, in alpha, which keeps its maximum, so neighbors
-// join without seams. Where its spine is hidden that is as much less as hidden lines are fainter.
+// The ink of one capsule: its coverage of this pixel, in alpha. Blending keeps the maximum, so neighbors
+// join without seams. If the spine is hidden, the coverage is multiplied by the strength of hidden lines.
 //
-// Whether a line is seen is asked of its spine, not of the pixel it inks, for a line lies half over the
-// surface that bulges towards the viewer beside it (the spine test of Cole and Finkelstein, Two Fast
-// Methods for High-Quality Line Visibility, 2010). At a silhouette the surface ends, so what hides it
-// is seen on its outer side: the surface there, continued to the spine as the plane it is near there.
-// (The farthest depth around the spine, uncontinued, shows lines that lie less behind a slanted surface
-// than it falls off within a pixel: the foot of a thing that stands in the ground, dotted.)
-// A crease has its own faces on both sides; it is seen where either says so.
+// Visibility is tested at the line's spine, not at the inked pixel, because half of the line covers its
+// own surface, which bulges towards the viewer (the spine test of Cole and Finkelstein, Two Fast Methods
+// for High-Quality Line Visibility, 2010). At a silhouette the surface ends, so an occluder is visible on
+// the outer side. The test extrapolates the surface there to the spine, as a plane. (Without
+// extrapolation, the farthest depth around the spine shows hidden lines close behind a slanted surface:
+// for example dots at the base of an object that stands in the ground.) A crease has its own faces on both
+// sides. It is visible if the test succeeds on either side.
 
-layout(location = 0) flat in vec4 ends;        // From and to, in pixels.
+layout(location = 0) flat in vec4 ends;        // Start and end, in pixels.
 layout(location = 1) flat in vec4 depths_out;  // Depths at both ends; the unit vector outwards.
-layout(location = 2) flat in vec3 pattern;     // Dashes at both ends; whether to look on both sides.
+layout(location = 2) flat in vec3 pattern;     // Dashes at both ends; whether to test both sides.
 layout(location = 0) out vec4 coverage;
 
 layout(set = 1, binding = 0) uniform sampler2D surface_depth;
@@ -26,11 +26,11 @@ float depth_at(ivec2 pixel) {
 
 float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
 
-// Whether nothing in front of depth `nearest` (greater is nearer) hides `spine`, as far as one can tell
-// from the surface at `spine + offset`. Depth is linear on the screen where a surface is plane; the
-// slope is taken from pixels farther outwards only, for inwards the line's own surface begins. Of two
-// differences the smaller is a slope, the other may be a step to another surface; as much as they differ
-// the surface is not plane, and then a line in front of what is seen there may be free.
+// Whether the surface at `spine + offset`, extrapolated to `spine`, is not in front of depth `nearest`
+// (greater is nearer). Depth is linear on the screen for a plane surface. The slope comes from pixels
+// farther outwards only, because the line's own surface begins inwards. The smaller of two differences is
+// the slope. The other may be a step to another surface. The difference of the two measures how far the
+// surface is from a plane. It is tolerated if the line is in front of the surface at `spine + offset`.
 bool is_free(vec2 spine, vec2 offset, vec2 outwards, float nearest) {
     const vec2 place = frame.depth_place;
     const ivec2 pixel = ivec2(floor(spine + offset - place + 0.5));
@@ -48,33 +48,35 @@ bool is_free(vec2 spine, vec2 offset, vec2 outwards, float nearest) {
     return depth <= nearest && continued - abs(x_2 - x_1) - abs(y_2 - y_1) <= nearest;
 }
 
-// Whether the line is free on the side of `outwards`, or on either. Straight out first, then to both sides
-// of that: near the end of a line another one's surface may begin. A loop, for a CPU that stands in for a
-// GPU leaves one early, and takes both sides of every branch; most lines are free at the first look.
+// Whether the line is free on the side of `outwards`, or on either side. Tests straight outwards first,
+// then obliquely to both sides, because the surface of another line may begin near the line's end. A CPU
+// device leaves a loop early but executes both sides of every branch, so this is a loop. Most lines are
+// free at the first test.
 bool is_free_on(vec2 spine, vec2 outwards, bool on_both_sides, float nearest) {
     const vec2 turned = vec2(-outwards.y, outwards.x);
-    const vec2 looks[4] = vec2[](1.25 * outwards, 0.8 * outwards, 0.9 * (outwards + turned),
+    const vec2 offsets[4] = vec2[](1.25 * outwards, 0.8 * outwards, 0.9 * (outwards + turned),
                                  0.9 * (outwards - turned));
     const int count = on_both_sides ? 8 : 4;
     for (int i = 0; i < count; ++i) {
         const float side = i < 4 ? 1.0 : -1.0;
-        if (is_free(spine, side * looks[i & 3], side * outwards, nearest)) return true;
+        if (is_free(spine, side * offsets[i & 3], side * outwards, nearest)) return true;
     }
     return false;
 }
 
-// What of a pixel `away` pixels from a line's middle the line covers, across: a box a pixel wide.
+// The coverage, across the line, of a pixel at `away` pixels from the line's center, with a box filter of
+// one pixel.
 float covered_across(float away) {
     const float radius = frame.line_radius;
     return min(clamp(radius + 0.5 - away, 0.0, 1.0), 2.0 * radius);
 }
 
-// How much of the dash pattern is drawn at `place` along it.
+// The dash pattern's coverage at `place` along it.
 float dash_at(float place) {
     const float period = frame.dash_period;
     if (period == 0.0) return 1.0;
-    const float from_middle = abs(fract(place / period) - 0.5) * period;
-    return clamp(0.5 * frame.dash_length + 0.5 - from_middle, 0.0, 1.0);
+    const float from_center = abs(fract(place / period) - 0.5) * period;
+    return clamp(0.5 * frame.dash_length + 0.5 - from_center, 0.0, 1.0);
 }
 
 void main() {

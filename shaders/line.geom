@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "capsule.glsl"
 
-// One point an edge (draw.choice says of which list) becomes its capsule.
+// Expands one point per edge to the edge's capsule. draw.choice selects the list of edges.
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;

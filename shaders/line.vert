@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "capsule.glsl"
 
-// The same capsules without a geometry stage: a strip of four vertices an edge, one instance each. An
-// edge that is not drawn is a strip without area (Card and Mitchell, Non-Photorealistic Rendering with
-// Pixel and Vertex Shaders, 2002, who keep every edge as such a quad).
+// The same capsules without a geometry stage: one instance of a four-vertex strip per edge. The strip
+// of an edge that is not drawn has no area (Card and Mitchell, Non-Photorealistic Rendering with Pixel
+// and Vertex Shaders, 2002, who store every edge as such a quad).
 
 RIMLINE_CAPSULE_VARYINGS(out)
 

@@ -2,10 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "capsule.glsl"
 
-// What a renderer does that has no list of silhouette edges: every face with its three neighbors, in
-// every frame. A face that is front by its corners makes a capsule of each edge across which the
-// neighbor is not. Sides are computed from positions, so they can part from the tracker's face bits
-// where the viewpoint lies within rounding of a plane.
+// Finds silhouettes without a list of edges: tests every face with its three neighbors in every
+// frame. A front face makes a capsule for each edge whose neighbor is a back face. Sides are
+// computed from positions. They can differ from the tracker's face bits if the viewpoint is within
+// rounding error of a plane.
 
 layout(triangles_adjacency) in;
 layout(triangle_strip, max_vertices = 12) out;
@@ -22,14 +22,15 @@ bool is_front_triangle(uint a, uint b, uint c) {
 }
 
 void main() {
-    // Corners 0, 2, 4 are the face's; 1, 3, 5 the neighbors' across the edge before them.
+    // Corners 0, 2, 4 are the face's. Corners 1, 3, 5 are the neighbors' across the edge before
+    // them.
     if (!is_front_triangle(corner[0], corner[2], corner[4])) return;
     for (int side = 0; side < 3; ++side) {
         const uint a = corner[2 * side];
         const uint b = corner[(2 * side + 2) % 6];
         const uint own = corner[(2 * side + 4) % 6];
         const uint across = corner[2 * side + 1];
-        // An edge without one regular neighbor is drawn otherwise.
+        // An edge without a regular neighbor is drawn elsewhere.
         if (across == a || is_front_triangle(b, a, across)) continue;
         Capsule capsule;
         if (!make_capsule(LineEdge(a, b, own, across), capsule)) continue;

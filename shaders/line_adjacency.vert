@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// A corner's number; the geometry stage that follows reads its place.
+// Passes a corner's number. The geometry stage reads its position.
 
 layout(location = 0) flat out uint corner;
 

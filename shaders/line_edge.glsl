@@ -1,20 +1,20 @@
 #ifndef RIMLINE_SHADERS_LINE_EDGE_GLSL
 #define RIMLINE_SHADERS_LINE_EDGE_GLSL
 
-// Which edges a draw makes lines of, by draw.choice (RIMLINE_LINES_, layout.h). The streamed slots hold
-// silhouette edges and nothing else; the comparators are given every edge and test each in every frame.
+// The edges that a draw uses, by draw.choice (RIMLINE_LINES_, layout.h). The streamed slots hold
+// silhouette edges only. The comparators get all edges and test each in every frame.
 
 #include "draw.glsl"
 #include "face_bit.glsl"
 
 const uint k_no_corner = 0xffffffffu;
 
-// An edge and the corners of its faces across from it.
+// An edge and the opposite corners of its faces.
 struct LineEdge {
     uint v0;
     uint v1;
     uint corner_0;
-    uint corner_1;  // k_no_corner: no second face.
+    uint corner_1;  // k_no_corner if there is no second face.
 };
 
 uint corner_across(uint face, uint v0, uint v1) {
@@ -26,12 +26,12 @@ uint corner_across(uint face, uint v0, uint v1) {
     return corner;
 }
 
-// Subnormals may be flushed here, so a comparator can part from the tracker at planes of that size.
+// Subnormals may be flushed here, so a comparator can differ from the tracker for such planes.
 bool is_front_here(uint face) {
     return is_front(instance.planes.at[face], instance.viewpoint);
 }
 
-// False where the edge of this number is not drawn.
+// Returns false if the edge of this number is not drawn.
 bool read_line_edge(uint number, out LineEdge line) {
     EdgeRecord edge;
     if (draw.choice == RIMLINE_LINES_SILHOUETTE) {

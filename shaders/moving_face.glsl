@@ -2,22 +2,23 @@
 #define RIMLINE_SHADERS_MOVING_FACE_GLSL
 
 // The face bit of silhouette/mesh/moving_face.h, the same expression in the same order, without
-// contraction. Use it where face_bit.glsl may be used, and include that for its rounding mode.
+// contraction. The rules of face_bit.glsl apply, too. It must be included for its rounding mode.
 
 #include "face_bit.glsl"
 
 vec3 snapped(vec3 v, float smallest) { return mix(v, vec3(0.0), lessThan(abs(v), vec3(smallest))); }
 
-// Times the power of two that takes the greatest component into [1, 2).
+// Multiplies by the power of two that brings the largest component into [1, 2).
 vec3 scaled(vec3 v) {
-    const float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (greatest == 0.0) return v;
-    const uint exponent = floatBitsToUint(greatest) >> 23;
+    const float max_component = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (max_component == 0.0) return v;
+    const uint exponent = floatBitsToUint(max_component) >> 23;
     precise vec3 result = v * uintBitsToFloat((254u - exponent) << 23);
     return snapped(result, 9.094947017729282e-13);  // 2^-40
 }
 
-// What rounding took from a * b: each factor in two parts of at most 12 bits.
+// The rounding error of `product`: a * b - product. Splits each factor into two parts of at most 12
+// bits.
 vec3 product_error(vec3 a, vec3 b, vec3 product) {
     precise vec3 a_wide = a * 4097.0;
     precise vec3 a_high = a_wide - (a_wide - a);
@@ -30,7 +31,7 @@ vec3 product_error(vec3 a, vec3 b, vec3 product) {
     return error;
 }
 
-vec3 careful_cross(vec3 a, vec3 b) {
+vec3 accurate_cross(vec3 a, vec3 b) {
     precise vec3 left = a.yzx * b.zxy;
     precise vec3 right = a.zxy * b.yzx;
     precise vec3 result = (left - right) +
@@ -45,7 +46,7 @@ bool is_front(vec3 v0, vec3 v1, vec3 v2, vec4 p) {
     precise vec3 along = snapped(v1, smallest) - v0;
     precise vec3 across = snapped(v2, smallest) - v0;
     precise vec3 away = p.xyz - v0 * p.w;
-    const vec3 n = scaled(careful_cross(scaled(along), scaled(across)));
+    const vec3 n = scaled(accurate_cross(scaled(along), scaled(across)));
     const vec3 q = scaled(away);
     precise float side = (n.x * q.x + n.y * q.y) + n.z * q.z;
     return side > 0.0;

@@ -1,6 +1,6 @@
 #version 460
 
-// sRGB over sRGB: the colors of interfaces are chosen to be mixed as they are stored.
+// Blends sRGB values directly, because interface colors are designed for that.
 
 layout(location = 0) in vec4 color;
 layout(location = 1) in vec2 texture_place;

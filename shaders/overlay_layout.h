@@ -1,7 +1,8 @@
 #ifndef RIMLINE_SHADERS_OVERLAY_LAYOUT_H
 #define RIMLINE_SHADERS_OVERLAY_LAYOUT_H
 
-// What C++ and GLSL both read of an overlay: panels, letters and handles drawn over a finished picture.
+// Structures of an overlay, shared by C++ and GLSL: panels, letters and handles over a finished
+// picture.
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -18,8 +19,8 @@ using glm::vec2;
 
 struct OverlayVertex {
     vec2 place;    // In the units of OverlayConstants.
-    vec2 texture;  // From (0, 0) at the texture's first texel's corner to (1, 1).
-    uint color;    // sRGB and alpha, a byte each, red in the lowest.
+    vec2 texture;  // (0, 0) is the corner of the first texel, (1, 1) the opposite corner.
+    uint color;    // sRGB and alpha, one byte each, red in the lowest byte.
 };
 
 #ifndef __cplusplus
@@ -34,8 +35,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Ove
 struct OverlayConstants {
     RIMLINE_OVERLAY_ADDRESS(OverlayVertices) vertices;
     RIMLINE_OVERLAY_ADDRESS(OverlayIndices) indices;
-    vec2 origin;     // The place of the picture's upper left corner, and
-    vec2 unit_size;  // the picture's width and height.
+    vec2 origin;     // Upper left corner of the picture.
+    vec2 unit_size;  // Width and height of the picture.
 };
 
 #ifdef __cplusplus

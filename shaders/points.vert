@@ -1,5 +1,6 @@
 #version 460
 
-// One point a vertex, without a place: the geometry stage that follows reads the edge of its number.
+// One point per vertex, without a position. The geometry stage reads the edge with the point's
+// number.
 
 void main() {}

@@ -1,9 +1,9 @@
 #ifndef RIMLINE_SHADERS_PROJECT_GLSL
 #define RIMLINE_SHADERS_PROJECT_GLSL
 
-// From a mesh's own coordinates to clip space, one way for every pass: caps of shadow volumes must have
-// bitwise the depth of the surface they lie on. `precise`, and no matrix products, whose order of
-// summation a driver may choose.
+// Transforms mesh coordinates to clip space, equally for every pass: caps of shadow volumes must have
+// exactly the same depth as their surface. Everything is `precise`. Matrix products are not used,
+// because a driver may choose their order of summation.
 
 #include "draw.glsl"
 
@@ -15,7 +15,7 @@ vec4 clip_from_eye(vec3 eye, float w) {
     return clip;
 }
 
-// A vector from the camera, or a direction, in the camera's axes.
+// Rotates a vector from the camera, or a direction, into the camera's axes.
 vec3 eye_from_object(vec3 v) {
     precise vec3 eye = instance.eye_from_object[0] * v.x + instance.eye_from_object[1] * v.y +
                        instance.eye_from_object[2] * v.z;
@@ -27,8 +27,8 @@ vec4 clip_from_object(vec3 position) {
     return clip_from_eye(eye_from_object(from_camera), 1.0);
 }
 
-// Where the ray from the light through `position` ends: at infinity, (position * w - light, 0), or
-// where infinity is on no screen, so far out that it lies behind everything (LightData.extrusion).
+// The end of the ray from the light through `position`: at infinity, (position * w - light, 0). For
+// views that do not contain infinity it is behind all surfaces (LightData.extrusion).
 vec4 clip_from_extruded(vec3 position) {
     const vec4 from = light.point;
     const float extrusion = light.extrusion;
@@ -39,8 +39,9 @@ vec4 clip_from_extruded(vec3 position) {
     return clip_from_eye(eye_from_object(from_camera), 1.0);
 }
 
-// Whether all rays of the light end in one point, so that volumes have no dark cap. The vector is read
-// whole: of its single component lavapipe 22.3 makes x here, and sides lost a corner where x was 0.
+// Whether all rays of the light end in one point, so that volumes have no dark cap. Reads the whole
+// vector because of an error in lavapipe 22.3: reading only w gives x, and sides lose a corner if x is
+// 0.
 bool ends_in_one_point() {
     const vec4 from = light.point;
     return from.w == 0.0 && light.extrusion == 0.0;

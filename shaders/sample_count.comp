@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
 
-// For tools/samples/embedding.cpp: reads what a change stream keeps on the GPU, as any shader may.
+// For tools/samples/embedding.cpp: reads the GPU data of a change stream. Any shader may do so.
 
 layout(local_size_x = 64) in;
 

@@ -3,8 +3,9 @@
 #include "layout.h"
 #include "slot_arguments.glsl"
 
-// A change set's writes, scattered into slots and face words, and the draw arguments that follow from
-// the silhouette's size. Each place is named once (silhouette/hough/change_set.h), so order is free.
+// Scatters the writes of a change set into slots and face words, and writes the draw arguments for
+// the silhouette's size. Each place occurs only once (silhouette/hough/change_set.h), so any order is
+// valid.
 
 layout(local_size_x = 64) in;
 

@@ -4,13 +4,13 @@
 #include "project.glsl"
 #include "shadow_emission.h"
 
-// The light cap (instance 0) and the dark cap (instance 1) of each face whose bit is draw.choice; other
-// faces collapse to a point. Faces that the light sees from behind are caps turned round; they are
-// drawn in their own order, and the pass swaps the stencil's faces instead.
+// The light cap (instance 0) and the dark cap (instance 1) of each face whose bit is draw.choice. Other
+// faces become a point. The caps of faces that the light sees from behind are reversed. They are drawn
+// in their original order, and the pass swaps front and back in the stencil state instead.
 //
-// A light cap must have bitwise the depth of the surface it lies on, so this stage does what
-// surface.vert does and no geometry stage follows: lavapipe transforms the vertices that leave one with
-// other roundings.
+// A light cap must have exactly the same depth as its surface. So this stage computes like
+// surface.vert, and there is no geometry stage: lavapipe transforms vertices after a geometry stage
+// with different rounding.
 
 precise gl_Position;
 

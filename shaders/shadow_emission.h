@@ -1,17 +1,18 @@
 #ifndef RIMLINE_SHADERS_SHADOW_EMISSION_H
 #define RIMLINE_SHADERS_SHADOW_EMISSION_H
 
-// Which corners the triangles of a shadow volume have, for the shaders that draw them and for C++ that
-// proves them closed (tests/engine/passes/shadow_boundary_test.cpp): one text, compiled as both.
+// The corners of the triangles of a shadow volume. Shaders use them for drawing, and a C++ test proves
+// that volumes are closed (tests/engine/passes/shadow_boundary_test.cpp). The same code is compiled for
+// both.
 //
-// A volume is a chain of oriented triangles over the vertices of a mesh, each near (where it is) or far
-// (where its light ray ends). A face casts its light cap, its dark cap and three sides; where two faces
-// of a volume meet their sides there cancel and are not drawn.
+// A volume is a chain of oriented triangles over the vertices of a mesh. Each vertex is near (its
+// position) or far (the end of its light ray). A face casts a light cap, a dark cap and three sides. If
+// two faces of a volume share an edge, their sides there cancel and are not drawn.
 //
 //     light cap   n0 n1 n2             side of the edge a -> b, of the face on its left:
 //     dark cap    f0 f2 f1                 nb na fb,  na fa fb
 //
-// A face that the light sees from behind is a volume turned round.
+// The volume of a face that the light sees from behind is reversed.
 
 #include "layout.h"
 
@@ -27,7 +28,7 @@ struct VolumeCorner {
     bool is_far;
 };
 
-// Corner 0 to 2 of a face's light cap or dark cap, of a face that the light sees in front.
+// Corner 0 to 2 of the light cap or dark cap of a face that the light sees from the front.
 RIMLINE_SHARED VolumeCorner cap_corner(TriangleRecord triangle, bool is_dark, uint corner) {
     const uint turned = is_dark ? (3u - corner) % 3u : corner;
     VolumeCorner result;
@@ -36,18 +37,18 @@ RIMLINE_SHARED VolumeCorner cap_corner(TriangleRecord triangle, bool is_dark, ui
     return result;
 }
 
-// Corner 0 to 5 of the two triangles of an edge's side. Where all rays end in one point the second
-// triangle has no area, and corners 0 to 2 are all there is.
+// Corner 0 to 5 of the two triangles of an edge's side. If all rays end in one point, the second
+// triangle has no area, and only corners 0 to 2 are used.
 RIMLINE_SHARED VolumeCorner side_corner(EdgeRecord edge, bool is_front, uint corner) {
     VolumeCorner result;
-    // b at 0, 2 and 5: the edge's end, where f0 is in front.
+    // Corners 0, 2 and 5 are b. If f0 is front, b is the edge's end.
     const bool is_end = corner == 0u || corner == 2u || corner == 5u;
     result.vertex = is_end == is_front ? edge.v1 : edge.v0;
     result.is_far = corner == 2u || corner > 3u;
     return result;
 }
 
-// An edge of a face as a record of its own, running from corner `corner` to the next.
+// The record of a face's edge from corner `corner` to the next.
 RIMLINE_SHARED EdgeRecord edge_of_face(TriangleRecord triangle, uint face, uint corner) {
     EdgeRecord edge;
     edge.v0 = corner == 0u ? triangle.v0 : corner == 1u ? triangle.v1 : triangle.v2;
@@ -57,11 +58,11 @@ RIMLINE_SHARED EdgeRecord edge_of_face(TriangleRecord triangle, uint face, uint 
     return edge;
 }
 
-// The lists that sides are drawn from (DrawConstants.choice).
+// The lists of sides to draw (DrawConstants.choice).
 #define RIMLINE_SIDES_SLOTS 0u  // Silhouette slots: regular edges whose faces' bits differ.
-#define RIMLINE_SIDES_LOOSE 1u  // The loose list: every face's own record of every other edge.
-#define RIMLINE_SIDES_FACES 2u  // All three edges of each face: face by face.
-// Added to one of them: only faces that the light sees in front cast.
+#define RIMLINE_SIDES_LOOSE 1u  // The loose list: one record per face of every other edge.
+#define RIMLINE_SIDES_FACES 2u  // All three edges of each face, in face order.
+// Flag: only faces that the light sees from the front cast.
 #define RIMLINE_SIDES_SINGLE 4u
 
 #ifdef __cplusplus

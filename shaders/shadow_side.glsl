@@ -1,8 +1,8 @@
 #ifndef RIMLINE_SHADERS_SHADOW_SIDE_GLSL
 #define RIMLINE_SHADERS_SHADOW_SIDE_GLSL
 
-// The sides of shadow volumes, for either stage that draws them: an edge extruded away from the light,
-// in the direction that its face's bit says. Drawn as often as its faces' bits say, a side has the
+// The sides of shadow volumes, for both stages that draw them. A side is an edge extruded away from
+// the light, oriented by its face's bit. It is drawn once for each face that casts it, which gives the
 // signed multiplicity of Kim, Kim and Turk 2008. draw.choice is one of RIMLINE_SIDES_.
 
 #include "draw.glsl"
@@ -30,7 +30,7 @@ Side side_of_record(uint record) {
         side.edge =
             edge_of_face(instance.triangles.at[record / 3u], record / 3u, record % 3u);
     side.is_front = shadow_face_bit(side.edge.f0);
-    // Of slots every regular one casts; others do through the loose list.
+    // All regular edges in slots cast. Other edges cast through the loose list.
     side.is_cast = list == RIMLINE_SIDES_SLOTS
                        ? side.edge.f1 != k_no_face
                        : side.is_front || (draw.choice & RIMLINE_SIDES_SINGLE) == 0u;

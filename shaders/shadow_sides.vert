@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shadow_side.glsl"
 
-// Sides pulled, six vertices a record, or three where all rays end in one point. The corners that they
-// share with caps come out of the same stage by the same arithmetic, so that no driver can round them
-// apart: volumes are watertight to the last bit.
+// Sides by vertex pulling: six vertices per record, or three if all rays end in one point. Sides and
+// caps compute their shared corners in the same stage with the same arithmetic, so every driver gives
+// equal results and volumes are watertight to the last bit.
 
 precise gl_Position;
 

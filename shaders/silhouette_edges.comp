@@ -2,15 +2,15 @@
 #extension GL_GOOGLE_include_directive : require
 #include "silhouette_job.h"
 
-// Second of four: which edges are on the silhouette, by the rules of silhouette/mesh/face_bits.h, and
-// which joined or left it.
+// Step 2 of 4: finds the edges on the silhouette, by the rules of silhouette/mesh/face_bits.h, and
+// the edges that joined or left it.
 
 layout(local_size_x = RIMLINE_GROUP_WORDS) in;
 
 shared uint on_silhouette;
 shared uint on_regular;
-shared uint joined;
-shared uint left;
+shared uint added;
+shared uint removed;
 
 uint face_bit(uint face) { return job.data.face_words.at[face / 32u] >> (face % 32u) & 1u; }
 
@@ -29,7 +29,7 @@ bool is_on_silhouette(uint edge) {
     return false;
 }
 
-// A word's bits for edges before `end`.
+// A mask of a word's bits for edges before `end`.
 uint mask_before(uint word, uint end) {
     if (end <= word * 32u) return 0u;
     const uint count = end - word * 32u;
@@ -42,8 +42,8 @@ void main() {
     if (gl_LocalInvocationIndex == 0u) {
         on_silhouette = 0u;
         on_regular = 0u;
-        joined = 0u;
-        left = 0u;
+        added = 0u;
+        removed = 0u;
     }
     barrier();
     const uint edge_count = job.data.edge_count;
@@ -59,11 +59,11 @@ void main() {
         if ((bits | before) != 0u) {
             atomicAdd(on_silhouette, uint(bitCount(bits)));
             atomicAdd(on_regular, uint(bitCount(bits & mask_before(word, job.data.regular_end))));
-            atomicAdd(joined, uint(bitCount(bits & ~before)));
-            atomicAdd(left, uint(bitCount(before & ~bits)));
+            atomicAdd(added, uint(bitCount(bits & ~before)));
+            atomicAdd(removed, uint(bitCount(before & ~bits)));
         }
     }
     barrier();
     if (gl_LocalInvocationIndex == 0u)
-        job.data.edge_tallies.at[group] = EdgeTally(on_silhouette, on_regular, joined, left);
+        job.data.edge_tallies.at[group] = EdgeTally(on_silhouette, on_regular, added, removed);
 }

@@ -3,7 +3,7 @@
 #include "silhouette_job.h"
 #include "moving_face.glsl"
 
-// First of four: face bits, from planes or from corners, and what of them changed.
+// Step 1 of 4: computes face bits from planes or corners, and their changes.
 
 layout(local_size_x = RIMLINE_GROUP_WORDS) in;
 

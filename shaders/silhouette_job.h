@@ -1,11 +1,11 @@
 #ifndef RIMLINE_SHADERS_SILHOUETTE_JOB_H
 #define RIMLINE_SHADERS_SILHOUETTE_JOB_H
 
-// One silhouette that the GPU finds by itself (engine/stream/gpu_silhouette.h): where its faces and edges are
-// read, and where its bits and lists are written. In the scalar layout of layout.h.
+// The data of a silhouette that is computed on the GPU (engine/stream/gpu_silhouette.h): inputs for faces and
+// edges, outputs for bits and lists. In the scalar layout of layout.h.
 //
-// 32 faces, or 32 edges, are a word and one invocation's; 64 words are a workgroup's. Edges are those
-// below the borders: their words hold a bit for each edge on the silhouette.
+// One invocation processes a word of 32 faces or 32 edges, and one workgroup 64 words. Only edges before the
+// borders are processed. Their words hold a bit per edge, set if it is on the silhouette.
 
 #include "layout.h"
 
@@ -13,7 +13,7 @@
 namespace rimline::gpu {
 #endif
 
-// Invocations of a workgroup, words of a group.
+// Invocations per workgroup, and words per group.
 #define RIMLINE_GROUP_WORDS 64
 
 // The two faces of a regular or inconsistent edge.
@@ -22,22 +22,22 @@ struct EdgeFaces {
     uint f1;
 };
 
-// Sums over a group, and after the scan over all groups before it.
+// Sums over a group. After the scan: sums over all earlier groups.
 struct FaceTally {
     uint words;  // Words of face bits that changed.
-    uint flips;  // Faces that turned.
+    uint flips;  // Faces whose bit changed.
 };
 struct EdgeTally {
     uint silhouette;
-    uint regular;  // Of them, those of two faces that run them in opposite directions.
+    uint regular;  // The regular edges among them.
     uint added;
     uint removed;
 };
 
-// What changed, and what there is now.
+// Counts of changes and of the current silhouette.
 struct SilhouetteCounts {
-    uint silhouette;  // Slots in use.
-    uint regular;     // Slots in use of regular edges: the first ones.
+    uint silhouette;  // Used slots.
+    uint regular;     // Used slots of regular edges, which come first.
     uint added;
     uint removed;
     uint words;
@@ -67,14 +67,14 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Ar
 #endif
 
 struct SilhouetteJob {
-    RIMLINE_ADDRESS(Planes) planes;  // Of the faces, where from_planes; else ...
-    RIMLINE_ADDRESS(Positions) positions;
+    RIMLINE_ADDRESS(Planes) planes;        // Used if from_planes is 1.
+    RIMLINE_ADDRESS(Positions) positions;  // Used if from_planes is 0, as are the triangles.
     RIMLINE_ADDRESS(Triangles) triangles;
     RIMLINE_ADDRESS(EdgeFaceList) edge_faces;
     RIMLINE_ADDRESS(Indices) fan_begin;  // Faces of non-manifold edge i: fan_faces[fan_begin[i] ..
     RIMLINE_ADDRESS(Indices) fan_faces;  // fan_begin[i + 1]), i counted from two_face_end.
     RIMLINE_ADDRESS(Words) face_words;
-    RIMLINE_ADDRESS(Words) face_changes;  // What flipped since the run before.
+    RIMLINE_ADDRESS(Words) face_changes;  // Bits that flipped since the previous run.
     RIMLINE_ADDRESS(Words) edge_words;
     RIMLINE_ADDRESS(Words) edge_changes;
     RIMLINE_ADDRESS(FaceTallies) face_tallies;
@@ -86,11 +86,11 @@ struct SilhouetteJob {
     RIMLINE_ADDRESS(CountsOut) counts;
     RIMLINE_ADDRESS(ArgumentsOut) arguments;
     uint from_planes;
-    uint lists_changes;  // Whether added, removed and word_writes are there.
+    uint lists_changes;  // Whether added, removed and word_writes exist.
     uint face_count;
-    uint regular_end;   // Edges before this are regular, ...
-    uint two_face_end;  // those before this run the same way in both faces, ...
-    uint edge_count;    // and those before this have three faces or more.
+    uint regular_end;   // Edges [0, regular_end) are regular,
+    uint two_face_end;  // [regular_end, two_face_end) inconsistent,
+    uint edge_count;    // [two_face_end, edge_count) non-manifold.
     uint face_group_count;
     uint edge_group_count;
 };
@@ -110,7 +110,7 @@ layout(push_constant, scalar) uniform Constants {
     vec4 point;
 };
 
-// Groups fill rows, for a row of a dispatch has a limit that large meshes pass.
+// Groups fill several rows, because large meshes exceed the limit of one row of a dispatch.
 uint group_index() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 #endif
 

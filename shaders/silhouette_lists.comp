@@ -2,13 +2,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "silhouette_job.h"
 
-// Last of four: bits become lists. The groups of edges come first, then those of face words.
+// Step 4 of 4: converts bits to lists. Groups of edges come first, then groups of face words.
 
 layout(local_size_x = RIMLINE_GROUP_WORDS) in;
 
 shared uvec3 sums[RIMLINE_GROUP_WORDS];
 
-// Of all invocations before this one.
+// The sum over all earlier invocations of the group.
 uvec3 sum_before(uvec3 own) {
     const uint lane = gl_LocalInvocationIndex;
     sums[lane] = own;

@@ -3,9 +3,9 @@
 #include "silhouette_job.h"
 #include "slot_arguments.glsl"
 
-// Third of four: tallies of groups become sums over all groups before, so that every list has one order,
-// that of faces and edges. Workgroup 0 sums the edges' tallies, workgroup 1 the faces'; each then knows
-// the totals. A tally stands for 2048 faces or edges: even 2^30 faces are 4096 rounds.
+// Step 3 of 4: replaces the tallies of groups by sums over all earlier groups, so that lists are in the
+// order of faces and edges. Workgroup 0 sums the edges' tallies, and workgroup 1 the faces'. Each then
+// writes the totals. A tally covers 2048 faces or edges, so 2^30 of them take only 2048 rounds.
 
 layout(local_size_x = 256) in;
 

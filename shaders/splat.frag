@@ -1,6 +1,6 @@
 #version 460
 
-// A disc cut out of its square, and what its cuts leave of it.
+// Discards pixels outside the disc, and pixels removed by its cuts.
 
 layout(location = 0) in vec2 place;
 layout(location = 1) flat in vec3 color;

@@ -1,7 +1,7 @@
 #ifndef RIMLINE_SHADERS_SPLAT_GLSL
 #define RIMLINE_SHADERS_SPLAT_GLSL
 
-// What splats and strokes share: the camera, and two triangles for each.
+// Shared code of splats and strokes: the camera, and the two triangles of each.
 
 #include "splat_layout.h"
 
@@ -13,7 +13,7 @@ vec4 clip_from_world(vec3 position) {
                 cloud.clip_w.x * eye.z + cloud.clip_w.y);
 }
 
-// From a position to the camera, of length 1; an orthographic one is everywhere in the same direction.
+// The unit vector from a position to the camera. For an orthographic camera it is the same everywhere.
 vec3 towards_camera(vec3 position) {
     const vec3 back = vec3(cloud.eye_from_world[0].z, cloud.eye_from_world[1].z,
                            cloud.eye_from_world[2].z);

@@ -7,12 +7,12 @@
 layout(location = 0) out vec2 place;
 layout(location = 1) flat out vec3 color;
 layout(location = 2) flat out vec4 cuts;  // In the axes of `place`.
-layout(location = 3) flat out float fall;  // Of depth, from the middle to the edge.
+layout(location = 3) flat out float fall;  // Depth difference from center to edge.
 
-// What is left of a disc's color where it is seen from its edge: the camera carries the light.
+// The share of a disc's color when it is seen edge-on. The light is at the camera.
 const float k_ambient = 0.35;
-// A disc is a flat cone: so much of its radius its edge lies behind its middle. Where discs overlap, the
-// nearest point's is seen, so each point has its own cell and no two fight for a pixel.
+// A disc is a flat cone: its edge lies behind its center by this share of its radius. If discs overlap,
+// the one with the nearest center is visible, so each point has its own cell without z-fighting.
 const float k_slope = 0.15;
 
 void main() {
@@ -27,9 +27,9 @@ void main() {
                 dot(splat.cuts[1], v));
     place = corner_of(gl_VertexIndex);
     gl_Position = clip_from_world(splat.position + splat.radius * (place.x * u + place.y * v));
-    const vec4 middle = clip_from_world(splat.position);
+    const vec4 center = clip_from_world(splat.position);
     const vec4 behind = clip_from_world(splat.position - k_slope * splat.radius * towards);
-    fall = middle.z / middle.w - behind.z / behind.w;
+    fall = center.z / center.w - behind.z / behind.w;
     const vec4 given = unpackUnorm4x8(splat.color);
     const float light = given.a > 0.5 ? 1.0 : mix(k_ambient, 1.0, abs(dot(normal, towards)));
     color = light * linear_from_srgb(given.rgb);

@@ -1,7 +1,7 @@
 #ifndef RIMLINE_SHADERS_SPLAT_LAYOUT_H
 #define RIMLINE_SHADERS_SPLAT_LAYOUT_H
 
-// What C++ and GLSL both read of a point cloud as it is drawn: discs and lines.
+// Structures for drawing point clouds, shared by C++ and GLSL: discs and lines.
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -20,24 +20,26 @@ using glm::vec3;
 #define RIMLINE_SPLAT_ADDRESS(type) type
 #endif
 
-// A disc about a point. Without a normal it faces the camera. What lies on the other side of a cut than
-// its direction is left out: so the discs of two faces meet in the crease between them.
+// A disc around a point. Without a normal it faces the camera. A cut is a direction: the part of the disc
+// on the opposite side of the center is removed, so that the discs of two faces meet in the crease between
+// them.
 struct SplatRecord {
     vec3 position;
     float radius;
-    vec3 normal;   // Of length 1, either way round, or zero.
-    uint color;    // sRGB, a byte each, red in the lowest; 255 in the highest: not shaded.
-    vec3 cuts[2];  // Zero: none.
+    vec3 normal;   // Unit vector in either orientation, or zero.
+    uint color;    // sRGB, one byte each, red in the lowest. Highest byte 255: not shaded.
+    vec3 cuts[2];  // Zero for no cut.
 };
 
-// A line with round ends, of the same width near and far. Its ends lie on the surface that discs only
-// approximate: each is moved towards the camera by what discs may stand out, never more than half the way.
+// A line with round ends. Its width on the screen is constant. Its ends lie on the surface, which discs
+// only approximate. Each end is moved towards the camera by the possible height of discs, but at most half
+// the distance to the camera.
 struct StrokeRecord {
     vec3 from;
     float radius;  // Half its width, in pixels of the picture.
     vec3 to;
-    uint color;  // As above; never shaded.
-    vec2 lifts;  // Of `from` and of `to`, lengths.
+    uint color;  // As above. Never shaded.
+    vec2 lifts;  // Distances to move `from` and `to`.
 };
 
 #ifndef __cplusplus
@@ -53,13 +55,13 @@ struct SplatConstants {
     RIMLINE_SPLAT_ADDRESS(Splats) splats;
     RIMLINE_SPLAT_ADDRESS(Strokes) strokes;
     mat3 eye_from_world;
-    vec3 camera;      // Where it stands.
-    vec2 clip_scale;  // As FrameData has them (layout.h).
+    vec3 camera;      // Its position.
+    vec2 clip_scale;  // As in FrameData (layout.h).
     vec2 clip_z;
     vec2 clip_w;
-    vec2 half_extent;  // Of the pass: half its width and height in pixels, ...
-    float guard;       // ... and how many times larger its viewport is.
-    float scale;       // Pixels of the pass in one of the picture.
+    vec2 half_extent;  // Half the width and height of the pass, in pixels.
+    float guard;       // Viewport size divided by the size of the pass.
+    float scale;       // Pixels of the pass per pixel of the picture.
 };
 
 #ifdef __cplusplus

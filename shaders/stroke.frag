@@ -1,6 +1,6 @@
 #version 460
 
-// What of the rectangle lies within the line's width.
+// Discards pixels of the rectangle outside the line's width.
 
 layout(location = 0) in vec2 pixel;
 layout(location = 1) flat in vec4 ends;

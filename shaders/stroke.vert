@@ -2,17 +2,17 @@
 #extension GL_GOOGLE_include_directive : require
 #include "splat.glsl"
 
-// The rectangle on the screen around a line and its round ends, with the depth of its ends.
+// The rectangle on the screen around a line and its round ends, with the depths of the ends.
 
 layout(location = 0) out vec2 pixel;
-layout(location = 1) flat out vec4 ends;  // Of the line, in pixels.
+layout(location = 1) flat out vec4 ends;  // Ends of the line, in pixels.
 layout(location = 2) flat out float radius;
 layout(location = 3) flat out vec3 color;
 
 vec3 lifted(vec3 position, float lift) {
     const bool is_orthographic = cloud.clip_w.x == 0.0;
-    const float most = is_orthographic ? lift : 0.5 * distance(cloud.camera, position);
-    return position + min(lift, most) * towards_camera(position);
+    const float max_lift = is_orthographic ? lift : 0.5 * distance(cloud.camera, position);
+    return position + min(lift, max_lift) * towards_camera(position);
 }
 
 vec2 pixel_of(vec4 clip) { return clip.xy / clip.w * cloud.guard * cloud.half_extent; }
@@ -23,7 +23,7 @@ void main() {
     const vec4 to = clip_from_world(lifted(stroke.to, stroke.lifts.y));
     radius = stroke.radius * cloud.scale;
     color = linear_from_srgb(unpackUnorm4x8(stroke.color).rgb);
-    // Lines are short: what reaches behind the camera's near plane is left out whole.
+    // Lines are short. A line that reaches behind the near plane is not drawn.
     if (from.w <= 0.0 || to.w <= 0.0 || from.z > from.w || to.z > to.w) {
         pixel = vec2(0.0);
         ends = vec4(0.0);

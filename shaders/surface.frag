@@ -3,11 +3,11 @@
 #include "draw.glsl"
 #include "hatch.glsl"
 
-// Surfaces in the chosen style, a pipeline each: a CPU that stands in for a GPU takes every branch that is
-// not decided when the shader is compiled. They are what shadow leaves of a surface, or what the light adds
-// where the stencil lets it through, or both in one where a single light casts no shadows; all lights
-// together add up to the fully lit surface. For light, draw.choice is 1 or 2: with 1 the face's bit speaks
-// too where the light grazes the face (surface.vert), 2 is for what casts no shadow.
+// Surfaces in one style. Each style is its own pipeline, because a CPU device executes both sides of every
+// dynamic branch. The output is the shaded surface (as in shadow), or the light added where the stencil
+// test passes, or both at once for a single light without shadows. The sum over all lights is the fully lit
+// surface. For light, draw.choice is 1 or 2. With 1 the face's bit is also used if the light grazes the
+// face (surface.vert). 2 is for surfaces that cast no shadow.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -17,10 +17,10 @@ layout(location = 0) out vec4 color;
 layout(constant_id = 0) const uint k_style = RIMLINE_STYLE_INK;
 layout(constant_id = 1) const bool k_has_shade = true;
 layout(constant_id = 2) const bool k_has_light = false;
-layout(constant_id = 3) const bool k_fades = false;  // The instance's fade_radius is over 0.
+layout(constant_id = 3) const bool k_fades = false;  // The instance's fade_radius is > 0.
 
-// How much of the light a style shows at this cosine. It begins above zero, so that the facets of a
-// shadow's own edge lie in what is dark already.
+// The share of the light that a style shows at this cosine. It is 0 up to a positive cosine, so that the
+// facets at a shadow boundary are in the dark part already.
 float tone(float cosine) {
     if (k_style == RIMLINE_STYLE_MASK) return 1.0;
     if (k_style == RIMLINE_STYLE_INK)
@@ -30,7 +30,7 @@ float tone(float cosine) {
     return 0.55 * smoothstep(0.14, 0.17, cosine) + 0.45 * smoothstep(0.52, 0.56, cosine);
 }
 
-// The surface where a share `amount` of the light arrives.
+// The surface's color if a share `amount` of the light arrives.
 vec3 shown(float amount, vec3 facing_normal) {
     const vec3 lit = instance.color;
     const vec3 shade = frame.shade;
@@ -41,16 +41,16 @@ vec3 shown(float amount, vec3 facing_normal) {
 
 void main() {
     vec3 n = normalize(normal);
-    // Sheets are lit on the side that is seen.
+    // Open sheets are lit on the visible side.
     if (!gl_FrontFacing) n = -n;
     const vec3 shaded = shown(0.0, n);
-    color = vec4(k_has_shade ? shaded : vec3(0.0), 0.0);  // Lines cover nothing yet.
+    color = vec4(k_has_shade ? shaded : vec3(0.0), 0.0);  // No line coverage yet.
     if (k_has_light) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
         const vec4 light_point = light.point;
         const vec3 to_light = normalize(light_point.xyz - light_point.w * position);
         float amount = reached ? tone(dot(n, to_light)) : 0.0;
-        // What only catches shadows is paper: strokes all over it would say nothing.
+        // A surface that only receives shadows is paper, so it gets no strokes outside shadows.
         if (k_style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
             amount = smoothstep(0.14, 0.17, dot(n, to_light));
         color.rgb += (shown(amount, n) - shaded) * light.color;

@@ -3,17 +3,17 @@
 #include "draw.glsl"
 #include "project.glsl"
 
-// A mesh's triangles, pulled: three vertices a face, each with its own corner's normal.
+// The triangles of a mesh by vertex pulling: three vertices per face, each with its corner's normal.
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 normal;
-// Where the light grazes the face: the side it reaches, 1 the front or 2 the back, by the face's bit; a
-// surface seen from its other side shades itself. The stencil says so too, but there the sides of the
-// face's own volume lie in the surface, and which is in front is rounding. Elsewhere 0: the stencil is
-// surer, for at a silhouette the hidden back of a surface can win a pixel on its edge.
+// If the light grazes the face, the lit side by the face's bit: 1 front, 2 back. A surface seen from
+// the other side is in its own shadow. The stencil is unreliable here, because the sides of the face's
+// own volume lie in the surface and rounding decides which is in front. Otherwise 0: then the stencil
+// is more reliable, because at a silhouette the hidden back of a surface can win a pixel at its edge.
 layout(location = 2) flat out uint grazed_side;
 
-const float k_grazing = 1e-3;  // The sine of the angle between light and face.
+const float k_grazing = 1e-3;  // Sine of the angle between light and face.
 
 precise gl_Position;
 

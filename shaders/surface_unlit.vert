@@ -3,8 +3,8 @@
 #include "draw.glsl"
 #include "project.glsl"
 
-// A mesh's vertices, drawn by its triangles' indices, for surfaces on which no light falls: each vertex
-// once, where surface.vert, which has a normal for each corner of a face, runs for each of them.
+// The vertices of a mesh, drawn with an index buffer, for surfaces without light. It runs once per
+// vertex. surface.vert has a normal per corner, so it runs once per corner.
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 normal;
@@ -14,7 +14,7 @@ precise gl_Position;
 
 void main() {
     position = instance.positions.at[gl_VertexIndex];
-    // Nobody reads these.
+    // Unused.
     normal = vec3(0.0);
     grazed_side = 0u;
     gl_Position = clip_from_object(position);

@@ -2,15 +2,16 @@
 #extension GL_GOOGLE_include_directive : require
 #include "visible_ratio.glsl"
 
-// Every pixel that a line passes through: whose middle is covered by a pixel moved along the line, which
-// is a hexagon. Triangles rather than Vulkan's lines, whose pixels are the device's choice.
+// Covers every pixel that a line passes through. The area swept by a pixel along the line is a hexagon,
+// and a pixel counts if its center is inside. Uses triangles, because for Vulkan's lines the device
+// chooses the pixels.
 //
-//     2 ---- 4 5        Six corners a line, 0 1 2 around its beginning, 3 4 5 around its end; the index
-//     |  /    / |       buffer makes four triangles of them. Drawn is a line that runs to the right and
-//     0 1 ---- 3        up; others turn the picture.
+//     2 ---- 4 5        Six corners per line: 0 1 2 around its start, 3 4 5 around its end. The index
+//     |  /    / |       buffer makes four triangles. The drawing shows a line to the right and up. For
+//     0 1 ---- 3        other directions it is mirrored.
 
-// How much nearer than it is a line is drawn, of its distance: it must win where it lies in a surface, and
-// depth is rounded to a part in 2^24.
+// Lines are drawn nearer by this share of their distance. A line in a surface must pass the depth test,
+// although depth is rounded to 1 part in 2^24.
 const float k_nearer = 1e-5;
 
 precise gl_Position;
@@ -19,7 +20,7 @@ void main() {
     const LineEnds line = view.lines.at[gl_VertexIndex / 6];
     vec3 from = eye_from_vertex(line.from);
     vec3 to = eye_from_vertex(line.to);
-    // In front of the near plane, where a line has a place on the screen.
+    // Clips to the near plane, because points behind it have no position on the screen.
     const float from_distance = -from.z - view.near_distance;
     const float to_distance = -to.z - view.near_distance;
     if (from_distance < 0.0 && to_distance < 0.0) {
@@ -32,17 +33,17 @@ void main() {
 
     const vec4 clip_from = clip_from_eye(from);
     const vec4 clip_to = clip_from_eye(to);
-    // Which way it runs on the screen, by signs.
+    // The direction on the screen, as signs.
     const vec2 along = clip_to.xy / clip_to.w - clip_from.xy / clip_from.w;
-    const vec2 way = vec2(along.x < 0.0 ? -1.0 : 1.0, along.y < 0.0 ? -1.0 : 1.0);
+    const vec2 direction = vec2(along.x < 0.0 ? -1.0 : 1.0, along.y < 0.0 ? -1.0 : 1.0);
 
     const uint corner = uint(gl_VertexIndex) % 6u;
-    const vec2 out_way = corner == 0u                   ? -way
-                         : corner == 5u                 ? way
-                         : corner == 1u || corner == 3u ? vec2(way.x, -way.y)
-                                                        : vec2(-way.x, way.y);
+    const vec2 outward = corner == 0u                   ? -direction
+                         : corner == 5u                 ? direction
+                         : corner == 1u || corner == 3u ? vec2(direction.x, -direction.y)
+                                                        : vec2(-direction.x, direction.y);
     precise vec4 clip = corner < 3u ? clip_from : clip_to;
-    clip.xy += out_way * (clip.w / view.side_px);  // Half a pixel.
+    clip.xy += outward * (clip.w / view.side_px);  // Half a pixel.
     clip.z *= 1.0 + k_nearer;
     gl_Position = clip;
 }

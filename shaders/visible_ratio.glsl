@@ -1,14 +1,14 @@
 #ifndef RIMLINE_SHADERS_VISIBLE_RATIO_GLSL
 #define RIMLINE_SHADERS_VISIBLE_RATIO_GLSL
 
-// Projection for visible ratios. Surfaces and lines share it, so that a line's ends have bitwise the
-// depth of the corners they are.
+// Projection for visible ratios. Surfaces and lines share it, so that a line's ends have exactly the
+// same depth as the corners.
 
 #include "layout.h"
 
 layout(push_constant, scalar) uniform Constants { RatioConstants view; };
 
-// Of a vertex, in the camera's axes.
+// The position of a vertex relative to the camera, in its axes.
 vec3 eye_from_vertex(uint vertex) {
     precise vec3 from_camera = view.positions.at[vertex] - view.camera;
     precise vec3 eye = view.eye_from_object[0] * from_camera.x + view.eye_from_object[1] * from_camera.y +

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "visible_ratio.glsl"
 
-// A corner of a face, by its vertex number: the index buffer's.
+// A corner of a face. The index buffer gives its vertex number.
 
 precise gl_Position;
 

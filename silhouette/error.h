@@ -2,10 +2,10 @@
 
 // Two kinds of failure.
 //
-// `Error` is for what the world gets wrong: bad files, machines that lack something, failed system
-// calls, a cancelled call. It is one type with a code and a message that names the place.
-// `RIMLINE_CHECK` is for what the caller's code gets wrong: it stops the program in every build, with
-// the condition and its line, because going on would corrupt a result.
+// `Error` reports a failure outside the program: a bad file, a machine that lacks something, a failed
+// system call, a cancelled call. It is one type, with a code and a message that names the place.
+// `RIMLINE_CHECK` reports a mistake of the calling code. It stops the program in every build and
+// prints the condition and its line, because continuing would corrupt a result.
 
 #include <functional>
 #include <stdexcept>
@@ -15,12 +15,12 @@
 namespace rimline {
 
 enum class ErrorCode {
-    bad_input,  ///< A file or value from outside is wrong; the message names the file and place.
-    no_device,  ///< The machine lacks what is needed; the message lists what each device lacks.
-    device_lost,  ///< The GPU gave up; everything on its device is gone (engine/vulkan/device_loss.h).
-    io,           ///< The system refused to read or write; the message names the path.
-    too_large,  ///< A limit of the machine or of the formats is exceeded; the message names it.
-    cancelled,  ///< The caller asked a long call to stop.
+    bad_input,  ///< An input file or value is wrong. The message names the file and place.
+    no_device,  ///< No device is suitable. The message lists what each device lacks.
+    device_lost,  ///< The GPU stopped. All objects of its device are lost (engine/vulkan/device_loss.h).
+    io,           ///< The system could not read or write. The message names the path.
+    too_large,  ///< A limit of the machine or of a format is exceeded. The message names it.
+    cancelled,  ///< The caller stopped a long call.
 };
 
 class Error : public std::runtime_error {
@@ -32,28 +32,27 @@ private:
     ErrorCode code_;
 };
 
-/// How a caller follows and stops a long call. Both members may be left empty.
+/// Progress and cancellation of a long call. Both members may be empty.
 struct LongCall {
     std::stop_token stop;
-    /// Receives the finished share in [0, 1], never falling, on the calling thread.
+    /// Receives the finished share in [0, 1] on the calling thread. The share never decreases.
     std::function<void(double)> progress;
 
-    /// Reports `done` and throws Error{cancelled} when a stop was requested. Call it a few hundred
-    /// times in a long loop, not once an element.
+    /// Reports `done`. Throws Error{cancelled} if a stop was requested. A long loop calls it a few
+    /// hundred times, not once per element.
     void checkpoint(double done) const {
         if (stop.stop_requested()) throw Error(ErrorCode::cancelled, "cancelled");
         if (progress) progress(done);
     }
 
-    /// The part of this call from one share of its progress to another, as a call of its own. This
-    /// one must outlive it.
+    /// A call that covers the progress of this one from `begin` to `end`. This call must outlive it.
     LongCall part(double begin, double end) const {
-        LongCall made{stop, {}};
+        LongCall result{stop, {}};
         if (progress)
-            made.progress = [this, begin, end](double done) {
+            result.progress = [this, begin, end](double done) {
                 progress(begin + (end - begin) * done);
             };
-        return made;
+        return result;
     }
 };
 

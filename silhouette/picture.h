@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rimline {
@@ -17,5 +18,13 @@ struct Picture {
 
 /// The bytes of a PNG file without alpha. Throws Error{io} when libpng fails.
 std::vector<std::byte> encode_png(const Picture& picture);
+
+/// decode_png() refuses pictures with more pixels: 1 GiB of memory.
+constexpr std::uint64_t k_max_png_pixels = std::uint64_t{1} << 28;
+
+/// The picture in the bytes of a PNG file. All kinds of PNG are converted to 8 bits of sRGB; alpha is 255
+/// where the file has none. Bytes after the end of the PNG are ignored. Throws Error{bad_input} where the
+/// bytes are no PNG, are truncated or damaged, or hold more than k_max_png_pixels.
+Picture decode_png(std::span<const std::byte> bytes);
 
 }  // namespace rimline

@@ -1,8 +1,8 @@
-// Vectors whose unwanted lanes are squeezed out, for what is compiled once for each instruction set: include
-// it after hwy/highway.h.
+// Moves the selected lanes of a vector to its front. For sources that Highway compiles once for each
+// instruction set: vector_targets-inl.h includes it after Highway's own header.
 //
-// Highway's own Compress would do, but gcc 12 copies its table to the stack at every call, which took two
-// thirds of all the time spent in the loops that use this.
+// Highway's Compress does the same, but gcc 12 copies its table to the stack at every call. That took two
+// thirds of the time of the loops that use this.
 
 #ifndef RIMLINE_SQUEEZED_LANES_TABLE
 #define RIMLINE_SQUEEZED_LANES_TABLE
@@ -15,7 +15,7 @@ namespace rimline::kernels {
 
 constexpr std::size_t k_max_lanes = 8;
 
-// The numbers of the set bits, in order, then zeros.
+// For each byte the numbers of its set bits, ascending, then zeros.
 using SetBits = std::array<std::array<std::uint8_t, k_max_lanes>, 1u << k_max_lanes>;
 constexpr SetBits make_set_bits() {
     SetBits table{};
@@ -43,7 +43,7 @@ namespace rimline::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Bit i is lane i.
+// The mask as bits: bit i is lane i.
 template <class D, class M>
 HWY_INLINE std::uint32_t lanes_of(D d, M mask) {
     std::uint8_t bits[8] = {};
@@ -51,7 +51,7 @@ HWY_INLINE std::uint32_t lanes_of(D d, M mask) {
     return bits[0];
 }
 
-// Which lanes stay when those not in `lanes` are squeezed out.
+// The numbers of the lanes in `lanes`, ascending: the table for squeezed().
 template <class DU>
 HWY_INLINE hn::Vec<DU> squeezed_lanes(DU du, std::uint32_t lanes) {
     const hn::Rebind<std::uint8_t, DU> d8;

@@ -1,13 +1,13 @@
 #pragma once
 
-// A test that needs what this machine lacks says so and is counted as skipped, not as passed.
+// Skipping: a case that needs something which this machine lacks names it, and counts as skipped, not as passed.
 
 #include <cstdio>
 #include <string>
 
 namespace rimline::tests {
 
-/// Whether a case of this program ended as skipped; test_main.cpp turns it into the exit status.
+/// Whether a case of this program was skipped. test_main.cpp turns it into the exit status.
 inline bool case_skipped = false;
 
 /// The exit status by which CTest knows a skipped case.
@@ -15,8 +15,8 @@ constexpr int k_skipped_status = 77;
 
 }  // namespace rimline::tests
 
-/// Ends the running test case as skipped; checks that failed before still count. `reason` names what
-/// is missing.
+/// Ends the running test case as skipped. Checks that failed before still count. `reason` names what is
+/// missing.
 #define RIMLINE_SKIP(reason)                                       \
     do {                                                           \
         std::printf("SKIPPED: %s\n", std::string(reason).c_str()); \

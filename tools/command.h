@@ -1,10 +1,10 @@
 #pragma once
 
-// The frame of the program: one Command a subcommand, one file a Command.
+// The structure of the program: one Command for each subcommand, one file for each Command.
 //
-// A command's members are its options. main.cpp builds all commands, lets each add its options, parses,
-// and runs the one that was named. To add a subcommand: derive from Command in <name>.cpp, declare its
-// make function below, list it in main.cpp.
+// A command's members are its options. main.cpp builds all commands, adds their options, parses the command
+// line, and runs the command that it names. To add a subcommand: derive from Command in commands/<name>.cpp,
+// declare its make function below, and list it in main.cpp.
 
 #include <CLI/App.hpp>
 #include <memory>
@@ -25,14 +25,14 @@ enum class ExitStatus : int {
     check_failed = 3,  ///< --verify or --check found a difference.
 };
 
-/// The command line asks for what cannot be: exit status 2. Throw it from run() for what can only be
-/// known when all options are read; option_types.h reports what is wrong with one option alone.
+/// A wrong command line: exit status 2. Throw it from run() for errors that depend on several options.
+/// option_types.h reports errors of a single option.
 class UsageError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// What the frame knows and every command needs.
+/// The common input of all commands.
 struct Context {
     bool json;             ///< Standard output holds one JSON object and nothing else.
     std::stop_token stop;  ///< Set by Ctrl-C.
@@ -48,17 +48,15 @@ public:
     virtual std::string name() const = 0;
     /// One line, for the list of subcommands.
     virtual std::string summary() const = 0;
-    /// Called once, before parsing. The frame adds --json and --help.
+    /// Called once, before parsing. main.cpp adds --json, --threads and --help, to subcommands of `app` too.
     virtual void add_options(CLI::App& app) = 0;
-    /// Called when everything is parsed.
+    /// Called after parsing.
     virtual ExitStatus run(const Context& context) = 0;
 };
 
-/// Writes `message` to standard error, in one line that scripts can find, whatever it holds; behind what was
-/// written to standard output.
+/// Flushes standard output, then writes `message` to standard error as one line; line breaks become spaces.
 void print_error(std::string message);
-/// The status of a --verify or --check that failed as `failure` says, which is printed; success where it is
-/// empty.
+/// Prints `failure`, of a --verify or --check, and returns check_failed. Returns success where it is empty.
 ExitStatus report_check(const std::string& failure);
 
 /// Writes one JSON object to standard output. Bytes of file names that are not UTF-8 are replaced.

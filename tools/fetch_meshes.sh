@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fetches the meshes of CGAL's demo that the figures of docs/points.md are of into build/meshes, from
-# Debian's libcgal-demo, which is not installed for it: 24 MB from the network, 29 MB on disk. Then
+# Downloads the meshes of CGAL's demo into build/meshes: 24 MB from the network, 29 MB on disk. They come from
+# Debian's package libcgal-demo, which is unpacked and not installed. Tests and the bench use them:
 #
 #   RIMLINE_MODELS=build/meshes build/release/rimline bench points --check
 set -u

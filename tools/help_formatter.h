@@ -1,6 +1,6 @@
 #pragma once
 
-// How --help looks: descriptions wrapped beside their options, one empty line between groups.
+// The layout of --help: descriptions are wrapped beside their options, with one empty line between groups.
 
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>
@@ -28,7 +28,7 @@ public:
         while (text.size() - line_start > k_description_columns) {
             const std::size_t space = text.rfind(' ', line_start + k_description_columns);
             if (space == std::string::npos || space <= line_start) break;
-            text[space] = '\n';  // The base class indents what follows.
+            text[space] = '\n';  // The base class indents the next line.
             line_start = space + 1;
         }
         return text;

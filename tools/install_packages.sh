@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Rimline needs and this machine lacks; says which before it does.
-# With nothing missing it needs neither root nor a network.
+# Installs the Debian packages that Rimline needs and this machine lacks, and names them first. Where none is
+# missing it needs neither root nor a network.
 #
 #   tools/install_packages.sh cpu         to build the CPU library and its commands (RIMLINE_ENGINE=OFF)
 #   tools/install_packages.sh cpu-tests   to build and run their tests too
@@ -30,7 +30,7 @@ command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
 
 missing=()
 for package in "${wanted[@]}"; do
-    # One line an architecture.
+    # dpkg-query prints one line for each architecture.
     dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
         missing+=("$package")
 done
@@ -47,8 +47,7 @@ log=build/install_packages.log
 echo "$script_name: installing with apt: ${missing[*]} (log: $log)"
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@"; }
 
-# One unreachable third-party source fails the update as a whole; whether the packages can be had,
-# the installation says.
+# One unreachable third-party source fails the whole update. The installation reports missing packages.
 apt update >"$log" 2>&1 || echo "$script_name: apt-get update reported errors; going on"
 apt install --yes --no-install-recommends "${missing[@]}" >>"$log" 2>&1 ||
     stop "apt-get install failed: read the end of $log, connect to the network or free apt, run this again"

@@ -10,8 +10,6 @@
 #include <string_view>
 #include <thread>
 
-#include "tools/output/output_file.h"
-
 namespace rimline::tools {
 
 namespace {
@@ -31,14 +29,14 @@ void raise_unblocked(int signal_number) {
     raise(signal_number);
 }
 
-// Past stdio, whose locks a thread that hangs in a write may hold.
+// Does not use stdio: a thread that hangs in a write may hold its locks.
 void write_line(std::string_view line) {
     [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());
 }
 
 }  // namespace
 
-std::stop_token stop_on_interrupt() {
+std::stop_token stop_on_interrupt(void (*clean_up)() noexcept) {
     sigset_t signals;
     sigemptyset(&signals);
     for (const int signal_number : {SIGINT, SIGTERM})
@@ -47,7 +45,7 @@ std::stop_token stop_on_interrupt() {
 
     // A thread that waits, rather than a handler: requesting a stop is not async-signal-safe.
     std::stop_source source;
-    std::thread([signals, source]() mutable {
+    std::thread([signals, source, clean_up]() mutable {
         int received = 0;
         if (sigwait(&signals, &received) != 0) return;
         g_signal_received = received;
@@ -56,7 +54,7 @@ std::stop_token stop_on_interrupt() {
         int second = 0;
         do second = sigtimedwait(&signals, nullptr, &grace);
         while (second < 0 && errno == EINTR);
-        remove_temporary_files();
+        clean_up();
         if (second < 0) write_line("rimline: error: cancelled\n");
         raise_unblocked(second < 0 ? received : second);
     }).detach();

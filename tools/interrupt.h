@@ -2,24 +2,26 @@
 
 // Ctrl-C as a stop token.
 //
-// The first SIGINT or SIGTERM asks long calls to stop, so that destructors run and temporary files go.
-// The program is ended all the same by a second one, or when it has not stopped within k_grace_seconds:
-// then it computes where nothing asks, or waits for another program. Temporary files go here as well.
-// A signal that was ignored when the program started, as under nohup, stays ignored.
+// The first SIGINT or SIGTERM asks long calls to stop, so that destructors run and remove temporary files.
+// A second signal ends the program at once. So does a program that has not stopped within k_grace_seconds,
+// because it computes without checkpoints or waits for another program. A signal that was ignored when the
+// program started, as under nohup, stays ignored.
 
 #include <stop_token>
 
 namespace rimline::tools {
 
-/// Longer than the longest step between two checkpoints on models of usual size, shorter than what
-/// supervisors wait before they kill.
+/// Longer than the longest step between two checkpoints on models of usual size, shorter than the time that
+/// supervisors wait before they kill a program.
 constexpr int k_grace_seconds = 5;
 
-/// Call it once, before any thread is started: every thread has to inherit the signal mask.
-std::stop_token stop_on_interrupt();
+/// Call it once, before any thread is started: every thread must inherit the signal mask. `clean_up` is
+/// called on another thread, while the others still run, before the program is ended without its
+/// destructors.
+std::stop_token stop_on_interrupt(void (*clean_up)() noexcept);
 
-/// Ends the program as the signal that stopped it would have, so that a shell's loop stops as well.
-/// Does nothing when there was none.
+/// Ends the program by the signal that stopped it, so that a shell's loop stops as well. Does nothing when no
+/// signal arrived.
 void end_as_interrupted();
 
 }  // namespace rimline::tools

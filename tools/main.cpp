@@ -1,5 +1,5 @@
-// The rimline program: builds the commands, parses the line, runs one of them, and turns what it throws
-// into an exit status and one line on standard error.
+// The rimline program. It builds the commands, parses the command line and runs one command. It reports an
+// exception as an exit status and one line on standard error.
 
 #include <tbb/global_control.h>
 #include <CLI/App.hpp>
@@ -23,6 +23,7 @@
 #include "tools/help_formatter.h"
 #include "tools/interrupt.h"
 #include "tools/options/option_types.h"
+#include "tools/output/output_file.h"
 
 namespace {
 
@@ -38,7 +39,7 @@ constexpr const char* k_version = "rimline " RIMLINE_VERSION;
 constexpr const char* k_json_description = "Print one JSON object and nothing else";
 constexpr const char* k_footer =
     "MODEL is a file (OBJ, PLY, STL, OFF, glTF, GLB) or shape:NAME[:FACES].\n"
-    "rimline SUBCOMMAND --help tells a subcommand's options.\n\n"
+    "rimline SUBCOMMAND --help lists a subcommand's options.\n\n"
     "Examples:\n"
     "  rimline render                     (draws a picture, rimline.png, without any model)\n"
     "  rimline render bunny.obj -o bunny.png\n"
@@ -65,7 +66,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     return commands;
 }
 
-// CLI11's messages are NAME: WHAT. Where WHAT is not a plain sentence, ours.
+// CLI11's messages are NAME: WHAT. Returns our own words where WHAT is no plain sentence.
 std::string plain_words(const CLI::ParseError& e) {
     const std::string message = e.what();
     const std::string name = message.substr(0, message.find(": "));
@@ -91,15 +92,32 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
     return arguments;
 }
 
+// The program and the subcommands that the command line names, outermost first.
+std::vector<const CLI::App*> parsed_chain(const CLI::App& app) {
+    std::vector<const CLI::App*> chain{&app};
+    while (!chain.back()->get_subcommands().empty())
+        chain.push_back(chain.back()->get_subcommands().front());
+    return chain;
+}
+
+// The message for a command line without a suite, or with a suite that does not exist.
+std::string missing_suite(const CLI::App& bench) {
+    std::string names;
+    for (const CLI::App* suite : bench.get_subcommands([](const CLI::App*) { return true; }))
+        names += (names.empty() ? "" : ",") + suite->get_name();
+    const std::vector<std::string> rest = bench.remaining();
+    return "SUITE: expected one of {" + names + "}" +
+           (rest.empty() ? "" : ", not '" + rest.front() + "'");
+}
+
 ExitStatus report_usage(const std::string& message, const CLI::App& app) {
-    const auto parsed = app.get_subcommands();
-    const std::string help =
-        "rimline " + (parsed.empty() ? "" : parsed.front()->get_name() + " ") + "--help";
-    print_error(message + " (see " + help + ")");
+    std::string help;
+    for (const CLI::App* named : parsed_chain(app)) help += named->get_name() + " ";
+    print_error(message + " (see " + help + "--help)");
     return ExitStatus::wrong_usage;
 }
 
-// A full disk behind standard output shows only when the buffer is emptied.
+// A full disk is reported only when the buffer of standard output is flushed.
 void flush_output() {
     errno = 0;
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
@@ -119,28 +137,33 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     bool json = false;
     std::uint32_t threads = 0;
     const std::vector<std::unique_ptr<Command>> commands = make_commands();
+    const auto add_shared_options = [&](CLI::App& sub) {
+        sub.add_flag("--json", json, k_json_description)->group("Output");
+        rimline::tools::add_count(sub, "--threads", threads, 1, 1024,
+                                  "Threads of the parallel parts (default: all)")
+            ->default_str("")
+            ->group("Machine");
+        // Works everywhere. Only the program's own help lists it.
+        sub.set_version_flag("--version", k_version)->group("");
+    };
     for (const auto& command : commands) {
         CLI::App* sub = app.add_subcommand(command->name(), command->summary());
         sub->set_help_flag("-h,--help", "Print this help and exit");
         command->add_options(*sub);
-        sub->add_flag("--json", json, k_json_description)->group("Output");
-        rimline::tools::add_count(*sub, "--threads", threads, 1, 1024,
-                                  "Threads for what uses several (default: all)")
-            ->default_str("")
-            ->group("Machine");
-        // Works everywhere, stands in one help only.
-        sub->set_version_flag("--version", k_version)->group("");
+        add_shared_options(*sub);
+        for (CLI::App* nested : sub->get_subcommands([](CLI::App*) { return true; }))
+            add_shared_options(*nested);
     }
     app.add_flag("--json", json, k_json_description);
 
-    // Before CLI11 takes the --help that follows for the program's own.
+    // Checked first: CLI11 would take a following --help as the program's own.
     std::vector<std::string> arguments = arguments_of(argc, argv);
     const auto first = std::ranges::find_if_not(
         arguments, [](const std::string& argument) { return argument.starts_with('-'); });
     const auto is_first = [&](const auto& command) { return command->name() == *first; };
     if (first != arguments.end() && std::ranges::none_of(commands, is_first))
         return report_usage("there is no subcommand '" + *first + "'", app);
-    std::ranges::reverse(arguments);  // As CLI11 takes them.
+    std::ranges::reverse(arguments);  // The order that CLI11 expects.
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::ParseError& e) {
@@ -151,7 +174,9 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
             flush_output();
             return ExitStatus::success;
         }
-        return report_usage(plain_words(e), app);
+        const CLI::App& last = *parsed_chain(app).back();
+        const bool lacks_suite = &last != &app && last.get_require_subcommand_min() > 0;
+        return report_usage(lacks_suite ? missing_suite(last) : plain_words(e), app);
     }
     if (app.get_subcommands().empty()) {
         std::string names;
@@ -184,7 +209,8 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
 int main(int argc, char** argv) {
     ExitStatus status = ExitStatus::failed;
     try {
-        status = parse_and_run(argc, argv, rimline::tools::stop_on_interrupt());
+        status = parse_and_run(
+            argc, argv, rimline::tools::stop_on_interrupt(rimline::tools::remove_temporary_files));
     } catch (const Error& e) {
         print_error(e.what());
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();

@@ -6,8 +6,8 @@
 
 namespace rimline::tools {
 
-Progress::Progress(const Context& context, std::string doing)
-    : stop_(context.stop), doing_(std::move(doing)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(const Context& context, std::string task)
+    : stop_(context.stop), task_(std::move(task)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (shown_percent_ >= 0) std::fputs("\r\033[K", stderr);
@@ -21,9 +21,10 @@ LongCall Progress::call() {
 
 void Progress::show(double done) {
     const int percent = static_cast<int>(100.0 * done);
-    if (percent == shown_percent_ || Clock::now() - start_ < std::chrono::milliseconds(500)) return;
+    constexpr std::chrono::milliseconds k_min_time(500);
+    if (percent == shown_percent_ || Clock::now() - start_ < k_min_time) return;
     shown_percent_ = percent;
-    std::fprintf(stderr, "\r\033[K%s %d%%", doing_.c_str(), percent);
+    std::fprintf(stderr, "\r\033[K%s %d%%", task_.c_str(), percent);
     std::fflush(stderr);
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
-// One line of standard error that tells how far a long call is, rewritten in place and gone when the
-// object is. Only on a terminal, and only once the call has taken longer than a moment.
+// One line on standard error that shows the progress of a long call. It is rewritten in place and erased at
+// the end. It appears only on a terminal, and only if the call takes longer than half a second.
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "tools/command.h"
@@ -12,13 +14,13 @@ namespace rimline::tools {
 
 class Progress {
 public:
-    /// `doing` is shown before the share: "reading bunny.obj".
-    Progress(const Context& context, std::string doing);
+    /// `task` is shown before the percentage: "reading bunny.obj".
+    Progress(const Context& context, std::string task);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// What to hand to the long call, which stops on Ctrl-C. This object must outlive it.
+    /// The argument of the long call, which stops on Ctrl-C. This object must outlive it.
     LongCall call();
 
 private:
@@ -26,10 +28,27 @@ private:
     void show(double done);
 
     std::stop_token stop_;
-    std::string doing_;
+    std::string task_;
     bool on_terminal_;
     Clock::time_point start_ = Clock::now();
     int shown_percent_ = -1;
 };
+
+/// Work in several parts takes a BeginCall. It calls it before each part with the name of the task, and
+/// passes the result to that part.
+using BeginCall = std::function<LongCall(const std::string& task)>;
+
+/// Returns work(begin), where `begin` shows a Progress for each part. Throws Error{cancelled} after Ctrl-C.
+template <typename Work>
+auto follow_progress(const Context& context, Work&& work) {
+    std::optional<Progress> progress;
+    auto result = work(BeginCall([&](const std::string& task) {
+        progress.emplace(context, task);
+        return progress->call();
+    }));
+    progress.reset();
+    context.checkpoint();
+    return result;
+}
 
 }  // namespace rimline::tools

@@ -7,18 +7,21 @@
 // uploaded in each frame. As in Renderer, render() draws for the host, and record() writes the same commands
 // into a caller's command buffer and draws into a caller's image.
 
-#include <array>
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
 
 #include "engine/camera.h"
-#include "engine/clouds/splat_pass.h"
-#include "engine/frame/render_targets.h"
-#include "engine/passes/composite_pass.h"
 #include "engine/vulkan/picture_target.h"
+#include "shaders/splat_layout.h"
 #include "silhouette/picture.h"
 
 namespace rimline {
+
+struct DeviceContext;
 
 /// The part of a cloud that is the same in every frame.
 struct SplatCloud {
@@ -48,6 +51,9 @@ public:
 
     /// The context's device must outlive the renderer.
     explicit SplatRenderer(const DeviceContext& context, const SplatRendererOptions& options = {});
+    ~SplatRenderer();
+    SplatRenderer(SplatRenderer&&) noexcept;
+    SplatRenderer& operator=(SplatRenderer&&) noexcept;
 
     /// Draws and waits. Throws Error{too_large} naming the limit if the device cannot hold the records or the
     /// picture. No recorded frame may be running.
@@ -59,34 +65,11 @@ public:
     /// it must not be replaced by another at the same address. Waits if the cloud is a new one. Throws as
     /// render(); `commands` must then not be submitted.
     void record(VkCommandBuffer commands, const SplatScene& scene, const PictureTarget& target);
-    void set_scale(std::uint32_t scale) noexcept { options_.scale = scale; }
+    void set_scale(std::uint32_t scale) noexcept;
 
 private:
-    // On the device.
-    struct Uploaded {
-        const SplatCloud* cloud = nullptr;
-        std::uint64_t revision = 0;
-        Buffer splats, strokes;
-        std::uint32_t splat_count = 0, stroke_count = 0;
-    };
-    // The objects that a frame uses until it is done.
-    struct Frame {
-        Buffer strokes;
-        std::unique_ptr<Uploaded>
-            replaced;  // The previous cloud: the previous frame may still use it.
-    };
-
-    void prepare_targets(VkExtent2D size);
-    void prepare_cloud(const SplatCloud* cloud, Frame& frame);
-
-    DeviceContext context_;
-    SplatRendererOptions options_;
-    SplatPass splat_pass_;
-    CompositePass composite_pass_;
-    std::unique_ptr<RenderTargets> targets_;
-    std::unique_ptr<Uploaded> uploaded_;
-    std::array<Frame, k_frames_in_flight> frames_;
-    std::uint64_t recorded_ = 0;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace rimline

@@ -16,7 +16,7 @@ TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options,
 
 namespace {
 
-// Ratios do not depend on which views were chosen before: no viewpoint is drawn twice.
+// Caches ratios. They do not depend on the views chosen before, so no viewpoint is rendered twice.
 class DrawnOnce {
 public:
     DrawnOnce(const UnitFrame& frame, const VisibleRatios& ratios)

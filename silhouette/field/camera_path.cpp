@@ -13,17 +13,18 @@ namespace rimline {
 
 namespace {
 
-// Of a leg, for its length. Within a step the curve's own parameter is taken as even: the speed errs by
-// less than 1% on legs of 170 degrees, and by less the shorter they are.
+// Steps per leg for measuring its length. Within a step the curve's parameter is treated as
+// proportional to length. The speed error is below 1% on legs of 170 degrees, and smaller on shorter
+// legs.
 constexpr std::size_t k_steps = 2048;
 
-// At the direction `from`, along the sphere towards `to`.
+// The unit tangent at `from`, along the sphere towards `to`.
 glm::dvec3 tangent_towards(const glm::dvec3& from, const glm::dvec3& to) {
     return glm::normalize(to - glm::dot(from, to) * from);
 }
 
-// Halves the angle between arriving and leaving. Where the path turns back on itself there is none to
-// halve: it turns round sideways then.
+// Bisects the directions of arrival and departure. If the path reverses its direction, there is no
+// bisector, and the tangent points sideways.
 glm::dvec3 tangent_at(const glm::dvec3& node, const glm::dvec3& before, const glm::dvec3& after) {
     const glm::dvec3 back = tangent_towards(node, before);
     const glm::dvec3 ahead = tangent_towards(node, after);

@@ -14,16 +14,18 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_middle = 0.5 * (k_view_shell.inner_radius + k_view_shell.outer_radius);
+constexpr double k_middle_radius = 0.5 * (k_view_shell.inner_radius + k_view_shell.outer_radius);
 
-// How far a node climbs, in unit coordinates: 7 degrees or so, and of the way to the views on both sides.
+// Limits for the movement of a node: in unit coordinates, about 7 degrees, and as a share of the distance
+// to either view.
 constexpr double k_climb = 0.25;
 constexpr double k_climb_share = 1.0 / 3.0;
 
-// Beyond the one, views are opposite each other; below the other, in one direction.
+// Views farther apart than the first angle are opposite. Views nearer than the second have the same
+// direction.
 constexpr double k_opposite_deg = 175.0;
 constexpr double k_same_deg = 0.5;
-// Of the circle around views in one direction.
+// The circle around views in the same direction.
 constexpr double k_circle_deg = 20.0;
 constexpr int k_circle_samples = 72;
 
@@ -32,7 +34,8 @@ struct Between {
     double votes;
 };
 
-// The best of the places so many radians from a direction, in the middle of the shell.
+// The point with the most votes on a circle at `angle_rad` around `axis`, at the middle radius of the
+// shell.
 glm::dvec3 best_on_circle(const TangentialField& field, const glm::dvec3& axis, double angle_rad) {
     const glm::dvec3 seed = std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 first = glm::normalize(seed - glm::dot(seed, axis) * axis);
@@ -40,7 +43,7 @@ glm::dvec3 best_on_circle(const TangentialField& field, const glm::dvec3& axis, 
     std::vector<glm::dvec3> places;
     for (int i = 0; i < k_circle_samples; ++i) {
         const double a = 2.0 * std::numbers::pi * i / k_circle_samples;
-        places.push_back(k_middle *
+        places.push_back(k_middle_radius *
                          (std::cos(angle_rad) * axis +
                           std::sin(angle_rad) * (std::cos(a) * first + std::sin(a) * second)));
     }
@@ -60,12 +63,12 @@ Between node_between(const TangentialField& field, const glm::dvec3& a, const gl
     else if (angle_deg < k_same_deg)
         start = best_on_circle(field, from, glm::radians(k_circle_deg));
     else
-        start = k_middle * glm::normalize(a + b);
+        start = k_middle_radius * glm::normalize(a + b);
     const glm::dvec3 direction = glm::normalize(start);
-    const double way =
-        k_middle * std::min(angle_between(direction, from), angle_between(direction, to));
+    const double distance =
+        k_middle_radius * std::min(angle_between(direction, from), angle_between(direction, to));
     const PointOfInterest peak =
-        climb(field, k_view_shell, start, std::min(k_climb, k_climb_share * way));
+        climb(field, k_view_shell, start, std::min(k_climb, k_climb_share * distance));
     return {peak.point, peak.votes};
 }
 
@@ -89,8 +92,8 @@ std::vector<TourNode> plan_tour(const TangentialField& field, std::span<const gl
         return place->second;
     };
 
-    std::vector<std::uint32_t> left;
-    for (std::uint32_t v = 1; v < count; ++v) left.push_back(v);
+    std::vector<std::uint32_t> unvisited;
+    for (std::uint32_t v = 1; v < count; ++v) unvisited.push_back(v);
     std::vector<TourNode> nodes;
     std::uint32_t here = 0;
     const auto add_view = [&] { nodes.push_back({views[here], field.value(points[here]), here}); };
@@ -98,13 +101,13 @@ std::vector<TourNode> plan_tour(const TangentialField& field, std::span<const gl
         nodes.push_back({frame.to_model(node.point), node.votes, std::nullopt});
     };
     add_view();
-    while (!left.empty()) {
-        auto best = left.begin();
-        for (auto next = left.begin(); next != left.end(); ++next)
+    while (!unvisited.empty()) {
+        auto best = unvisited.begin();
+        for (auto next = unvisited.begin(); next != unvisited.end(); ++next)
             if (between(here, *next).votes > between(here, *best).votes) best = next;
         add_between(between(here, *best));
         here = *best;
-        left.erase(best);
+        unvisited.erase(best);
         add_view();
     }
     add_between(between(here, 0));

@@ -1,18 +1,18 @@
 #pragma once
 
-// The nodes of a camera path around a mesh (thesis 4.5.5): the best views, and between each two that follow
-// each other a node that leads by way of interesting views.
+// The nodes of a camera path around a mesh (thesis 4.5.5): the best views, and between two consecutive ones
+// a node with an interesting view.
 //
-//   Between two views. The middle of the line between them, moved out to the middle of the shell, climbs
-//   to the peak of the field nearby: the first field, in which every plane still has its vote. It climbs
-//   no farther than a third of the way to either view, so that it stays between them. Views opposite each
-//   other have no middle: then the best of the great circle between them is taken, and of views in one
-//   direction the best of a circle around them.
+//   Intermediate nodes. The midpoint of two views, projected to the middle radius of the shell, climbs to
+//   a nearby peak of the field. This is the first field, where every plane still has its votes. The node
+//   moves at most a third of the way to either view, so it stays between them. For opposite views it is
+//   the best point of the great circle between them, and for views in the same direction the best point
+//   of a circle around them.
 //
-//   The order. From the first view on to the one whose node in between has the most votes, among those
-//   not yet passed (greedy); from the last one back to the first.
+//   Order. A greedy choice: from the first view to the unvisited view whose intermediate node has the
+//   most votes, and so on; from the last view back to the first.
 //
-// Views stay where they are. CameraPath (camera_path.h) makes a smooth path of the nodes.
+// The views do not move. CameraPath (camera_path.h) makes a smooth path through the nodes.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -26,13 +26,14 @@ namespace rimline {
 
 struct TourNode {
     glm::dvec3 place;                   ///< In the mesh's coordinates.
-    double votes;                       ///< Of the first field.
-    std::optional<std::uint32_t> view;  ///< Its number among the views, for those.
+    double votes;                       ///< In the first field.
+    std::optional<std::uint32_t> view;  ///< The index of the view. Empty for an intermediate node.
 };
 
-/// Two views or more, in the shell of best_views.h, in the mesh's coordinates; `field` is that of
-/// make_view_field. Twice as many nodes as views, views first and then every other; consecutive ones are
-/// between 1/100 and 103 degrees apart. O(views^2) climbs. Throws Error{cancelled}.
+/// `views` holds two or more viewpoints in the shell of best_views.h, in the mesh's coordinates. `field`
+/// comes from make_view_field. Returns twice as many nodes as views. Views and intermediate nodes
+/// alternate, beginning with a view. Consecutive nodes are 1/100 to 103 degrees apart. O(views^2) climbs.
+/// Throws Error{cancelled}.
 std::vector<TourNode> plan_tour(const TangentialField& field, std::span<const glm::dvec3> views,
                                 const LongCall& call = {});
 

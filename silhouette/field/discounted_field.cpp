@@ -18,8 +18,8 @@ using kernels::DiscountNode;
 
 constexpr DiscountNode nothing() {
     DiscountNode node{};
-    node.least.fill(std::numeric_limits<float>::infinity());
-    node.greatest.fill(-std::numeric_limits<float>::infinity());
+    node.min_vote.fill(std::numeric_limits<float>::infinity());
+    node.max_vote.fill(-std::numeric_limits<float>::infinity());
     return node;
 }
 
@@ -32,7 +32,7 @@ DiscountedField& DiscountedField::operator=(DiscountedField&&) noexcept = defaul
 
 void DiscountedField::discount(const glm::dvec3& chosen) {
     RIMLINE_CHECK(std::isfinite(chosen.x) && std::isfinite(chosen.y) && std::isfinite(chosen.z));
-    const TangentialField::Sums& sums = *field_->sums_;
+    const FieldSums& sums = *field_->sums_;
     previous_.resize(sums.planes.size(), -std::numeric_limits<double>::infinity());
     if (!discount_) discount_ = std::make_unique<kernels::Discount>();
     discount_->previous.assign(sums.clusters.planes().d.size(), 0.0f);
@@ -60,18 +60,18 @@ void DiscountedField::discount(const glm::dvec3& chosen) {
             const std::size_t c = i / span;
             DiscountNode& node = nodes[c / k_cluster_fan];
             const std::size_t lane = c % k_cluster_fan;
-            float least, greatest;
+            float min_vote, max_vote;
             if (level == 0) {
-                least = greatest = discount_->previous[i];
+                min_vote = max_vote = discount_->previous[i];
                 node_sums[c] += sums.planes[i].weight * previous_[i];
             } else {
                 const DiscountNode& below = discount_->levels[level - 1][i / k_cluster_fan];
-                least = below.least[i % k_cluster_fan];
-                greatest = below.greatest[i % k_cluster_fan];
+                min_vote = below.min_vote[i % k_cluster_fan];
+                max_vote = below.max_vote[i % k_cluster_fan];
                 node_sums[c] += cluster_sums[i];
             }
-            node.least[lane] = std::min(node.least[lane], least);
-            node.greatest[lane] = std::max(node.greatest[lane], greatest);
+            node.min_vote[lane] = std::min(node.min_vote[lane], min_vote);
+            node.max_vote[lane] = std::max(node.max_vote[lane], max_vote);
         }
         for (std::size_t c = 0; c < node_sums.size(); ++c)
             nodes[c / k_cluster_fan].sum[c % k_cluster_fan] = static_cast<float>(node_sums[c]);
@@ -86,10 +86,10 @@ double DiscountedField::value(const glm::dvec3& point) const {
 
 double DiscountedField::value(const glm::dvec3& point, TangentialField::Work& work) const {
     kernels::FieldScratch scratch = field_->sums_->make_scratch();
-    kernels::FieldWork looked_at;
-    const double result = value_with(scratch, point, looked_at);
-    work.clusters += looked_at.clusters;
-    work.planes += looked_at.planes;
+    kernels::FieldWork visited;
+    const double result = value_with(scratch, point, visited);
+    work.clusters += visited.clusters;
+    work.planes += visited.planes;
     return result;
 }
 
@@ -105,9 +105,8 @@ double DiscountedField::value_with(kernels::FieldScratch& scratch, const glm::dv
                                    kernels::FieldWork& work) const {
     if (!discount_) return field_->value_with(scratch, point, work);
     RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
-    const TangentialField::Sums& sums = *field_->sums_;
-    if (TangentialField::Sums::is_near(point))
-        return sums.sum(discount_.get(), point, scratch, work);
+    const FieldSums& sums = *field_->sums_;
+    if (FieldSums::is_near(point)) return sums.sum(discount_.get(), point, scratch, work);
     double sum = 0.0;
     for (std::size_t i = 0; i < previous_.size(); ++i) {
         const auto& plane = sums.planes[i];

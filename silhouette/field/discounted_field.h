@@ -1,15 +1,16 @@
 #pragma once
 
-// A field for the next point of interest (thesis 4.2.2): a plane that has already voted for a chosen point
-// votes only for what is better,
+// A field for the next point of interest (thesis 4.2.2). A plane's vote for a chosen point is subtracted
+// from its later votes,
 //
-//     D_k(p) = sum_i w_i max(0, f(n_i·p - d_i) - v_i),   v_i = the greatest f among the chosen points,
+//     D_k(p) = sum_i w_i max(0, f(n_i·p - d_i) - v_i),   v_i = the maximum of f at the chosen points.
 //
-// and before the first is chosen, as in the field itself.
+// Before the first point is chosen, it is the field itself.
 //
-// Not C1, so moments alone would not do. A cluster whose votes cannot exceed the least previous vote of its
-// planes has none; one whose votes all exceed the greatest has its sum less the sum of the previous
-// votes; of a mixed one the bounds are known, and it is opened unless they lie close together.
+// The field is not C1, so moments of clusters are not sufficient. If all votes of a cluster are below the
+// minimum previous vote of its planes, its sum is 0. If all are above the maximum previous vote, its sum
+// is reduced by the sum of the previous votes. For other clusters bounds are known. Such a cluster is
+// expanded into its parts, unless its bounds are close together.
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -25,26 +26,26 @@ namespace kernels {
 struct Discount;
 }  // namespace kernels
 
-/// Between two calls of discount, any number of threads may use one.
+/// Any number of threads may use one object, except during discount().
 class DiscountedField {
 public:
-    /// `field` must outlive it.
+    /// `field` must outlive this.
     explicit DiscountedField(const TangentialField& field);
-    explicit DiscountedField(TangentialField&&) = delete;  // It would be gone.
+    explicit DiscountedField(TangentialField&&) = delete;  // `field` must outlive this.
     ~DiscountedField();
     DiscountedField(DiscountedField&&) noexcept;
     DiscountedField& operator=(DiscountedField&&) noexcept;
 
-    /// From now on, votes are for what is better than `chosen`. O(planes).
+    /// Adds `chosen` to the chosen points. O(planes).
     void discount(const glm::dvec3& chosen);
 
-    /// As TangentialField's.
+    /// As in TangentialField.
     double value(const glm::dvec3& point) const;
     double value(const glm::dvec3& point, TangentialField::Work& work) const;
     void values(std::span<const glm::dvec3> points, std::span<double> out,
                 const LongCall& call = {}) const;
 
-    /// No value differs by more from the sum.
+    /// Upper bound of the error of a value.
     double error_bound() const noexcept;
     const TangentialField& field() const noexcept { return *field_; }
 
@@ -53,8 +54,8 @@ private:
                       kernels::FieldWork& work) const;
 
     const TangentialField* field_;
-    std::vector<double>
-        previous_;  // By plane in leaf order; empty before the first point is chosen.
+    // Previous votes by plane, in leaf order. Empty before the first point is chosen.
+    std::vector<double> previous_;
     std::unique_ptr<kernels::Discount> discount_;
 };
 

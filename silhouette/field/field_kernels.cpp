@@ -1,30 +1,21 @@
 #include "silhouette/field/field_kernels.h"
 
-// Vectors are members of structs here, which registers of unknown size cannot be.
-#define HWY_DISABLED_TARGETS \
-    (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "silhouette/field/field_kernels.cpp"
-#include <hwy/foreach_target.h>
-// Before all else that is compiled once for each target.
-#include <hwy/cache_control.h>
-#include <hwy/highway.h>
-
-#include "silhouette/squeezed_lanes-inl.h"
+#include "silhouette/vector_targets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rimline::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Eight lanes, or as many as there are, several times.
+// Eight lanes. With shorter vectors, several vectors cover them.
 using Floats = hn::CappedTag<float, k_cluster_fan>;
 using Ints = hn::RebindToSigned<Floats>;
 using Unsigneds = hn::RebindToUnsigned<Floats>;
 using V = hn::Vec<Floats>;
 
-// Float sums that are moved to a double before they grow long.
+// Float sums that are flushed to a double at short intervals.
 class Sum {
 public:
     HWY_INLINE Sum() : part_(hn::Zero(Floats())) {}
@@ -46,12 +37,12 @@ private:
     double total_ = 0.0;
 };
 
-// Of the piece that a distance lies in.
+// The cubic of the piece that contains a distance.
 struct Cubic {
     V start, c0, c1, c2, c3;
 };
 
-// Pieces found by going through the knots.
+// Finds pieces by testing all knots.
 class PiecesByKnot {
 public:
     explicit PiecesByKnot(const FunctionTable& table) : table_(table) {}
@@ -74,7 +65,7 @@ private:
     const FunctionTable& table_;
 };
 
-// Few enough pieces for a register each: looked up by number.
+// For few pieces: each coefficient fits into one register and is looked up by the piece's number.
 class PiecesInRegisters {
 public:
     static bool fits(const FunctionTable& table) {
@@ -113,7 +104,7 @@ struct Point {
           z(hn::Set(Floats(), static_cast<float>(p.z))) {}
 };
 
-// What the planes from `first` to `last`, whole vectors, vote.
+// Adds the votes of planes [first, last), in whole vectors.
 template <class Pieces>
 HWY_INLINE void add_planes(const LeafPlanes& planes, const Pieces& pieces, const float* previous,
                            const Point& p, std::size_t first, std::size_t last, Sum& sum) {
@@ -155,7 +146,7 @@ double SumPlanes(const PlaneClusters& clusters, const FunctionTable& function,
                : SumPlanesWith<PiecesByKnot>(clusters, function, discount, point);
 }
 
-// q = (p, -1), its products, and what bounds them.
+// q = (p, -1), the products of its components, and bounds.
 struct Query {
     explicit Query(const glm::dvec3& p) {
         const double q[4] = {p.x, p.y, p.z, -1.0};
@@ -173,14 +164,14 @@ struct Query {
             }
         }
         norm_square = static_cast<float>(square);
-        // Of a mean distance, in float.
+        // Rounding error of a mean distance in float.
         margin = 0x1p-21f * (magnitude[0] + magnitude[1] + magnitude[2] + 1.0f);
     }
     float q1[4], magnitude[4], q2[10], q3[20];
     float norm_square, margin;
 };
 
-// Nodes lie far apart, and a large mesh's do not fit in the nearer caches.
+// The nodes of a large mesh do not fit into the inner caches.
 constexpr std::uint32_t k_prefetch_ahead = 2;
 
 template <class T>
@@ -189,9 +180,9 @@ HWY_INLINE void prefetch(const T* data) {
         hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(data) + offset);
 }
 
-// The clusters of a node from a lane on: their sums and by how much these may err, both for a weight of 1.
+// Sums of a node's clusters from a lane on, with upper bounds of their errors. Both are for a weight of 1.
 struct Estimate {
-    V value, error, greatest_vote, min_vote;
+    V value, error, max_vote, min_vote;
 };
 
 template <bool discounted, class Pieces>
@@ -238,7 +229,7 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
             hn::MulAdd(hn::Set(d, function.jump3[k]), beyond, hn::Set(d, function.jump2[k])),
             error);
     }
-    // Where a variance rounds to nothing, part of the slack stands for it.
+    // If a variance rounds to 0, a part of the slack replaces it.
     const V share =
         hn::Div(hn::MulAdd(slack, hn::Set(d, 0x1p-12f), variance), hn::Mul(radius, radius));
     result.error = hn::Mul(error, hn::Min(share, hn::Set(d, 1.0f)));
@@ -247,15 +238,15 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
         const V slope = hn::MulAdd(hn::Add(bend, f.c2), t, f.c1);  // 3 c3 t² + 2 c2 t + c1
         const V reach =
             hn::Mul(radius, hn::MulAdd(hn::Set(d, function.curvature), radius, hn::Abs(slope)));
-        result.greatest_vote = hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.greatest));
-        result.min_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.least));
+        result.max_vote = hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.max_vote));
+        result.min_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.min_vote));
     } else {
-        result.greatest_vote = result.min_vote = hn::Zero(d);
+        result.max_vote = result.min_vote = hn::Zero(d);
     }
     return result;
 }
 
-// Clusters whose sums are not exact.
+// Clusters with inexact sums.
 class Candidates {
 public:
     HWY_INLINE explicit Candidates(FieldScratch& scratch) : scratch_(scratch) {}
@@ -274,9 +265,9 @@ public:
     }
     void flush() { weight_.flush(); }
 
-    // Adds the values of those good enough to `sum`, takes their errors from `budget`, and writes the
-    // others to `opened`. Returns the number of those.
-    std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* opened) {
+    // Adds the values of sufficiently exact clusters to `sum` and subtracts their errors from `budget`.
+    // Writes the other clusters to `expanded` and returns their number.
+    std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* expanded) {
         const Floats d;
         const Unsigneds du;
         const double all = weight_.total();
@@ -294,7 +285,7 @@ public:
             const std::uint32_t lanes = lanes_of(d, hn::AndNot(good, in_use));
             hn::StoreU(
                 squeezed(du, hn::LoadU(du, &scratch_.clusters[i]), squeezed_lanes(du, lanes)), du,
-                opened + count);
+                expanded + count);
             count += static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{lanes}));
             if (i % 256 == 0) {
                 sum.flush();
@@ -336,10 +327,11 @@ double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& funct
                 V error = hn::Mul(e.error, weight);
                 if constexpr (discounted) {
                     const DiscountNode& previous = discount->levels[level][n];
-                    const V most = hn::Sub(e.greatest_vote, hn::Load(d, &previous.least[lane]));
+                    const V max_gain = hn::Sub(e.max_vote, hn::Load(d, &previous.min_vote[lane]));
                     const auto all_above =
-                        hn::Ge(e.min_vote, hn::Load(d, &previous.greatest[lane]));
-                    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Max(most, zero), weight));
+                        hn::Ge(e.min_vote, hn::Load(d, &previous.max_vote[lane]));
+                    const V half =
+                        hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Max(max_gain, zero), weight));
                     value = hn::IfThenElse(all_above,
                                            hn::Sub(value, hn::Load(d, &previous.sum[lane])), half);
                     error = hn::IfThenElse(all_above, error, half);
@@ -410,7 +402,7 @@ FunctionTable::FunctionTable(const TangentialFunction& function)
     const auto to_float = [](double value) { return static_cast<float>(value); };
     const auto pieces = function.pieces();
     double bend = 0.0;
-    double terms = function.greatest_magnitude();
+    double terms = function.max_magnitude();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const TangentialFunction::Piece& piece = pieces[i];
         start[i] = to_float(piece.start);
@@ -432,24 +424,24 @@ FunctionTable::FunctionTable(const TangentialFunction& function)
                             (1 + 0x1p-20));
         jump3[k] = to_float(std::abs(pieces[k + 1].c3 - pieces[k].c3) * (1 + 0x1p-20));
     }
-    least = to_float(function.least());
-    greatest = to_float(function.greatest());
+    min_vote = to_float(function.min_value());
+    max_vote = to_float(function.max_value());
     curvature = to_float(0.5 * bend);
-    // Distances: of normals, points and products, of the offset, and of three sums. Votes and sums: their
-    // terms'.
+    // Rounding errors of distances come from normals, points and products, the offset, and three sums.
+    // Those of votes and sums come from their terms.
     const double distances = 3.0 * k_near_radius + 1.0 + 3.0 * (k_near_radius + 1.0);
-    rounding_share = 0x1p-24 * (distances * function.greatest_slope() + 8.0 * terms +
-                                32.0 * function.greatest_magnitude());
+    rounding_share = 0x1p-24 * (distances * function.max_slope() + 8.0 * terms +
+                                32.0 * function.max_magnitude());
 }
 
 void FieldScratch::reserve(const PlaneClusters& planes) {
-    // Whole vectors are stored, also of the last.
-    const std::size_t most =
+    // Stores always write whole vectors, so the last one needs additional memory.
+    const std::size_t capacity =
         (planes.leaf_count() + k_cluster_fan) / k_cluster_fan * k_cluster_fan + k_cluster_fan;
     for (auto* numbers : {&nodes, &next, &clusters})
-        *numbers = std::make_unique_for_overwrite<std::uint32_t[]>(most);
+        *numbers = std::make_unique_for_overwrite<std::uint32_t[]>(capacity);
     for (auto* numbers : {&value, &error, &weight})
-        *numbers = std::make_unique_for_overwrite<float[]>(most);
+        *numbers = std::make_unique_for_overwrite<float[]>(capacity);
 }
 
 double sum_planes(const PlaneClusters& planes, const FunctionTable& function,

@@ -1,6 +1,7 @@
 #pragma once
 
-// What a field sums: its planes in clusters, in double for points far out, and which way is taken.
+// The data that a field sums: planes in clusters, and planes in double for distant points. Selects
+// the algorithm for a sum.
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -8,11 +9,10 @@
 
 #include "silhouette/field/field_kernels.h"
 #include "silhouette/field/plane_clusters.h"
-#include "silhouette/field/tangential_field.h"
 
 namespace rimline {
 
-struct TangentialField::Sums {
+struct FieldSums {
     struct ExactPlane {
         glm::dvec3 normal;
         double offset;
@@ -35,7 +35,7 @@ struct TangentialField::Sums {
         if (budget > 0.0) scratch.reserve(clusters);
         return scratch;
     }
-    /// Of a near point.
+    /// The sum at a near point.
     double sum(const kernels::Discount* discount, const glm::dvec3& point,
                kernels::FieldScratch& scratch, kernels::FieldWork& work) const {
         if (budget > 0.0)

@@ -1,6 +1,6 @@
 #pragma once
 
-// A function's values at many points, on all threads, each by one thread alone.
+// Evaluates a function at many points on all threads. One thread computes each value.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -13,8 +13,8 @@
 
 namespace rimline {
 
-/// out[i] = value(points[i]), with a value = make_value() for each run of points, which may have room of
-/// its own to work in. Reports progress after every 256 points.
+/// out[i] = value(points[i]). Calls value = make_value() once per range of points, so `value` may own
+/// working memory. Reports progress after every 256 points.
 template <typename MakeValue>
 void many_values(std::span<const glm::dvec3> points, std::span<double> out, const LongCall& call,
                  MakeValue&& make_value) {

@@ -20,8 +20,8 @@ constexpr double k_edge_work = 2.0;
 
 }  // namespace
 
-FoundOrigins find_origins(const Mesh& mesh, std::uint32_t count, const OriginOptions& options,
-                          const LongCall& call) {
+OriginSet find_origins(const Mesh& mesh, std::uint32_t count, const OriginOptions& options,
+                       const LongCall& call) {
     RIMLINE_CHECK(options.alpha > 0.0);
     call.checkpoint(0.0);
     const glm::dvec3 c = glm::abs(mesh.center());
@@ -35,7 +35,7 @@ FoundOrigins find_origins(const Mesh& mesh, std::uint32_t count, const OriginOpt
     interest.tolerance = options.tolerance;
     const PointsOfInterest found =
         find_points_of_interest(field, k_ball, interest, call.part(0.1, 1.0));
-    FoundOrigins result;
+    OriginSet result;
     for (const PointOfInterest& point : found.points) {
         result.origins.push_back(planes.frame().to_model(point.point));
         result.votes.push_back(point.votes / field.total_weight());
@@ -76,11 +76,11 @@ OriginTrial try_origins(const Mesh& mesh, std::vector<glm::dvec3> origins, std::
     return trial;
 }
 
-ChosenOrigins choose_origins(const Mesh& mesh, std::uint32_t most, std::uint32_t viewpoints,
+ChosenOrigins choose_origins(const Mesh& mesh, std::uint32_t max_count, std::uint32_t viewpoints,
                              const OriginOptions& options, const LongCall& call) {
-    RIMLINE_CHECK(most >= 1);
+    RIMLINE_CHECK(max_count >= 1);
     ChosenOrigins chosen;
-    chosen.found = find_origins(mesh, most, options, call.part(0.0, 0.5));
+    chosen.found = find_origins(mesh, max_count, options, call.part(0.0, 0.5));
     const auto& origins = chosen.found.origins;
     for (std::size_t k = 0; k <= origins.size(); ++k) {
         const double share = 0.5 / static_cast<double>(origins.size() + 1);

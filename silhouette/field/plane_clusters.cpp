@@ -17,8 +17,8 @@ namespace {
 
 using Vector4 = std::array<double, 4>;
 
-// How much wider a spread of normals is than one of distances, for a point two to three radii away. Of
-// 1, 1.5, 2 and 3, 1 to 1.5 visit fewest clusters on igea.
+// Weight of the spread of normals relative to the spread of distances, for points two to three radii
+// away. Of 1, 1.5, 2 and 3, the values 1 to 1.5 visit the fewest clusters on igea.
 constexpr double k_normal_scale = 1.5;
 constexpr std::size_t k_grain = 512;
 
@@ -27,13 +27,13 @@ Vector4 coordinates(const UnitPlanes& planes, std::uint32_t i) {
     return {n.x, n.y, n.z, planes.offset(i)};
 }
 
-// Moments of any planes, about their mean.
+// Moments of a set of planes about their mean.
 class Moments {
 public:
     Moments(const UnitPlanes& planes, std::span<const double> weights,
             std::span<const std::uint32_t> members) {
         for (const std::uint32_t i : members) weight_ += weights[i];
-        // Planes that weigh nothing have moments as if they weighed the same.
+        // If all weights are 0, the moments use equal weights.
         const auto share = [&](std::uint32_t i) {
             return weight_ > 0.0 ? weights[i] / weight_ : 1.0 / static_cast<double>(members.size());
         };
@@ -84,7 +84,7 @@ private:
         return x;
     }
 
-    // The greatest x'(C + εI)^-1 x, by Cholesky's decomposition.
+    // The maximum of x'(C + εI)^-1 x, by Cholesky decomposition.
     void measure_kappa(const UnitPlanes& planes, std::span<const std::uint32_t> members) {
         epsilon_ =
             0.02 * (covariance_[0] + covariance_[4] + covariance_[7] + covariance_[9]) + 1e-20;
@@ -124,7 +124,7 @@ private:
 
 }  // namespace
 
-// Puts the planes of a run of leaves in k-d order. Cuts keep whole clusters together.
+// Sorts the planes of a range of leaves in k-d order. Each split is between whole clusters.
 void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::size_t last_leaf) {
     const std::size_t leaves = last_leaf - first_leaf;
     if (leaves < 2) return;
@@ -188,7 +188,7 @@ PlaneClusters::PlaneClusters(const UnitPlanes& planes, std::span<const double> w
         planes_.weight[i] = i < order_.size() ? static_cast<float>(weights[plane]) : 0.0f;
     }
 
-    std::size_t span = k_leaf_planes;  // Of a cluster.
+    std::size_t span = k_leaf_planes;  // Planes per cluster.
     for (std::size_t clusters = leaves;; clusters = levels_.back().size()) {
         std::vector<ClusterNode> nodes((clusters + k_cluster_fan - 1) / k_cluster_fan);
         tbb::parallel_for(

@@ -1,19 +1,20 @@
 #pragma once
 
-// Planes that lie close together in (n, d), under a tree, so that a field can sum them together.
+// A tree of clusters of planes with similar (n, d), so that a field can sum a cluster at once.
 //
-// A cluster keeps its planes' weight W and the moments of x = (n, d) up to the third: the mean m, the
-// covariance C, the third central moments T. For a point p and q = (p, -1), the signed distances s = x·q
-// of its planes then have the mean m·q, the variance q'Cq, the third central moment T(q,q,q), and lie
-// within a radius r of their mean. Where a cubic holds over all of these distances, its sum over the
-// cluster follows from the moments exactly; field_kernels.h bounds what a knot among them costs.
+// A cluster stores the weight W of its planes and the moments of x = (n, d) up to the third: the mean m,
+// the covariance C and the third central moments T. Let p be a point and q = (p, -1). The signed
+// distances s = x·q of the planes have the mean m·q, the variance q'Cq and the third central moment
+// T(q,q,q), and lie within a radius r of their mean. If one cubic applies to all these distances, its
+// sum over the cluster follows exactly from the moments. field_kernels.h bounds the error caused by a
+// knot among them.
 //
-// The radius is the lesser of two bounds: e·|q|, with e the greatest deviation of each component, and
-// κ sqrt(q'(C + εI)q), with κ the greatest Mahalanobis distance. (Either alone visits a tenth to a
-// third more clusters on igea.)
+// The radius is the smaller of two bounds: e·|q|, with e the maximum deviation of each component, and κ
+// sqrt(q'(C + εI)q), with κ the maximum Mahalanobis distance. (On igea, each bound alone visits a tenth
+// to a third more clusters.)
 //
-// The tree is implicit. Planes lie in k-d order, 32 a leaf; level 0 has a cluster for each leaf; eight
-// clusters that follow each other are a node, and each node a cluster of the level above.
+// The tree is implicit. Planes are in k-d order, 32 per leaf. Level 0 has one cluster per leaf. Eight
+// consecutive clusters form a node, and each node is a cluster of the next higher level.
 
 #include <array>
 #include <cstdint>
@@ -27,7 +28,7 @@ namespace rimline {
 constexpr std::size_t k_cluster_fan = 8;
 constexpr std::size_t k_leaf_planes = 32;
 
-/// Eight clusters; weight 0 where there are fewer.
+/// Eight clusters. Unused ones have weight 0.
 struct alignas(64) ClusterNode {
     using Lanes = std::array<float, k_cluster_fan>;
     Lanes weight;
@@ -35,26 +36,26 @@ struct alignas(64) ClusterNode {
     std::array<Lanes, 4> extent;
     Lanes kappa_square;
     Lanes epsilon;
-    std::array<Lanes, 10> covariance;  ///< xx xy xz xd yy yz yd zz zd dd, the mixed ones twice.
-    std::array<Lanes, 20> third;  ///< xxx xxy .. ddd in the same order, each as often as it occurs.
+    std::array<Lanes, 10> covariance;  ///< xx xy xz xd yy yz yd zz zd dd; mixed ones doubled.
+    std::array<Lanes, 20> third;       ///< xxx xxy .. ddd in this order, times their multiplicity.
 };
 
-/// Planes in leaf order. Those that fill up the last leaf have weight 0.
+/// Planes in leaf order. Padding in the last leaf has weight 0.
 struct LeafPlanes {
     std::vector<float> nx, ny, nz, d, weight;
 };
 
 class PlaneClusters {
 public:
-    /// `weights`, one a plane, are not negative. O(planes log planes) on all threads; the same for any
-    /// number of them.
+    /// `weights` has one nonnegative weight per plane. O(planes log planes) on all threads. The result
+    /// does not depend on their number.
     PlaneClusters(const UnitPlanes& planes, std::span<const double> weights);
 
-    /// planes()'s order: the number in UnitPlanes of each, without what fills up the last leaf.
+    /// The order of planes(): the number of each plane in UnitPlanes, without padding.
     std::span<const std::uint32_t> order() const noexcept { return order_; }
     const LeafPlanes& planes() const noexcept { return planes_; }
     std::size_t leaf_count() const noexcept { return planes_.d.size() / k_leaf_planes; }
-    /// From the leaves' clusters up; the last has one node. Empty without planes.
+    /// Levels from the leaves up. The last has one node. Empty without planes.
     std::span<const std::vector<ClusterNode>> levels() const noexcept { return levels_; }
 
 private:

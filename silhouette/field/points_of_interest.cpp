@@ -8,19 +8,21 @@
 #include <optional>
 #include <tuple>
 
+#include "silhouette/field/discounted_field.h"
+
 namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_max_rounds = 200;  // Of a climb, each of 26 samples: usual are 15.
+constexpr std::uint32_t k_max_rounds = 200;  // Rounds of a climb, 26 samples each. Usually 15.
 constexpr std::size_t k_max_fine_climbs = 2;
 
 double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
     return 2.0 * domain.outer_radius / (lattice - 1);
 }
 
-// The other 26 points of a pattern around the middle, moved into the domain.
-std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3& middle,
+// The 26 points of a pattern around its center, moved into the domain.
+std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3& center,
                                    double width) {
     std::array<glm::dvec3, 26> points;
     std::size_t count = 0;
@@ -28,18 +30,18 @@ std::array<glm::dvec3, 26> pattern(const SearchDomain& domain, const glm::dvec3&
         for (int y = 1; y >= -1; --y)
             for (int z = 1; z >= -1; --z)
                 if (x != 0 || y != 0 || z != 0)
-                    points[count++] = domain.nearest(middle + width * glm::dvec3(x, y, z));
+                    points[count++] = domain.nearest(center + width * glm::dvec3(x, y, z));
     return points;
 }
 
-// Of them, the six along the axes.
-std::array<glm::dvec3, 6> axis_pattern(const SearchDomain& domain, const glm::dvec3& middle,
+// The six points of a pattern along the axes.
+std::array<glm::dvec3, 6> axis_pattern(const SearchDomain& domain, const glm::dvec3& center,
                                        double width) {
     std::array<glm::dvec3, 6> points;
     for (int i = 0; i < 6; ++i) {
         glm::dvec3 step(0.0);
         step[i % 3] = i < 3 ? width : -width;
-        points[static_cast<std::size_t>(i)] = domain.nearest(middle + step);
+        points[static_cast<std::size_t>(i)] = domain.nearest(center + step);
     }
     return points;
 }
@@ -49,17 +51,17 @@ struct Sample {
     double votes;
 };
 
-// Follows patterns uphill, all climbs side by side.
+// Runs all climbs in parallel steps.
 class Climbs {
 public:
     Climbs(const SearchDomain& domain, double width, double tolerance)
         : domain_(domain), width_(width), tolerance_(tolerance) {}
 
     void start(const Sample& from) { climbs_.push_back({from, width_}); }
-    /// No climb leaves this ball.
+    /// Limits all climbs to this ball.
     void stay_within(const glm::dvec3& center, double radius) { ball_ = {center, radius}; }
 
-    /// Only the best are to be followed to the end.
+    /// Continues only the best climbs after all patterns have become small.
     void prune_when_fine() { prunes_ = true; }
 
     template <typename Values>
@@ -94,7 +96,7 @@ private:
         Sample best;
         double width;
     };
-    // When all patterns are small against where they began, hardly one overtakes another.
+    // When all patterns are much smaller than at the start, the order of the climbs rarely changes.
     void prune() {
         if (climbs_.size() <= k_max_fine_climbs) return;
         for (const Climb& climb : climbs_)
@@ -115,8 +117,7 @@ private:
     std::vector<Climb> climbs_;
 };
 
-// The lattice's samples in the domain, those with greater x, then y, then z first, and which of them have
-// no greater neighbor.
+// The lattice's samples in the domain, in descending order of x, then y, then z. Also finds local maxima.
 class Lattice {
 public:
     Lattice(const SearchDomain& domain, std::uint32_t size)
@@ -132,7 +133,7 @@ public:
                     points_.push_back(point);
                     places_.push_back({x, y, z});
                 }
-        // A thin shell may miss them all.
+        // A thin shell may contain no sample.
         if (points_.empty()) {
             for (const glm::dvec3& p : pattern(domain, glm::dvec3(0.0), domain.outer_radius))
                 points_.push_back(p);
@@ -141,7 +142,7 @@ public:
 
     std::span<const glm::dvec3> points() const { return points_; }
 
-    /// Whether a sample is one of every `stride`th along each axis, counted from the middle.
+    /// Whether a sample is a multiple of `stride` from the center along each axis.
     bool is_at_stride(std::size_t sample, std::uint32_t stride) const {
         if (places_.empty()) return true;
         return std::ranges::all_of(places_[sample], [&](int place) {
@@ -149,14 +150,14 @@ public:
         });
     }
 
-    /// The best of those that have no greater neighbor, best first.
-    std::vector<Sample> tops(std::span<const double> votes, std::size_t most) const {
+    /// The best local maxima, best first.
+    std::vector<Sample> local_maxima(std::span<const double> votes, std::size_t max_count) const {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < points_.size(); ++i)
-            if (is_top(i, votes)) order.push_back(i);
+            if (is_local_maximum(i, votes)) order.push_back(i);
         std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return votes[i]; });
         std::vector<Sample> samples;
-        for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
+        for (std::size_t i = 0; i < std::min(max_count, order.size()); ++i)
             samples.push_back({points_[order[i]], votes[order[i]]});
         return samples;
     }
@@ -165,7 +166,7 @@ private:
     std::size_t place(int x, int y, int z) const {
         return (static_cast<std::size_t>(x) * size_ + y) * size_ + z;
     }
-    bool is_top(std::size_t i, std::span<const double> votes) const {
+    bool is_local_maximum(std::size_t i, std::span<const double> votes) const {
         if (places_.empty()) return true;
         const auto [x, y, z] = places_[i];
         for (int dx = -1; dx <= 1; ++dx)
@@ -182,7 +183,7 @@ private:
     }
 
     int size_;
-    std::vector<int> number_;  // By place; -1 outside the domain.
+    std::vector<int> number_;  // By lattice position. -1 outside the domain.
     std::vector<glm::dvec3> points_;
     std::vector<std::array<int, 3>> places_;
 };
@@ -194,7 +195,7 @@ public:
           domain_(domain),
           options_(options),
           lattice_(domain, options.lattice),
-          tie_(0x1p-20 * field.greatest_value()),
+          tie_(0x1p-20 * field.max_value()),
           min_(std::max(field.error_bound(), tie_)) {}
 
     PointsOfInterest run(const LongCall& call) {
@@ -218,15 +219,16 @@ private:
     }
 
     std::optional<PointOfInterest> find_next(const LongCall& call) {
-        // A lattice is about as dear as what follows it.
+        // The lattice takes about half of the time.
         std::vector<double> votes(lattice_.points().size());
         evaluate(lattice_.points(), votes,
                  {call.stop, [&](double done) { call.checkpoint(0.5 * done); }});
         const LongCall silent{call.stop, {}};
         Climbs climbs(domain_, 0.5 * spacing_of(domain_, options_.lattice), options_.tolerance);
-        // With weights, any of the peaks may win.
+        // With weights, any peak may win.
         if (!options_.weigh) climbs.prune_when_fine();
-        for (const Sample& top : lattice_.tops(votes, options_.climbs)) climbs.start(top);
+        for (const Sample& maximum : lattice_.local_maxima(votes, options_.climbs))
+            climbs.start(maximum);
         const std::vector<Sample> peaks =
             climbs.to_peaks([&](std::span<const glm::dvec3> points, std::span<double> out) {
                 evaluate(points, out, silent);
@@ -249,7 +251,7 @@ private:
         return best;
     }
 
-    // The same point, or a better one near it.
+    // Returns the same point, or a better one near it.
     PointOfInterest refine(PointOfInterest best, const LongCall& call) {
         double width = 0.5 * spacing_of(domain_, options_.lattice) * options_.weighed_stride;
         for (std::uint32_t round = 0; round < k_max_rounds && width >= options_.weighed_tolerance;
@@ -268,8 +270,8 @@ private:
         return best;
     }
 
-    // The candidate with the best score; none where none has votes. Those that cannot exceed `bar` may be
-    // left out.
+    // The candidate with the best score, or nothing if none has votes. May skip candidates that cannot
+    // exceed `bar`.
     std::optional<PointOfInterest> best_of(std::span<const Sample> candidates,
                                            std::optional<double> bar, const LongCall& call) {
         std::vector<std::size_t> order;
@@ -280,14 +282,14 @@ private:
         if (options_.weigh) result_.candidates += order.size();
 
         std::vector<PointOfInterest> weighed;
-        double greatest = bar.value_or(0.0);
+        double max_score = bar.value_or(0.0);
         std::size_t next = 0;
         while (next < order.size()) {
             std::vector<glm::dvec3> batch;
             const std::size_t begin = next;
             for (; next < order.size() && batch.size() < options_.weigh_batch; ++next) {
                 const Sample& candidate = candidates[order[next]];
-                if (!options_.weighs_all && candidate.votes < greatest - tie_) break;
+                if (!options_.weighs_all && candidate.votes < max_score - tie_) break;
                 batch.push_back(candidate.point);
             }
             if (batch.empty()) break;
@@ -295,13 +297,13 @@ private:
             const std::vector<double> weights = weights_of(batch);
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 weighed.push_back({batch[i], candidates[order[begin + i]].votes, weights[i]});
-                greatest = std::max(greatest, weighed.back().score());
+                max_score = std::max(max_score, weighed.back().score());
             }
         }
-        // Of those that tie with the greatest.
+        // Resolves ties with the maximum score.
         std::optional<PointOfInterest> best;
         for (const PointOfInterest& point : weighed) {
-            if (point.score() < greatest - tie_ || point.score() <= 0.0) continue;
+            if (point.score() < max_score - tie_ || point.score() <= 0.0) continue;
             if (!best || comes_before(point.point, best->point)) best = point;
         }
         return best;
@@ -316,7 +318,7 @@ private:
         return weights;
     }
 
-    // Of equal scores. Positions of symmetric peaks differ by a few tolerances.
+    // The order among equal scores. Positions of symmetric peaks have errors of a few tolerances.
     bool comes_before(const glm::dvec3& a, const glm::dvec3& b) const {
         const auto key = [&](const glm::dvec3& p) {
             const glm::dvec3 q = glm::round(p / (8.0 * options_.tolerance));

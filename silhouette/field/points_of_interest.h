@@ -1,25 +1,26 @@
 #pragma once
 
-// Points of interest (thesis 4.2): where a field peaks in a ball or shell around the mesh, one after the
-// other, each counting only the votes that those before it have not had (discounted_field.h).
+// Points of interest (thesis 4.2): the peaks of a field in a ball or shell around the mesh. They are found
+// one after another. Each counts only votes that earlier points have not got (discounted_field.h).
 //
-// The domain is sampled on a lattice. From the best samples that are greater than their neighbors, a
-// pattern of 27 points climbs to the peak, halving its width whenever its middle is the best, down to the
-// tolerance (without weights only the best two, once all have come down to an eighth). Lattice samples
-// and peaks are the candidates; the best is the point.
+// The domain is sampled on a lattice. The best local maxima of the samples start climbs. A climb evaluates
+// a pattern of 27 points and moves to the best one. It halves the pattern if its center is the best, until
+// the width is below the tolerance. Without weights, only the best two climbs continue after all patterns
+// have shrunk to an eighth. Candidates are the lattice samples and the peaks. The best one is chosen.
 //
-//   Weights. A candidate's score is its votes times a weight in [0, 1] (4.5.3: how much of the silhouette
-//   is visible) that may be dear to find. As votes bound scores, candidates are weighed in falling order
-//   of votes until none that is left can win. Where weights vary slowly, a part of the lattice's samples
-//   will do beside the peaks (weighed_stride). Around the winner, patterns of 7 points are weighed the same
-//   way, down to the weighed tolerance.
+//   Weights. A candidate's score is its votes times a weight in [0, 1] (4.5.3: the visible share of the
+//   silhouette). A weight may be expensive. Votes bound scores, so candidates are weighed in descending
+//   order of votes until no other candidate can win. If weights vary slowly, the peaks and a part of the
+//   lattice are sufficient (weighed_stride). Around the winner, patterns of 7 points are weighed in the
+//   same way, down to the weighed tolerance.
 //
-//   Ties. Symmetric meshes have several equal maxima, but for rounding. Scores that differ by less than
-//   2^-20 of the field's greatest value count as equal, and of equal ones stands the one with the greatest
-//   x, then y, then z, then the one found first. The others come later, if planes have votes left for them.
+//   Ties. Symmetric meshes have several maxima that are equal up to rounding. Scores are equal if they
+//   differ by less than 2^-20 of the field's maximum value. Among equal scores, the candidate with the
+//   largest x, then y, then z, then the first one found is chosen. The others may be chosen later, if
+//   planes have votes left for them.
 //
-//   The end. A chosen point has no votes left, so none comes twice. Where no candidate has more votes than
-//   the field's error bound (and 2^-20 of its greatest value), there are no more points.
+//   End. A chosen point has no votes left, so no point is chosen twice. The search ends if no candidate
+//   has more votes than the field's error bound and 2^-20 of its maximum value.
 
 #include <cstdint>
 #include <functional>
@@ -27,7 +28,6 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/field/discounted_field.h"
 #include "silhouette/field/tangential_field.h"
 
 namespace rimline {
@@ -37,49 +37,49 @@ struct SearchDomain {
     double inner_radius = 0.0;
     double outer_radius = 3.0;
 
-    /// The nearest point of the domain, but for rounding; from the center, the one along +x.
+    /// The nearest point of the domain, up to rounding. For the center, the nearest point along +x.
     glm::dvec3 nearest(const glm::dvec3& point) const;
     bool contains(const glm::dvec3& point) const;
 };
 
 struct PointOfInterest {
     glm::dvec3 point;
-    double votes;         ///< Those that earlier points have not had.
-    double weight = 1.0;  ///< The visible ratio, say.
+    double votes;         ///< Votes that earlier points have not got.
+    double weight = 1.0;  ///< For example, the visible ratio.
     double score() const noexcept { return votes * weight; }
 };
 
-/// Weights of candidates, each in [0, 1], in the order of the points: many at once, so that they can be
-/// drawn together.
+/// Returns the weights of points, each in [0, 1], in their order. Receives many points at once, so that
+/// they can be rendered together.
 using Weigh = std::function<std::vector<double>(std::span<const glm::dvec3>)>;
 
 struct InterestOptions {
-    std::uint32_t count = 1;          ///< How many points.
-    std::uint32_t lattice = 17;       ///< Samples along an axis, 2 or more.
-    double tolerance = 1e-3;          ///< Of positions, unit coordinates.
-    std::uint32_t climbs = 8;         ///< From so many of the best samples.
+    std::uint32_t count = 1;          ///< Number of points.
+    std::uint32_t lattice = 17;       ///< Samples along each axis, 2 or more.
+    double tolerance = 1e-3;          ///< Tolerance of positions, in unit coordinates.
+    std::uint32_t climbs = 8;         ///< Number of climbs, from the best samples.
     Weigh weigh;                      ///< Empty: all weights are 1.
-    double weighed_tolerance = 0.05;  ///< Of positions, where they are weighed.
-    /// Of the lattice's samples, every so-manieth along each axis is a candidate where they are weighed.
+    double weighed_tolerance = 0.05;  ///< Tolerance of positions with weights.
+    /// With weights, every `weighed_stride`-th lattice sample along each axis is a candidate.
     std::uint32_t weighed_stride = 1;
-    std::uint32_t weigh_batch = 16;  ///< At most so many at once.
-    bool weighs_all = false;         ///< For tests: every candidate, for the same result.
+    std::uint32_t weigh_batch = 16;  ///< Maximum number of points per call of `weigh`.
+    bool weighs_all = false;         ///< For tests: weighs every candidate. The result is the same.
 };
 
 struct PointsOfInterest {
-    std::vector<PointOfInterest> points;  ///< In the order they were chosen.
-    std::uint64_t evaluations = 0;        ///< Of the field.
-    std::uint64_t weighed = 0;            ///< Candidates.
-    std::uint64_t candidates = 0;         ///< What weighing all would have weighed.
+    std::vector<PointOfInterest> points;  ///< In the order of choice.
+    std::uint64_t evaluations = 0;        ///< Evaluations of the field.
+    std::uint64_t weighed = 0;            ///< Weighed candidates.
+    std::uint64_t candidates = 0;         ///< Number of weighed candidates with `weighs_all`.
 };
 
-/// Fewer than count where no plane has votes left. The same for any number of threads. Throws what weigh
-/// throws, and Error{cancelled}.
+/// Returns fewer than `count` points if no plane has votes left. The result does not depend on the number
+/// of threads. Throws what `weigh` throws, and Error{cancelled}.
 PointsOfInterest find_points_of_interest(const TangentialField& field, const SearchDomain& domain,
                                          const InterestOptions& options, const LongCall& call = {});
 
-/// The peak that is reached from a point within a distance of it, by the field's own votes: for the nodes
-/// of camera paths (4.5.5). Unit coordinates; `from` is moved into the domain first.
+/// Climbs to a peak of the field from `from`, at most `within` away from it: for the nodes of camera paths
+/// (4.5.5). In unit coordinates. `from` is first moved into the domain.
 PointOfInterest climb(const TangentialField& field, const SearchDomain& domain,
                       const glm::dvec3& from, double within, double tolerance = 1e-3);
 

@@ -12,34 +12,36 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_min_turn = 1e-9;  // Of the line of sight, where two eyes are in one direction.
-constexpr double k_min_weight = 1e-12;  // So that leaning is decided on the axis itself.
+constexpr double k_min_turn = 1e-9;     // Of the line of sight, for eyes in the same direction.
+constexpr double k_min_weight = 1e-12;  // Below this all eyes are on the axis.
 
-// By the rotation that takes unit vector `from` to unit vector `to` the short way.
+// Rotates `v` by the smallest rotation from unit vector `from` to unit vector `to`.
 glm::dvec3 carried(const glm::dvec3& v, const glm::dvec3& from, const glm::dvec3& to) {
     const glm::dvec3 axis = glm::cross(from, to);
     return v + glm::cross(axis, v) +
            glm::cross(axis, glm::cross(axis, v)) / (1.0 + glm::dot(from, to));
 }
 
-// Of v from reference, about n, all perpendicular to it; in (-π, π].
+// The angle from `reference` to `v` about `n`, in (-π, π]. Both are perpendicular to `n`.
 double roll_of(const glm::dvec3& v, const glm::dvec3& reference, const glm::dvec3& n) {
     return std::atan2(glm::dot(glm::cross(reference, v), n), glm::dot(reference, v));
 }
 
-// The same angle, at most π from `near`.
+// The same angle plus full turns, at most π from `near`.
 double unwrapped(double angle, double near) {
     constexpr double k_turn = 2.0 * std::numbers::pi;
     return angle - k_turn * std::round((angle - near) / k_turn);
 }
 
-// x with diagonal[i] x[i] - before[i] x[i-1] - before[i+1] x[i+1] = right[i], indices around; diagonally
-// dominant, three or more. Gauss's elimination, the corner by the formula of Sherman and Morrison.
+// Solves diagonal[i] x[i] - before[i] x[i-1] - before[i+1] x[i+1] = right[i] with cyclic indices. The
+// matrix is diagonally dominant, with three or more rows. Uses Gaussian elimination, and the
+// Sherman-Morrison formula for the corner elements.
 std::vector<double> solve_around(std::vector<double> diagonal, const std::vector<double>& before,
                                  const std::vector<double>& right) {
     const std::size_t n = diagonal.size();
     const double corner = before[0];
-    // The matrix less the outer product of (1, 0, ..., 0, -1) with itself, times the corner, has none.
+    // Subtracting corner times the outer product of (1, 0, ..., 0, -1) with itself removes the corner
+    // elements.
     diagonal[0] -= corner;
     diagonal[n - 1] -= corner;
     std::vector<double> x = right, y(n, 0.0);
@@ -79,7 +81,7 @@ std::vector<glm::dvec3> steady_ups(std::span<const glm::dvec3> eyes, const glm::
         backs[i] = glm::normalize(eyes[i] - target);
     }
 
-    // The frame without roll, the upright camera's roll against it, and how much that counts.
+    // The frame without roll, the upright camera's roll relative to it, and its weight.
     std::vector<glm::dvec3> frame(n + 1);
     std::vector<double> upright(n + 1), turn(n), weight(n);
     frame[0] = any_perpendicular(backs[0]);
@@ -106,7 +108,7 @@ std::vector<glm::dvec3> steady_ups(std::span<const glm::dvec3> eyes, const glm::
         return ups;
     }
 
-    // The least of the sum over i of stiff[i] (lean[i] - lean[i-1] + change[i])² + pull[i] lean[i]².
+    // Minimizes the sum over i of stiff[i] (lean[i] - lean[i-1] + change[i])² + pull[i] lean[i]².
     std::vector<double> stiff(n), change(n), diagonal(n), right(n);
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t before = (i + n - 1) % n;

@@ -1,17 +1,17 @@
 #pragma once
 
-// What is up for a camera that goes round a closed path and keeps looking at one place.
+// The up vectors of a camera that moves along a closed path and looks at a fixed target.
 //
-// An upright camera turns about its line of sight by half a turn in no time where it passes the up axis.
-// This one may lean there. With s the way that the line of sight has turned, φ the roll and ψ that of an
-// upright camera, both against a frame carried along without any roll of its own, θ the angle between
-// line of sight and axis:
+// An upright camera rolls by half a turn at once when it passes the up axis. This camera may lean there.
+// Let s be the angle that the line of sight has turned, φ the roll, ψ the roll of an upright camera, and θ
+// the angle between line of sight and axis. Both rolls are relative to a frame transported without roll.
+// φ is
 //
-//     least of  ∫ L² φ'² + sin⁴θ (φ - ψ)²  ds        around the path
+//     the minimum of  ∫ L² φ'² + sin⁴θ (φ - ψ)²  ds        around the path
 //
-// Where φ' is even, as on any circle about the axis, the camera stays upright. Over the
-// axis itself, with L = 0.15, it rolls at most twice as fast as the line of sight turns, and leans by less
-// than 5 degrees where that is 60 degrees from the axis.
+// If φ' is constant, as on any circle about the axis, the camera stays upright. If it passes over the
+// axis, with L = 0.15, it rolls at most twice as fast as the line of sight turns. It then leans by less
+// than 5 degrees where the line of sight is 60 degrees from the axis.
 
 #include <glm/vec3.hpp>
 #include <span>
@@ -19,10 +19,10 @@
 
 namespace rimline {
 
-/// For each eye a unit vector perpendicular to its line of sight; as smooth around the end of the list as
-/// within. `lean_rad` is L. No eye at the target, consecutive ones (the last and the first too) not on
-/// opposite sides of it, up not zero (RIMLINE_CHECK). Where nothing is upright, as all eyes are on the
-/// axis, any frame without roll. O(eyes).
+/// For each eye, a unit vector perpendicular to its line of sight. The result is smooth also from the last
+/// to the first eye. `lean_rad` is L. No eye may be at the target, consecutive eyes (also the last and the
+/// first) must not be on opposite sides of it, and `up` must not be zero (RIMLINE_CHECK). If all eyes are
+/// on the axis, upright is undefined, and the result is a frame without roll. O(eyes).
 std::vector<glm::dvec3> steady_ups(std::span<const glm::dvec3> eyes, const glm::dvec3& target,
                                    const glm::dvec3& up, double lean_rad = 0.15);
 

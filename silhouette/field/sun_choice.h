@@ -1,11 +1,11 @@
 #pragma once
 
-// The directional light that shows most of what a viewpoint sees (thesis 4.6).
+// The directional light that shows the most detail of the surfaces visible from a viewpoint (thesis 4.6).
 //
-// Of the field of light_function (named_functions.h), over the planes that face the viewpoint alone, the
-// peak in the shell of best_views.h: light that grazes surfaces, so that small changes of angle show, and
-// leaves none of them in the dark. The direction towards the peak is the sun. There is one: a second light
-// would wash out the contrast that the first was chosen for (4.6.2).
+// The field of light_function (named_functions.h) sums the planes that face the viewpoint. Its peak in the
+// shell of best_views.h gives the direction towards the light. Such light falls on surfaces at small
+// angles, so that small changes of angle are visible, and leaves no surface dark. There is one light only,
+// because a second one would reduce the contrast of the first (4.6.2).
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -17,15 +17,15 @@
 namespace rimline {
 
 struct ChosenSun {
-    glm::dvec3 direction;     ///< From the mesh towards the light, of length 1.
-    double votes;             ///< A sum over the faces; no face votes more than 1.
-    std::uint32_t faces;      ///< That face the viewpoint.
-    bool sees_backs = false;  ///< None did; their backs do, as of a sheet seen from behind.
+    glm::dvec3 direction;     ///< Unit vector from the mesh towards the light.
+    double votes;             ///< A sum over the faces. Each face votes at most 1.
+    std::uint32_t faces;      ///< Number of faces that face the viewpoint.
+    bool sees_backs = false;  ///< Backs are used, because no front faces the viewpoint.
 };
 
-/// `eye` is in the mesh's coordinates, and may lie anywhere. A closed mesh that is wound inside out is
-/// taken the other way round (winding.h). Nothing where no face has a side towards the eye: of a mesh
-/// without planes, or seen edge-on. Throws Error{cancelled}.
+/// `eye` is in the mesh's coordinates, at any position. A closed inside-out mesh is reversed first
+/// (winding.h). Returns nothing if no face shows either side to the eye: for a mesh without planes or seen
+/// edge-on. Throws Error{cancelled}.
 std::optional<ChosenSun> choose_sun(const Mesh& mesh, const glm::dvec3& eye,
                                     const LongCall& call = {});
 

@@ -9,7 +9,7 @@ namespace rimline {
 
 namespace {
 
-// With fewer, summing them all is faster.
+// For fewer planes, summing all of them is faster.
 constexpr std::size_t k_min_clustered = 1024;
 
 bool is_finite(const glm::dvec3& p) {
@@ -26,14 +26,14 @@ TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunct
     if (options.weight == FieldOptions::Weight::area)
         for (std::size_t i = 0; i < planes.size(); ++i) weights[i] = planes.area(i);
     for (const double weight : weights) total_weight_ += weight;
-    greatest_value_ = total_weight_ * function_.greatest_magnitude();
+    max_value_ = total_weight_ * function_.max_magnitude();
 
-    auto sums = std::make_unique<Sums>(
-        Sums{PlaneClusters(planes, weights), kernels::FunctionTable(function_), {}, 0.0});
+    auto sums = std::make_unique<FieldSums>(
+        FieldSums{PlaneClusters(planes, weights), kernels::FunctionTable(function_), {}, 0.0});
     sums->planes.reserve(planes.size());
     for (const std::uint32_t i : sums->clusters.order())
         sums->planes.push_back({planes.normal(i), planes.offset(i), weights[i]});
-    if (planes.size() >= k_min_clustered) sums->budget = options.tolerance * greatest_value_;
+    if (planes.size() >= k_min_clustered) sums->budget = options.tolerance * max_value_;
     error_bound_ = sums->budget + sums->function.rounding_share * total_weight_;
     sums_ = std::move(sums);
 }
@@ -54,10 +54,10 @@ double TangentialField::value(const glm::dvec3& point) const {
 double TangentialField::value(const glm::dvec3& point, Work& work) const {
     double result = 0.0;
     kernels::FieldScratch scratch = sums_->make_scratch();
-    kernels::FieldWork looked_at;
-    result = value_with(scratch, point, looked_at);
-    work.clusters += looked_at.clusters;
-    work.planes += looked_at.planes;
+    kernels::FieldWork visited;
+    result = value_with(scratch, point, visited);
+    work.clusters += visited.clusters;
+    work.planes += visited.planes;
     return result;
 }
 
@@ -72,9 +72,9 @@ void TangentialField::values(std::span<const glm::dvec3> points, std::span<doubl
 double TangentialField::value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
                                    kernels::FieldWork& work) const {
     RIMLINE_CHECK(is_finite(point));
-    if (Sums::is_near(point)) return sums_->sum(nullptr, point, scratch, work);
+    if (FieldSums::is_near(point)) return sums_->sum(nullptr, point, scratch, work);
     double sum = 0.0;
-    for (const Sums::ExactPlane& plane : sums_->planes)
+    for (const FieldSums::ExactPlane& plane : sums_->planes)
         sum += plane.weight * function_.value(plane.distance(point));
     work.planes += sums_->planes.size();
     return sum;
@@ -83,7 +83,7 @@ double TangentialField::value_with(kernels::FieldScratch& scratch, const glm::dv
 glm::dvec3 TangentialField::gradient(const glm::dvec3& point) const {
     RIMLINE_CHECK(is_finite(point));
     glm::dvec3 sum(0.0);
-    for (const Sums::ExactPlane& plane : sums_->planes)
+    for (const FieldSums::ExactPlane& plane : sums_->planes)
         sum += plane.normal * (plane.weight * function_.slope(plane.distance(point)));
     return sum;
 }

@@ -1,15 +1,15 @@
 #pragma once
 
-// The tangential distance field of a mesh (thesis 4.1): at a point p, the sum of what its planes vote,
+// The tangential distance field of a mesh (thesis 4.1): at a point p, the sum of the votes of its planes,
 //
 //     D(p) = sum_i w_i f(n_i·p - d_i)                                                            (4.1)
 //
-// with f a tangential distance function and w_i 1 or the area of the plane's face (6.4.2). Points are in
-// unit coordinates (unit_planes.h).
+// where f is a tangential distance function and w_i is 1 or the area of the plane's face (6.4.2). Points
+// are in unit coordinates (unit_planes.h).
 //
-// Planes that lie close together are summed together (plane_clusters.h) where that costs no more than the
-// tolerance, with a bound that holds everywhere (field_kernels.h). What errors come out is less: on igea a
-// fortieth of the tolerance, since bounds add up and errors cancel. docs/field.md has the figures.
+// Similar planes are summed as clusters (plane_clusters.h) if the error stays within the tolerance. The
+// error bound holds at every point (field_kernels.h). Actual errors are smaller, because bounds add up but
+// errors cancel: on igea they are a fortieth of the tolerance. docs/results/field.md has the measurements.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -28,56 +28,58 @@ struct FieldScratch;
 struct FieldWork;
 }  // namespace kernels
 
+struct FieldSums;  // field_sums.h
+
 struct FieldOptions {
-    /// Of every value, as a share of the greatest that a value can be (greatest_value). 0: all planes are
-    /// summed, in float. Float's rounding comes on top of it, see error_bound.
+    /// Maximum error of a value as a share of max_value(), plus float rounding (see error_bound). 0:
+    /// all planes are summed, in float.
     double tolerance = 1e-3;
     enum class Weight : std::uint8_t { count, area } weight = Weight::count;
 };
 
-/// Immutable: any number of threads may use one. Keeps nothing of the planes.
+/// Immutable: any number of threads may use one object. Holds no reference to the planes.
 class TangentialField {
 public:
-    /// The function has 32 knots or fewer (RIMLINE_CHECK). O(planes log planes) on all threads.
+    /// The function has at most 32 knots (RIMLINE_CHECK). O(planes log planes) on all threads.
     TangentialField(const UnitPlanes& planes, const TangentialFunction& function,
                     const FieldOptions& options = {});
     ~TangentialField();
     TangentialField(TangentialField&&) noexcept;
     TangentialField& operator=(TangentialField&&) noexcept;
 
-    /// Points are finite (RIMLINE_CHECK). Farther than 4 from the center, all planes are summed in double.
+    /// Points must be finite (RIMLINE_CHECK). Farther than 4 from the center, all planes are summed in
+    /// double.
     double value(const glm::dvec3& point) const;
-    /// One for each point, on all threads that oneTBB gives; the same whatever their number, and the same
-    /// as value's. (Sums differ by rounding between instruction sets.) A cancelled `call` throws
-    /// Error{cancelled}.
+    /// One value per point, on all threads of oneTBB. The values equal those of value() and do not depend
+    /// on the number of threads. (Sums differ by rounding between instruction sets.) Throws
+    /// Error{cancelled} if `call` is stopped.
     void values(std::span<const glm::dvec3> points, std::span<double> out,
                 const LongCall& call = {}) const;
-    /// Of the exact sum, in double. O(planes).
+    /// The gradient of the exact sum, in double. O(planes).
     glm::dvec3 gradient(const glm::dvec3& point) const;
 
-    /// No value differs by more from the sum: the tolerance, and rounding, which is less than 1e-5 of
-    /// the greatest value for the named functions.
+    /// Upper bound of the error of a value: the tolerance plus rounding. Rounding is less than 1e-5 of the
+    /// maximum value for the named functions.
     double error_bound() const noexcept { return error_bound_; }
     double total_weight() const noexcept { return total_weight_; }
-    /// The greatest that a value's magnitude can be: total_weight * greatest |f|.
-    double greatest_value() const noexcept { return greatest_value_; }
+    /// The maximum magnitude of a value: total_weight times the maximum of |f|.
+    double max_value() const noexcept { return max_value_; }
 
     const UnitFrame& frame() const noexcept { return frame_; }
     const TangentialFunction& function() const noexcept { return function_; }
     std::size_t plane_count() const noexcept;
 
-    /// How many clusters and planes a value looked at, for benches.
+    /// The number of clusters and planes that a value visits, for benchmarks.
     struct Work {
         std::uint64_t clusters = 0;
         std::uint64_t planes = 0;
     };
     double value(const glm::dvec3& point, Work& work) const;
-    /// What the loops were compiled for, as Highway names it.
+    /// The instruction set in use, as named by Highway.
     static std::string_view instruction_set();
 
 private:
     friend class DiscountedField;
-    struct Sums;
 
     double value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
                       kernels::FieldWork& work) const;
@@ -85,9 +87,9 @@ private:
     UnitFrame frame_;
     TangentialFunction function_;
     double total_weight_ = 0.0;
-    double greatest_value_ = 0.0;
+    double max_value_ = 0.0;
     double error_bound_ = 0.0;
-    std::unique_ptr<const Sums> sums_;
+    std::unique_ptr<const FieldSums> sums_;
 };
 
 }  // namespace rimline

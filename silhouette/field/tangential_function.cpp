@@ -46,23 +46,23 @@ TangentialFunction::TangentialFunction(std::vector<Knot> knots) : knots_(std::mo
         pieces_.push_back(hermite(knots_[i - 1], knots_[i]));
     pieces_.push_back({last.distance, k_infinity, last.distance, last.value, 0.0, 0.0, 0.0});
 
-    min_ = greatest_ = first.value;
+    min_ = max_ = first.value;
     for (const Knot& k : knots_) {
         min_ = std::min(min_, k.value);
-        greatest_ = std::max(greatest_, k.value);
-        greatest_slope_ = std::max(greatest_slope_, std::abs(k.slope));
+        max_ = std::max(max_, k.value);
+        max_slope_ = std::max(max_slope_, std::abs(k.slope));
     }
     const auto visit = [&](const Piece& piece, double t) {
         const double distance = piece.start + t;
         if (!(distance >= piece.from && distance <= piece.to)) return;
         min_ = std::min(min_, piece.value(distance));
-        greatest_ = std::max(greatest_, piece.value(distance));
-        greatest_slope_ = std::max(greatest_slope_, std::abs(piece.slope(distance)));
+        max_ = std::max(max_, piece.value(distance));
+        max_slope_ = std::max(max_slope_, std::abs(piece.slope(distance)));
     };
     for (const Piece& piece : pieces_) {
         if (!std::isfinite(piece.from) || !std::isfinite(piece.to)) continue;
-        if (piece.c3 != 0.0) visit(piece, -piece.c2 / (3.0 * piece.c3));  // Where it is steepest.
-        // Where it is flat: 3*c3*t^2 + 2*c2*t + c1 = 0.
+        if (piece.c3 != 0.0) visit(piece, -piece.c2 / (3.0 * piece.c3));  // Maximum slope.
+        // Extrema: 3*c3*t^2 + 2*c2*t + c1 = 0.
         const double root = piece.c2 * piece.c2 - 3.0 * piece.c3 * piece.c1;
         if (root < 0.0) continue;
         const double q = -(piece.c2 + std::copysign(std::sqrt(root), piece.c2));
@@ -77,17 +77,17 @@ const Piece& TangentialFunction::piece_at(double distance) const noexcept {
     return pieces_[i];
 }
 
-double TangentialFunction::greatest_magnitude() const noexcept {
-    return std::max(std::abs(min_), std::abs(greatest_));
+double TangentialFunction::max_magnitude() const noexcept {
+    return std::max(std::abs(min_), std::abs(max_));
 }
 
 TangentialFunction TangentialFunction::followed_by(const TangentialFunction& front,
                                                    double distance) const {
-    const double scale = 1e-9 * std::max(greatest_magnitude(), front.greatest_magnitude());
+    const double scale = 1e-9 * std::max(max_magnitude(), front.max_magnitude());
     RIMLINE_CHECK(std::isfinite(distance));
     RIMLINE_CHECK(std::abs(value(distance) - front.value(distance)) <= scale);
-    RIMLINE_CHECK(std::abs(slope(distance)) <= 1e-9 * greatest_slope_ &&
-                  std::abs(front.slope(distance)) <= 1e-9 * front.greatest_slope_);
+    RIMLINE_CHECK(std::abs(slope(distance)) <= 1e-9 * max_slope_ &&
+                  std::abs(front.slope(distance)) <= 1e-9 * front.max_slope_);
     std::vector<Knot> knots;
     for (const Knot& k : knots_)
         if (k.distance < distance) knots.push_back(k);
@@ -114,7 +114,8 @@ TangentialFunction TangentialFunction::operator*(double factor) const {
 }
 
 TangentialFunction TangentialFunction::operator+(const TangentialFunction& other) const {
-    // Cubics between all knots of both are the Hermite cubics of their own values and slopes.
+    // With the knots of both functions, each piece of the sum is the Hermite cubic of its values
+    // and slopes.
     std::vector<double> distances;
     for (const Knot& k : knots_) distances.push_back(k.distance);
     for (const Knot& k : other.knots_) distances.push_back(k.distance);

@@ -1,12 +1,12 @@
 #pragma once
 
-// Tangential distance functions (thesis 4.3.2): what a plane votes for a point, by the point's signed
-// distance from it, positive in front.
+// Tangential distance functions (thesis 4.3.2): the vote of a plane for a point, as a function of the
+// point's signed distance from the plane. The distance is positive in front.
 //
-// Each is a C1 piecewise cubic: between two knots the Hermite cubic of their values and slopes, constant
-// beyond the outer knots, whose slopes are 0. With slopes of 0 everywhere that is the smooth step
-// S(x) = 3x^2 - 2x^3 from value to value. Sums, multiples and reflections of such functions are such
-// functions; named_functions.h holds the thesis's own.
+// Each is a C1 piecewise cubic. Between two knots it is the Hermite cubic of their values and slopes.
+// Beyond the outer knots, whose slopes are 0, it is constant. If all slopes are 0, each piece is the
+// smooth step S(x) = 3x^2 - 2x^3 between two values. Sums, multiples and reflections are functions of
+// the same kind. named_functions.h holds those of the thesis.
 
 #include <span>
 #include <vector>
@@ -20,10 +20,10 @@ public:
         double value;
         double slope = 0.0;
     };
-    /// From `from` to `to`: ((c3*t + c2)*t + c1)*t + c0 with t = distance - start.
+    /// Between `from` and `to`: ((c3*t + c2)*t + c1)*t + c0 with t = distance - start.
     struct Piece {
         double from, to;  ///< -infinity and infinity at the ends.
-        double start;     ///< The knot at `from`; of the first piece, the one at `to`.
+        double start;     ///< The knot at `from`. For the first piece, the knot at `to`.
         double c0, c1, c2, c3;
 
         double value(double distance) const noexcept {
@@ -39,30 +39,30 @@ public:
         }
     };
 
-    /// One knot or more, ascending and apart, all numbers finite, the slopes of the outer ones 0
-    /// (RIMLINE_CHECK).
+    /// One or more knots, with strictly ascending distances, finite numbers, and slope 0 at the outer
+    /// knots (RIMLINE_CHECK).
     explicit TangentialFunction(std::vector<Knot> knots);
 
     double value(double distance) const noexcept { return piece_at(distance).value(distance); }
     double slope(double distance) const noexcept { return piece_at(distance).slope(distance); }
-    /// The second derivative; at a knot, from the right.
+    /// The second derivative. At a knot, its limit from the right.
     double curvature(double distance) const noexcept {
         return piece_at(distance).curvature(distance);
     }
 
     std::span<const Knot> knots() const noexcept { return knots_; }
-    /// One more than there are knots; the outer ones constant.
+    /// One more piece than knots. The outer pieces are constant.
     std::span<const Piece> pieces() const noexcept { return pieces_; }
     const Piece& piece_at(double distance) const noexcept;
 
-    /// Over all distances.
-    double least() const noexcept { return min_; }
-    double greatest() const noexcept { return greatest_; }
-    double greatest_magnitude() const noexcept;
-    double greatest_slope() const noexcept { return greatest_slope_; }  ///< Its magnitude.
+    /// Minimum and maximum over all distances.
+    double min_value() const noexcept { return min_; }
+    double max_value() const noexcept { return max_; }
+    double max_magnitude() const noexcept;
+    double max_slope() const noexcept { return max_slope_; }  ///< Of its magnitude.
 
-    /// Picks features of two functions: this one below `distance`, `front` from there on. Both must have
-    /// the same value and a slope of 0 there, but for rounding (RIMLINE_CHECK).
+    /// Joins two functions: this one below `distance`, `front` from there on. Up to rounding, both must
+    /// have the same value and slope 0 there (RIMLINE_CHECK).
     TangentialFunction followed_by(const TangentialFunction& front, double distance) const;
     TangentialFunction reflected() const;  ///< f(-s)
     TangentialFunction operator*(double factor) const;
@@ -72,8 +72,8 @@ private:
     std::vector<Knot> knots_;
     std::vector<Piece> pieces_;
     double min_ = 0.0;
-    double greatest_ = 0.0;
-    double greatest_slope_ = 0.0;
+    double max_ = 0.0;
+    double max_slope_ = 0.0;
 };
 
 }  // namespace rimline

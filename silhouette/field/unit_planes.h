@@ -1,10 +1,10 @@
 #pragma once
 
-// A mesh's supporting planes, moved so that its bounding sphere (Mesh::center, Mesh::radius) is the unit
-// sphere: the coordinates in which tangential distance fields have their scales (thesis 4.3).
+// The supporting planes of a mesh in unit coordinates, where its bounding sphere (Mesh::center,
+// Mesh::radius) is the unit sphere. Tangential distance functions use these coordinates (thesis 4.3).
 //
-// Distances are n·p - d there. Faces without a plane are left out. Planes are taken through a corner of
-// their face, in double: a mesh far from the file's origin keeps its precision.
+// The distance of a point p is n·p - d. Faces without a plane are skipped. Each plane passes through a
+// corner of its face, computed in double, so a mesh far from the file's origin keeps its precision.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,24 +15,25 @@
 
 namespace rimline {
 
-/// Unit coordinates and the model's own.
+/// Converts between unit coordinates and model coordinates.
 struct UnitFrame {
     glm::dvec3 center{0.0};
-    double radius = 1.0;  ///< The model's; 1 for one that has none.
+    double radius = 1.0;  ///< The model's radius. 1 if that is 0.
 
     glm::dvec3 from_model(const glm::dvec3& point) const { return (point - center) / radius; }
     glm::dvec3 to_model(const glm::dvec3& point) const { return center + point * radius; }
 };
 
-/// Of a mesh: what UnitPlanes uses.
+/// The frame of a mesh, as UnitPlanes uses it.
 UnitFrame unit_frame(const Mesh& mesh);
 
-/// Immutable; keeps nothing of the mesh.
+/// Immutable. Holds no reference to the mesh.
 class UnitPlanes {
 public:
     /// O(faces).
     explicit UnitPlanes(const Mesh& mesh);
-    /// Of these faces alone, in the frame of the whole mesh: those that face a viewpoint, say.
+    /// Planes of some faces only, for example those that face a viewpoint. The frame is that of the
+    /// whole mesh.
     UnitPlanes(const Mesh& mesh, std::span<const FaceId> faces);
 
     const UnitFrame& frame() const noexcept { return frame_; }
@@ -42,7 +43,7 @@ public:
     const glm::dvec3& normal(std::size_t i) const noexcept { return normals_[i]; }  ///< Unit.
     double offset(std::size_t i) const noexcept { return offsets_[i]; }             ///< d
     FaceId face(std::size_t i) const noexcept { return faces_[i]; }
-    /// Of the face, in unit coordinates.
+    /// The area of the face, in unit coordinates.
     double area(std::size_t i) const noexcept { return areas_[i]; }
 
     double distance(std::size_t i, const glm::dvec3& p) const noexcept {

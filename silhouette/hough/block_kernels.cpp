@@ -1,25 +1,15 @@
 #include "silhouette/hough/block_kernels.h"
 
-// Vectors are members of structs here, which registers of unknown size cannot be; where there are those,
-// NEON is there as well. AVX-512's later additions bring nothing here.
-#define HWY_DISABLED_TARGETS \
-    (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_AVX3_DL)
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "silhouette/hough/block_kernels.cpp"
-#include <hwy/foreach_target.h>
-// Before all else that is compiled once for each target.
-#include <hwy/cache_control.h>
-#include <hwy/highway.h>
-
-#include "silhouette/squeezed_lanes-inl.h"
+#include "silhouette/vector_targets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rimline::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Eight lanes, or as many as there are, several times.
+// At most eight lanes. Where registers have fewer, loops process eight in several steps.
 using Floats = hn::CappedTag<float, k_node_width>;
 using Ints = hn::RebindToSigned<Floats>;
 using Unsigneds = hn::RebindToUnsigned<Floats>;
@@ -59,8 +49,8 @@ struct Thresholds {
     hn::Vec<Ints> margin;
 };
 
-// Of eight blocks from `lane` on, those that their thresholds do not settle. |T| - limit lies between
-// -1.05e9 and 1.09e9: nothing overflows.
+// Of eight blocks from `lane` on, those that their thresholds do not decide. |T| - limit lies between -1.05e9
+// and 1.09e9, so nothing overflows.
 HWY_INLINE std::uint32_t near_lanes(const NodeFrames& frames, std::size_t lane,
                                     const Thresholds& t) {
     const Floats d;
@@ -87,7 +77,7 @@ HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 
-// Appends the children of node `n` that `lanes` from `lane` on name.
+// Appends the children of node `n` in `lanes`, whose bit 0 is child `lane`.
 HWY_INLINE std::uint32_t append_children(std::uint32_t n, std::size_t lane, std::uint32_t lanes,
                                          std::uint32_t* out, std::uint32_t end) {
     const Unsigneds du;
@@ -96,7 +86,7 @@ HWY_INLINE std::uint32_t append_children(std::uint32_t n, std::size_t lane, std:
     return end + static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{lanes}));
 }
 
-// The same of blocks, with their thresholds.
+// The same for blocks, with their thresholds.
 HWY_INLINE std::uint32_t append_blocks(std::uint32_t n, std::size_t lane, std::uint32_t lanes,
                                        const Thresholds& t, std::uint32_t end,
                                        BlockScratch& scratch) {
@@ -178,7 +168,7 @@ std::uint32_t FindChanging(const BoxTree& tree, std::span<const NodeFrames> fram
             for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(d)) {
                 const Interval g = test_boxes(level[n], lane, from_query);
                 const Interval h = test_boxes(level[n], lane, to_query);
-                // NaN lanes are neither.
+                // NaN lanes are neither mixed nor different.
                 const auto mixed =
                     hn::Or(hn::Le(hn::Abs(g.value), g.reach), hn::Le(hn::Abs(h.value), h.reach));
                 const auto differ = hn::AndNot(

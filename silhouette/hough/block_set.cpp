@@ -4,7 +4,7 @@
 
 namespace rimline {
 
-// Vectors are stored whole, at any block.
+// The slack: whole vectors are stored, from any block on.
 BlockScratch::BlockScratch(std::uint32_t max_blocks_of_a_set) : max_blocks(max_blocks_of_a_set) {
     constexpr std::size_t k_slack = 64;
     const std::size_t max_nodes = max_blocks / k_node_width + 1 + k_slack;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What one origin's part of the index reads: blocks of sixteen faces for moves, blocks of sixteen edges
-// for extraction, and a tree over each. Room to work in, for one thread.
+// The part of the index that belongs to one origin: blocks of sixteen faces for moves, blocks of sixteen
+// edges for extraction, and a tree over each. Also the working memory of one thread.
 
 #include <array>
 #include <cstdint>
@@ -17,17 +17,17 @@
 
 namespace rimline {
 
-/// The frames of the eight blocks below a node of the lowest level (BlockFrame).
+/// The frames (BlockFrame) of the eight blocks below a node of the lowest level.
 struct alignas(64) NodeFrames {
     float center[4][k_node_width];
     float step_inverse[k_node_width];
-    float longest[k_node_width];  ///< No |k| of a block's planes is longer.
+    float longest[k_node_width];  ///< Upper bound of |k| of a block's planes.
 };
 
-/// Where the planes of one set of blocks are measured from, and by.
+/// The origin and the unit of length of the planes of one set of blocks.
 struct BlockSpace {
     glm::dvec3 origin{};
-    double length = 1.0;  ///< No less than any |dO|.
+    double length = 1.0;  ///< At least the maximum |dO|.
 
     BlockPoint seen_from(const HomogeneousPoint& point) const noexcept {
         return {point, origin, length};
@@ -38,26 +38,26 @@ struct BlockSpace {
     }
 };
 
-/// The lanes in use of a set's last block; all of them in every other.
+/// Blocks of faces. All lanes are in use, except in the last block.
 struct FaceBlocks {
     BlockSpace space;
     BoxTree tree;
     std::vector<NodeFrames> frames;
     std::vector<PlaneBlock> planes;
-    std::uint32_t first_block = 0;  ///< Its number among the blocks of all origins.
-    std::uint32_t last_lanes = 0;
+    std::uint32_t first_block = 0;  ///< The number of the first among the blocks of all origins.
+    std::uint32_t last_lanes = 0;   ///< Of the last block, the lanes in use.
 };
 
-/// Of both faces of an edge; that of the second negated where both run the edge the same way, so that an
-/// edge is on the silhouette when the two bits differ.
+/// The planes of both faces of an edge. The second is negated where both faces traverse the edge in the same
+/// direction. So an edge is on the silhouette when the two bits differ.
 using EdgePlanes = std::array<PlaneBlock, 2>;
 
 struct EdgeBlocks {
     BlockSpace space;
-    BoxTree tree;  ///< Empty where every block is looked at always.
+    BoxTree tree;  ///< Empty where every block is always tested.
     std::vector<NodeFrames> frames;
     std::vector<EdgePlanes> planes;
-    std::vector<EdgeId> edges;  ///< Sixteen a block; k_no_edge beyond the last.
+    std::vector<EdgeId> edges;  ///< Sixteen for each block; k_no_edge after the last edge.
     std::uint32_t last_lanes = 0;
 };
 
@@ -66,8 +66,8 @@ struct BlockRun {
     std::uint32_t first, last;
 };
 
-/// Blocks that no box has settled, with the threshold and the margin of each (plane_block.h), and what
-/// came of them. Arrays have room for whole vectors beyond the last block.
+/// Working memory of one thread: blocks that no box decides, with the threshold and the margin of each
+/// (plane_block.h), and the results. Arrays hold whole vectors beyond the last block.
 struct BlockScratch {
     explicit BlockScratch(std::uint32_t max_blocks_of_a_set);
     std::uint64_t size_bytes() const noexcept;

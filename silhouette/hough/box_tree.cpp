@@ -8,17 +8,11 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/rounded_float.h"
 
 namespace rimline {
 
 namespace {
-
-float rounded_up(double value) {
-    const auto rounded = static_cast<float>(value);
-    return double{rounded} >= value
-               ? rounded
-               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
 
 void set_child(BoxNode& node, std::uint32_t lane, const HoughBounds& box) {
     double squares = 0.0;
@@ -74,7 +68,7 @@ BoxTree::BoxTree(std::vector<HoughBounds> blocks)
     }
     BoxNode root = empty_node();
     set_child(root, 0, blocks.front());
-    greatest_reach_ = root.reach[0];
+    max_reach_ = root.reach[0];
     for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
         nodes_.insert(nodes_.end(), level->begin(), level->end());
         level_begin_.push_back(node_count());
@@ -82,11 +76,11 @@ BoxTree::BoxTree(std::vector<HoughBounds> blocks)
 }
 
 BoxQuery::BoxQuery(const HomogeneousPoint& point, const glm::dvec3& origin,
-                   float greatest_reach) noexcept
-    : BoxQuery(between(point, point, origin, greatest_reach)) {}
+                   float max_reach) noexcept
+    : BoxQuery(between(point, point, origin, max_reach)) {}
 
 BoxQuery BoxQuery::between(const HomogeneousPoint& from, const HomogeneousPoint& to,
-                           const glm::dvec3& origin, float greatest_reach) noexcept {
+                           const glm::dvec3& origin, float max_reach) noexcept {
     RIMLINE_CHECK(from.w == to.w);
     const glm::dvec3 a(from.xyz());
     const glm::dvec3 b(to.xyz());
@@ -94,18 +88,18 @@ BoxQuery BoxQuery::between(const HomogeneousPoint& from, const HomogeneousPoint&
     const double point_length = std::max(glm::length(a), glm::length(b));
     const double longest = std::max(glm::length(a - shift), glm::length(b - shift));
     const double half_step = 0.5 * glm::length(b - a);
-    const glm::dvec3 middle = 0.5 * (a + b) - shift;
+    const glm::dvec3 center = 0.5 * (a + b) - shift;
     BoxQuery query;
     query.w = to.w;
-    for (int i = 0; i < 3; ++i) query.q[i] = static_cast<float>(middle[i]);
+    for (int i = 0; i < 3; ++i) query.q[i] = static_cast<float>(center[i]);
     query.margin = rounded_up(half_step * (1.0 + 0x1p-20) + 0x4p-24 * point_length +
-                              0x20p-24 * (longest + double{greatest_reach}));
+                              0x20p-24 * (longest + double{max_reach}));
     return query;
 }
 
-// A v-sphere thick enough for both points is tested once where two are tested twice, but holds up to
-// twice as much as differs between the two, and cannot tell what certainly flips. Measured: it wins up
-// to steps of six (igea) to twelve (bunny) times the radius of a block's box.
+// A thick v-sphere for both points needs one test where two v-spheres need two. But it contains up to twice
+// as much as differs between the two, and does not tell what certainly flips. Measured: it is faster up to
+// steps of six (igea) to twelve (bunny) times the radius of a block's box.
 bool is_small_step(const HomogeneousPoint& from, const HomogeneousPoint& to,
                    const BoxTree& tree) noexcept {
     constexpr double k_thick_step = 6.0;

@@ -37,7 +37,8 @@ public:
             if (std::isnan(node.reach[lane])) continue;
             const std::uint32_t child = number * k_node_width + lane;
             const WalkedBox::Side side = side_of(node, lane, query_);
-            const std::uint64_t width = std::uint64_t{1} << (3 * height);  // 8 to that power.
+            // Blocks below: 8 to the power of height.
+            const std::uint64_t width = std::uint64_t{1} << (3 * height);
             const std::uint64_t first = child * width;
             boxes.push_back(
                 {.center = {node.center[0][lane], node.center[1][lane], node.center[2][lane]},

@@ -5,12 +5,13 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/hough/block_kernels.h"
+#include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
 
 namespace {
 
-// Whoever asks for flips will look at the faces next: fetched as they are named, they are there by then.
+// Prefetches the faces, for callers of find_flips() read them next.
 std::uint32_t* list_flips(std::uint32_t block, std::uint32_t lanes,
                           const HoughOctree::PlacedFace* faces, std::uint32_t* out) {
     for (; lanes != 0; lanes &= lanes - 1) {
@@ -38,7 +39,7 @@ std::vector<std::uint32_t> HoughOctree::face_groups() const {
 
 std::string_view HoughOctree::instruction_set() { return kernels::instruction_set(); }
 
-// What integers cannot decide; once in two hundred blocks.
+// Decides the edges that integers cannot: in about one of two hundred blocks.
 void HoughOctree::decide_edges(std::span<const EdgeId> edges, const HomogeneousPoint& point,
                                std::uint32_t count, BlockScratch& scratch) const noexcept {
     const std::uint32_t inconsistent = mesh_->edges_of_class(EdgeClass::inconsistent).first;
@@ -80,13 +81,12 @@ void HoughOctree::extract_blocks(const EdgeBlocks& blocks, const HomogeneousPoin
         blocks.tree.block_count() == 0
             ? kernels::find_near(blocks.frames, static_cast<std::uint32_t>(blocks.planes.size()),
                                  seen_from, scratch)
-            : kernels::find_mixed(
-                  blocks.tree, blocks.frames,
-                  BoxQuery(point, blocks.space.origin, blocks.tree.greatest_reach()), seen_from,
-                  kernels::SettledBy::box_and_threshold, scratch, nodes);
+            : kernels::find_mixed(blocks.tree, blocks.frames,
+                                  BoxQuery(point, blocks.space.origin, blocks.tree.max_reach()),
+                                  seen_from, kernels::SettledBy::box_and_threshold, scratch, nodes);
     const std::uint32_t found = kernels::test_edges(blocks, seen_from, count, scratch);
     decide_edges(blocks.edges, point, found, scratch);
-    // Vectors are stored whole, so one more block must fit.
+    // Whole vectors are stored, so one more block must fit.
     const std::size_t old_size = edges.size();
     std::size_t new_size = old_size;
     for (std::uint32_t j = 0; j < found; ++j)
@@ -144,6 +144,18 @@ void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::u
     }
 }
 
+std::vector<std::uint32_t> HoughOctree::face_words(std::span<const std::uint16_t> bits) const {
+    RIMLINE_CHECK(bits.size() == block_count());
+    std::vector<std::uint32_t> words(face_word_count(mesh_->face_count()), 0);
+    for (std::uint32_t b = 0; b < bits.size(); ++b)
+        for (std::uint32_t lanes = bits[b]; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            const FaceId face = face_at(b * k_block_size + lane).face;
+            words[index(face) / 32] |= 1u << (index(face) % 32);
+        }
+    return words;
+}
+
 std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
                                     std::span<std::uint16_t> bits, std::span<std::uint32_t> flipped,
                                     TraversalCounters& counters,
@@ -165,12 +177,12 @@ std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const Homogene
         const std::uint32_t count =
             is_small_step(from, to, tree)
                 ? kernels::find_mixed(tree, blocks.frames,
-                                      BoxQuery::between(from, to, origin, tree.greatest_reach()),
+                                      BoxQuery::between(from, to, origin, tree.max_reach()),
                                       seen_from, kernels::SettledBy::box, scratch, nodes)
                 : kernels::find_changing(tree, blocks.frames,
-                                         BoxQuery(from, origin, tree.greatest_reach()),
-                                         BoxQuery(to, origin, tree.greatest_reach()), seen_from,
-                                         scratch, certain_count, nodes);
+                                         BoxQuery(from, origin, tree.max_reach()),
+                                         BoxQuery(to, origin, tree.max_reach()), seen_from, scratch,
+                                         certain_count, nodes);
         const std::uint32_t found =
             kernels::test_faces(blocks, seen_from, count, own_bits, scratch);
         decide_faces(blocks, to, own_bits, found, scratch);

@@ -33,7 +33,7 @@ std::uint32_t lanes_of_last_block(std::size_t lanes) {
 }
 
 std::vector<NodeFrames> make_node_frames(std::uint32_t block_count) {
-    // Lanes beyond the last block are read and never used.
+    // Lanes beyond the last block are read, but not used.
     return std::vector<NodeFrames>((block_count + k_node_width - 1) / k_node_width);
 }
 
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    // On all threads; a cancelled call ends it within a thousand visits.
+    // On all threads. A cancelled call ends each thread within k_grain visits.
     template <typename Visit>
     void for_each_index(std::size_t count, Visit&& visit) const {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, k_grain),
@@ -74,8 +74,9 @@ private:
                               LongCall{call_.stop, {}}.checkpoint(0.0);
                               for (std::size_t i = part.begin(); i < part.end(); ++i) visit(i);
                           });
-        // What fails beside this, in place_faces() or place_edges(), ends the loop early and tells
-        // nobody: what is not filled must not be gone on with. That failure is the one reported.
+        // An exception in the other of place_faces() and place_edges() ends this loop early without an error
+        // here. The arrays are incomplete then, so this must not continue. The other exception is the one
+        // reported.
         if (tbb::is_current_task_group_canceling()) throw Error(ErrorCode::cancelled, "cancelled");
     }
 
@@ -83,9 +84,9 @@ private:
         return hough_point(mesh_.plane(face), octree_.origins_[group]);
     }
 
-    // Of a face: its interior edges that are SFO from the origin though their faces' normals differ by
-    // less than a right angle. (The text says "dihedral angle less than π/2", which names the sharp
-    // ones, against its own 4.4.2.)
+    // The number of a face's interior edges that are SFO from the origin although the normals of their faces
+    // differ by less than a right angle. (The thesis says "dihedral angle less than π/2". That would be the
+    // sharp edges, and contradicts its own 4.4.2.)
     std::uint32_t sfo_count(FaceId face, std::size_t group) const {
         const Plane& plane = mesh_.plane(face);
         const int side = hough_point_of(face, group).side;
@@ -109,13 +110,13 @@ private:
         for_each_index(mesh_.face_count(), [&](std::size_t f) {
             const FaceId face{size32(f)};
             if (!mesh_.plane(face).has_normal()) return;
-            std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+            std::uint32_t min_count = std::numeric_limits<std::uint32_t>::max();
             double farthest = -1.0;
             for (std::uint32_t g = 0; g < octree_.origins_.size(); ++g) {
                 const std::uint32_t count = sfo_count(face, g);
                 const double distance = glm::length(hough_point_of(face, g).position);
-                if (count > least || (count == least && distance <= farthest)) continue;
-                least = count;
+                if (count > min_count || (count == min_count && distance <= farthest)) continue;
+                min_count = count;
                 farthest = distance;
                 group_[f] = g;
             }
@@ -133,7 +134,8 @@ private:
         }
     }
 
-    // No length is too great; one so small that squares vanish would not bound what it should.
+    // A length may be too great without harm. If it were so small that squares underflow, it would be no
+    // bound.
     BlockSpace space_of(std::size_t group, double length) const {
         return {octree_.origins_[group], std::max(length * (1.0 + 0x1p-20), 0x1p-400)};
     }
@@ -184,8 +186,8 @@ private:
         return blocks;
     }
 
-    // Whether an edge can be found through boxes around the origin; none where its planes leave it
-    // undecided.
+    // Whether an edge is SFO from the origin, so that boxes cannot find it; none where its planes do not
+    // decide.
     std::optional<bool> is_sfo(EdgeId edge, std::size_t group) const {
         const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
         const int a = hough_point_of(faces[0], group).side;
@@ -199,7 +201,8 @@ private:
 
     enum Always : std::uint32_t { k_sfo = 0xfffffffeu, k_undecided = 0xffffffffu };
 
-    // The group that tests an edge: of its faces', then of all, the first from which it is not SFO.
+    // The group that tests an edge: the first from which it is not SFO, of the groups of its faces, then of
+    // all.
     std::uint32_t owner_of(EdgeId edge) const {
         const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
         for (const FaceId face : faces)
@@ -240,13 +243,13 @@ private:
                           [&](std::size_t g) { octree_.edge_blocks_[g] = make_edge_blocks(g); });
     }
 
-    // Of a group, or beyond the last of the edges that are always tested.
+    // The blocks of a group; beyond the last group those of the edges that are always tested.
     EdgeBlocks make_edge_blocks(std::size_t group) const {
         const bool always = group == octree_.origins_.size();
         const std::size_t around = always ? 0 : group;
         const std::vector<EdgeId>& edges = owned_[group];
         std::vector<std::array<HoughPoint, 2>> points(edges.size());
-        std::vector<glm::dvec3> middles(edges.size());
+        std::vector<glm::dvec3> centers(edges.size());
         std::vector<double> squares(edges.size());
         std::vector<double> lengths(edges.size());
         for_each_index(edges.size(), [&](std::size_t i) {
@@ -258,14 +261,14 @@ private:
                     lengths[i], glm::length(points[i][side].position) + points[i][side].error);
             }
             const glm::dvec3 segment = points[i][1].position - points[i][0].position;
-            middles[i] = 0.5 * (points[i][0].position + points[i][1].position);
+            centers[i] = 0.5 * (points[i][0].position + points[i][1].position);
             squares[i] = glm::dot(segment, segment);
         });
-        const std::vector<std::uint32_t> order = octree_order(middles, length_classes(squares));
+        const std::vector<std::uint32_t> order = octree_order(centers, length_classes(squares));
 
         EdgeBlocks blocks;
-        const auto greatest = std::max_element(lengths.begin(), lengths.end());
-        blocks.space = space_of(around, greatest == lengths.end() ? 0.0 : *greatest);
+        const auto farthest = std::max_element(lengths.begin(), lengths.end());
+        blocks.space = space_of(around, farthest == lengths.end() ? 0.0 : *farthest);
         blocks.last_lanes = lanes_of_last_block(edges.size());
         const std::uint32_t block_count = block_count_of(edges.size());
         blocks.planes.resize(block_count);
@@ -350,7 +353,7 @@ private:
     const LongCall& call_;
     std::vector<std::uint32_t> group_;        // By face.
     std::vector<std::uint32_t> position_;     // By face; k_no_position without a plane.
-    std::vector<std::vector<EdgeId>> owned_;  // By group; beyond the last, those always tested.
+    std::vector<std::vector<EdgeId>> owned_;  // By group; after the last, those always tested.
 };
 
 HoughOctree::HoughOctree(const Mesh& mesh, const HoughOctreeOptions& options, const LongCall& call)

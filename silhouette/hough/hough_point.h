@@ -1,12 +1,12 @@
 #pragma once
 
-// Where a face's plane lies in 3D Hough space: the foot of the perpendicular from the origin O.
+// The point of a face's plane in 3D Hough space: the foot of the perpendicular from the origin O.
 //
 //     dO = d - n·O        H = n * dO / |n|²
 //
-// The plane is taken as its rounded floats say, as the face bit does. They are not quite of unit
-// length, and dividing by |n|² makes H the true foot point, so that what boxes around H prove holds for
-// the rounded plane itself. (Thesis 3.2.1; a plane through the origin has H = 0.)
+// The plane is that of its rounded floats, as for the face bit. Their normal is not quite of unit length. The
+// division by |n|² makes H the exact foot point, so that boxes around H are valid for the rounded plane
+// itself. (Thesis 3.2.1. A plane through the origin has H = 0.)
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,18 +18,18 @@ namespace rimline {
 
 struct HoughPoint {
     glm::dvec3 position;
-    /// No coordinate of the exact foot point is farther from `position`'s than this.
+    /// Upper bound of the error of each coordinate of `position`.
     double error;
-    /// The sign of the exact dO, which is that of the face's bit from the inside of a v-sphere; 0 where
-    /// dO is so near to zero that its sign is not certain. The box position ± error then holds O itself.
+    /// The sign of the exact dO: the face's bit from inside a v-sphere. 0 where dO is so near to zero that
+    /// its sign is not certain; then the box position ± error contains O.
     int side;
 };
 
 /// `plane` must have a normal.
 //
-// Products of two floats' worth of bits with a double, three sums: with v = 2^-53 the computed dO errs
-// by at most 5v(|d| + |O|₁) =: e, rounded up to 2^-50(...). Each coordinate of H adds at most 8v|dO|,
-// and |n_i|/|n|² <= 1 + 2^-22, so 2e bounds its error; |dO| <= e puts |H_i| below 2e as well.
+// Three products of a float with a double, and three sums: with v = 2^-53 the computed dO errs by at most
+// 5v(|d| + |O|₁) =: e, rounded up to 2^-50(...). Each coordinate of H adds at most 8v|dO|, and
+// |n_i|/|n|² <= 1 + 2^-22. So 2e bounds its error. Where |dO| <= e, |H_i| is below 2e as well.
 inline HoughPoint hough_point(const Plane& plane, const glm::dvec3& origin) noexcept {
     const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
     const double d = plane.d;

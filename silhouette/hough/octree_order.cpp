@@ -11,14 +11,15 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/interleaved_bits.h"
 
 namespace rimline {
 
 namespace {
 
 constexpr std::uint32_t k_bits = 16;
-constexpr std::uint32_t k_code_bits = 3 * k_bits + 8;  // With a size.
-constexpr std::uint32_t k_max_cubes = 4;               // Within each other.
+constexpr std::uint32_t k_code_bits = 3 * k_bits + 8;  // With the size.
+constexpr std::uint32_t k_max_cubes = 4;               // Maximum depth of nested cubes.
 constexpr std::size_t k_faces_a_task = 4096;
 
 struct CodedPoint {
@@ -44,17 +45,7 @@ struct Cube {
     }
 };
 
-// Spreads 16 bits to every third of 48.
-std::uint64_t spread(std::uint64_t bits) {
-    bits = (bits | bits << 32) & 0x001f00000000ffffu;
-    bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-    return (bits | bits << 2) & 0x1249249249249249u;
-}
-
-// As many points at a time as keep vector registers busy: the loops over them are the compiler's to
-// vectorize, and a tenth of the time of one point after another.
+// The compiler vectorizes the loops over a batch of points. This takes a tenth of the time of single points.
 constexpr std::size_t k_batch = 64;
 using BatchAxis = std::array<std::uint32_t, k_batch>;
 
@@ -76,19 +67,18 @@ void make_hilbert_codes(std::array<BatchAxis, 3>& x, std::array<std::uint64_t, k
     for (std::size_t i = 0; i < k_batch; ++i) {
         x[1][i] ^= x[0][i];
         x[2][i] ^= x[1][i];
-        // Bit b of the Gray code's end is the parity of the bits of x[2] above b.
+        // Bit b of the last Gray-code term is the parity of the bits of x[2] above b.
         std::uint32_t parity = x[2][i];
         parity ^= parity >> 1;
         parity ^= parity >> 2;
         parity ^= parity >> 4;
         parity ^= parity >> 8;
         parity >>= 1;
-        codes[i] = spread(x[0][i] ^ parity) << 2 | spread(x[1][i] ^ parity) << 1 |
-                   spread(x[2][i] ^ parity);
+        codes[i] = interleaved_bits(x[2][i] ^ parity, x[1][i] ^ parity, x[0][i] ^ parity);
     }
 }
 
-// By radix, least digit first: stable, so equal codes keep the order of their numbers.
+// Radix sort, least significant digit first. It is stable: equal codes keep the order of their numbers.
 void sort_by_code(std::span<CodedPoint> range) {
     constexpr std::size_t k_min_for_radix = 2000;
     if (range.size() < k_min_for_radix) {
@@ -186,7 +176,7 @@ std::vector<std::uint32_t> octree_order(Points points, std::span<const std::uint
     return order;
 }
 
-// (Left among the others, igea's long segments cost a fifth more blocks at each extraction.)
+// (Without classes, the long segments of igea cost a fifth more blocks at each extraction.)
 std::vector<std::uint8_t> length_classes(std::span<const double> squares) {
     std::int64_t sum = 0;
     std::int64_t count = 0;

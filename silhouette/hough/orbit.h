@@ -1,13 +1,13 @@
 #pragma once
 
-// A camera's or a light's turn around a model: a circle about a center, in the plane perpendicular to
-// an up axis.
+// The circular path of a camera or a light around a model: about a center, in the plane perpendicular to an
+// up axis.
 //
 //     p(a) = center + radius * (first * cos a + second * sin a),    second = up x first
 //
-// It starts on the first of the x, y, z axes that lies in that plane (an oblique up axis may have none
-// there: then on the first of x, y that is not nearly parallel to it, projected) and turns
-// counter-clockwise as seen from the tip of `up`. In double, rounded once to a point's floats.
+// It starts on the first of the x, y, z axes that lies in that plane. If none does, it starts on the
+// projection of the first of x, y that is not nearly parallel to the up axis. It turns counterclockwise as
+// seen from the tip of `up`. It is computed in double and rounded once to the floats of a point.
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -30,7 +30,7 @@ BlockFrame BlockFrame::around(std::span<const PlaneVector> planes) noexcept {
         const double center = double{frame.center[i]};
         half_width = std::max({half_width, high[i] - center, center - low[i]});
     }
-    // The greatest power of two below k_steps / half_width; half_width is at most 2 or so.
+    // The maximum power of two below k_steps / half_width. half_width is at most about 2.
     while (half_width * double{frame.step_inverse} > k_steps) frame.step_inverse *= 0.5f;
     return frame;
 }
@@ -39,7 +39,7 @@ float BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
                          PlaneBlock& block) const noexcept {
     const auto steps = [&](std::size_t i) {
         const double count = (plane[i] - double{center[i]}) * double{step_inverse};
-        // lround is a call, and a branch on the sign is taken at random.
+        // Not lround, which is a call. A branch on the sign would be unpredictable.
         return static_cast<std::int16_t>(count + std::copysign(0.5, count));
     };
     block.normal_xy[2 * lane] = steps(0);
@@ -61,13 +61,13 @@ BlockPoint::BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin,
     const PlaneVector weights_exact{q.x, q.y, q.z, -double{point.w} * length};
     double squares = 0.0;
     for (const double weight : weights_exact) squares += weight * weight;
-    // A direction of no length sees no face: all weights are zero, nothing is certain.
+    // From a direction of length zero all weights are zero, and nothing is certain.
     const double scale = squares > 0.0 ? k_weight_length / std::sqrt(squares) : 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
         scaled[i] = static_cast<float>(scale * weights_exact[i]);
         weights[i] = static_cast<std::int16_t>(std::lround(scale * weights_exact[i]));
     }
-    // Beyond what a block can decide it does not matter how far.
+    // Limited, to stay finite. Far below the limit blocks decide nothing already.
     spread = static_cast<float>(std::min(scale * 0x3.4p-24 * glm::length(p) + 0.0305, 1e30));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Sixteen planes in 128 bytes: 16-bit steps from a center that they share.
+// Sixteen planes in 128 bytes, as 16-bit steps from a common center.
 //
 // With q = p - w*O a face's real value is X = n·p - w*d = n·q - w*dO. Call N = (n, dO/D) and
 // Q = (q, -w*D) with a length D no less than any |dO|, so that X = N·Q. A block keeps a center c and a
@@ -9,8 +9,8 @@
 //
 //     S*X/u  =  T + k·W + E          T = S*(c·Q)/u, once a block,      k·W exact in 32 bits
 //
-// Two multiplications and three additions give eight values, from half the memory that floats take; what
-// the index reads is what bounds its speed. How large is E?
+// Two multiplications and three additions give eight values, from half the memory of floats. The speed of the
+// index is bounded by what it reads. Bounds of the parts of E:
 //   k's rounding   |N_i - (c_i + u*k_i)| <= 0.501u, and |S*Q|_1 <= 2*32000      0.501 * 64000 = 32064
 //   W's rounding   |W_i - S*Q_i| <= 0.51, and |k|_1 <= 4*16383                  0.51 * 65532  = 33422
 //   T in float     at most ten roundings of S*|c||Q|/u <= 1.5*32000/u           10 * 2^-24 * 48000/u
@@ -20,17 +20,17 @@
 //
 //     |T + k·W|  >=  k_block_margin + spread/u,     spread = S*3.25*2^-24*|p| + 0.0305
 //
-// and elsewhere is_front decides from the mesh's own plane: for about one block in two hundred of those
-// that a v-sphere meets. T is clamped to ±1.09e9 and |k·W| <= 2*16383*32002 < 1.05e9, so that nothing
-// overflows and clamping changes no sign; the margin is clamped above |T + k·W| < 2.14e9, where nothing
-// is certain. A step is at least 2^-20, which keeps what planes that
-// coincide cannot decide below a float's own resolution.
+// and elsewhere is_front decides from the mesh's own plane: for about one in two hundred of the blocks that a
+// v-sphere intersects. T is clamped to ±1.09e9 and |k·W| <= 2*16383*32002 < 1.05e9, so nothing overflows and
+// clamping changes no sign. The margin is clamped above |T + k·W| < 2.14e9, where nothing is certain. A step
+// is at least 2^-20. So for planes that coincide, the range without decision is below the resolution of
+// float.
 //
-// A block that no box settles may still be settled by T alone: |k·W| <= |k| * 32002, so where
-// |T| >= longest |k| * 32002 + margin all its planes have the sign of T. That needs no origin, and is what
-// settles planes that hold it.
+// A block that no box decides may be decided by T alone: |k·W| <= |k| * 32002, so where
+// |T| >= max |k| * 32002 + margin all its planes have the sign of T. This does not need the origin, and
+// decides planes that contain it.
 //
-// Negated planes serve as well as planes: -X changes sign where X does.
+// Negated planes can be stored too: -X changes sign where X does.
 
 #include <array>
 #include <cstdint>
@@ -44,12 +44,13 @@ namespace rimline {
 
 constexpr std::uint32_t k_block_size = 16;
 constexpr float k_block_margin = 65536.0f;
-constexpr float k_block_weight_length = 32002.0f;  ///< No |W| is longer.
+constexpr float k_block_weight_length = 32002.0f;  ///< Upper bound of |W|.
 constexpr float k_block_threshold_limit = 1.09e9f;
-/// The greatest float below 2^31, and above any |T + k·W|: at it everything is in doubt.
+/// The maximum float below 2^31. It is above any |T + k·W|, so with this margin nothing is certain.
 constexpr float k_block_max_margin = 2147483520.0f;
 
-/// Two pairs of components a plane, each pair for all sixteen: what one instruction multiplies and adds.
+/// Two pairs of components for each plane. One instruction multiplies and adds a pair; pairs of all planes
+/// lie together.
 struct alignas(64) PlaneBlock {
     std::array<std::int16_t, 2 * k_block_size> normal_xy;
     std::array<std::int16_t, 2 * k_block_size> normal_z_distance;
@@ -64,20 +65,20 @@ struct BlockFrame {
     std::array<float, 4> center;
     float step_inverse;  ///< 1/u, a power of two.
 
-    /// The smallest that holds all of `planes`, which may be none.
+    /// The smallest frame that contains all `planes`. There may be none.
     static BlockFrame around(std::span<const PlaneVector> planes) noexcept;
-    /// Writes a plane that the frame holds, and returns the length of its k, rounded up.
+    /// Writes a plane that the frame contains. Returns the length of its k, rounded up.
     float encode(const PlaneVector& plane, std::uint32_t lane, PlaneBlock& block) const noexcept;
 };
 
-/// A silhouette point as blocks relative to one origin read it.
+/// A silhouette point, prepared for blocks relative to one origin.
 struct BlockPoint {
     /// `length` is D.
     BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin, double length) noexcept;
 
     std::array<float, 4> scaled;          ///< S*Q.
     std::array<std::int16_t, 4> weights;  ///< W.
-    float spread;
+    float spread;                         ///< See above.
 };
 
 }  // namespace rimline

@@ -1,10 +1,12 @@
 #pragma once
 
+// The memory of vectors, for size_bytes() functions.
+
 #include <cstdint>
 
 namespace rimline {
 
-/// Memory that vectors have reserved.
+/// The capacity of all `arrays` together, in bytes.
 template <typename... Arrays>
 std::uint64_t reserved_bytes(const Arrays&... arrays) noexcept {
     return (std::uint64_t{0} + ... + (arrays.capacity() * sizeof(*arrays.data())));

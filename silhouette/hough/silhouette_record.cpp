@@ -9,11 +9,11 @@ namespace rimline {
 namespace {
 
 constexpr std::uint32_t k_no_slot = 0xffffffffu;
-// An edge that has joined in this move and has no slot yet: on the silhouette all the same.
+// An edge that joined in this move and has no slot yet. It is on the silhouette.
 constexpr std::uint32_t k_joining = 0xfffffffeu;
 static_assert(k_joining + 1 == k_no_slot);
 
-// Slots of edges lie all over memory; ahead by what a fetch from the last cache takes.
+// Slots of edges are scattered in memory. The distance covers the latency of the last cache.
 constexpr std::size_t k_prefetch_ahead = 48;
 
 }  // namespace
@@ -75,7 +75,7 @@ void SilhouetteRecord::end_faces() noexcept {
     }
 }
 
-// Counts in registers: what is stored through pointers of their type would make them be read again.
+// Counts are local variables: stores through pointers of their type would force reloads of members.
 void SilhouetteRecord::toggle(std::span<const EdgeId> edges) noexcept {
     std::uint32_t* const slot_of = slot_of_.data();
     EdgeId* const slots = slots_.data();
@@ -107,8 +107,8 @@ void SilhouetteRecord::toggle_edges(std::span<const EdgeId> edges) noexcept {
     if (mesh_->edges_of_class(EdgeClass::nonmanifold).size() > 0) reexamine_nonmanifold();
 }
 
-// slot_of_ follows at once: an edge met again, from another face that flipped, is seen to be where it
-// belongs.
+// toggle() updates slot_of_ at once. So an edge that is visited again, from another flipped face, does not
+// toggle again.
 void SilhouetteRecord::reexamine_nonmanifold() noexcept {
     const Mesh::EdgeRange range = mesh_->edges_of_class(EdgeClass::nonmanifold);
     for (const FaceId face : std::span(flipped_).first(flipped_count_)) {
@@ -137,8 +137,8 @@ void SilhouetteRecord::replace_edges(std::span<const EdgeId> silhouette) noexcep
     }
 }
 
-// With r edges removed and a added, the new end is e = size - r + a. Below e, holes are filled by the
-// added and, when those run out, by the survivors of the tail [e, size): exactly as many as are needed.
+// With r edges removed and a added, the new end is e = size - r + a. Holes below e are filled with the added
+// edges, then with the edges that remain in the tail [e, size): there are exactly as many as needed.
 void SilhouetteRecord::fill_slots() noexcept {
     const std::uint32_t old_count = slot_count_;
     const std::uint32_t new_count = old_count + added_count_ - removed_count_;

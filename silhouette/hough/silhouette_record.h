@@ -1,15 +1,15 @@
 #pragma once
 
-// What the silhouette is and how it changes: face bits, slots and the change set of a move. A tracker
-// finds what turned; the record writes it down.
+// The silhouette and its changes: face bits, slots, and the change set of a move. A tracker finds which faces
+// turned; the record stores the result.
 //
-// Edges that join take the slots of those that left; what is still open below the new end is filled from
-// the tail, so each slot is written at most once a move.
+// Edges that join take the slots of those that left. Slots still empty below the new end are filled from the
+// tail. So each slot is written at most once in a move. Order of calls:
 //
 //     begin_move   flip_faces ...   end_faces   toggle_edges or replace_edges   end_move
 //
-// Nothing allocates after construction: everything is reserved for the greatest move there can be, up to
-// 30 bytes an edge and 5 a face, most of it untouched until such a move comes.
+// Nothing allocates after construction. Memory is reserved for the largest possible move: up to 30 bytes an
+// edge and 5 a face. Most of it is not touched until such a move.
 
 #include <cstdint>
 #include <span>
@@ -23,25 +23,26 @@ namespace rimline {
 
 class SilhouetteRecord {
 public:
-    /// `mesh` must outlive the record. `face_words` and `silhouette` are what `point` sees.
+    /// `mesh` must outlive the record. `face_words` and `silhouette` are those seen from `point`.
     SilhouetteRecord(const Mesh& mesh, const HomogeneousPoint& point,
                      std::vector<std::uint32_t> face_words, std::span<const EdgeId> silhouette);
 
-    // A copy would have neither the reserve nor spans of its own.
+    // No copies: a copy's change set would refer to the original, and its memory would not be reserved.
     SilhouetteRecord(SilhouetteRecord&&) noexcept = default;
     SilhouetteRecord& operator=(SilhouetteRecord&&) noexcept = default;
 
     void begin_move() noexcept;
-    /// Each face at most once a move.
+    /// Flips the bits of `faces`. Each face at most once in a move.
     void flip_faces(std::span<const FaceId> faces) noexcept;
     void flip_face(FaceId face) noexcept { flip_faces({&face, 1}); }
-    /// After the last face: makes the face words final.
+    /// Writes the final face words. Call it after the last face.
     void end_faces() noexcept;
-    /// Regular and inconsistent edges of which one face flipped and the other did not, each once;
-    /// non-manifold edges follow from the flipped faces.
+    /// `edges`: the regular and inconsistent edges of which one face flipped and the other did not, each
+    /// once. The record finds non-manifold edges from the flipped faces.
     void toggle_edges(std::span<const EdgeId> edges) noexcept;
-    /// The same from a whole silhouette, each edge once.
+    /// The same, from all edges of the new silhouette, each once.
     void replace_edges(std::span<const EdgeId> silhouette) noexcept;
+    /// Completes the change set, which is valid until the next move.
     const ChangeSet& end_move(const HomogeneousPoint& point,
                               const TraversalCounters& counters) noexcept;
 
@@ -61,12 +62,12 @@ private:
     const Mesh* mesh_;
     ChangeSet changes_;
     std::vector<std::uint32_t> face_words_;
-    std::vector<EdgeId> slots_;  // One more than there can be, for what leaves no slot.
+    std::vector<EdgeId> slots_;  // One more than edges: written to for an edge without slot.
     std::uint32_t slot_count_ = 0;
     std::vector<std::uint32_t> slot_of_;  // By edge; k_no_slot when not on the silhouette.
 
-    // What the change set's spans show: as long as a move can make them, and one more, because what may
-    // or may not count is stored first. (Asking first is a branch taken at random.)
+    // The arrays of the change set: the maximum that a move can need, and one more. Values are stored before
+    // it is known whether they count. (To test first would be an unpredictable branch.)
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> added_;
     std::vector<EdgeId> removed_;

@@ -1,16 +1,14 @@
 #include "silhouette/hough/silhouette_tracker.h"
 
-#include <bit>
-
 #include "silhouette/hough/reserved_bytes.h"
 
 namespace rimline {
 
 namespace {
 
-// Times in the unit of one edge of a flipped face looked at, as measured on three meshes of 13,000 to
-// 269,000 faces: both ways take equally long when 10 to 20 per cent of the faces flip at once, and this
-// finds that point within a third.
+// Cost in units of the time for one edge of a flipped face, as measured on three meshes of 13,000 to 269,000
+// faces. Both ways take equally long when 10 to 20 per cent of the faces flip at once. This estimate finds
+// that point within a third.
 std::uint64_t cost_of_extraction(const TraversalCounters& work, std::size_t silhouette_size) {
     return work.edge_checks / 2 + work.box_checks / 4 + 6 * silhouette_size;
 }
@@ -25,16 +23,7 @@ SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
     const Mesh& m = octree_->mesh();
     bits_.resize(octree_->block_count());
     octree_->evaluate_faces(point, bits_, scratch_);
-    std::vector<std::uint32_t> face_words(face_word_count(m.face_count()), 0);
-    for (std::uint32_t b = 0; b < bits_.size(); ++b) {
-        for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
-            const FaceId face = octree_
-                                    ->face_at(b * k_block_size +
-                                              static_cast<std::uint32_t>(std::countr_zero(lanes)))
-                                    .face;
-            face_words[index(face) / 32] |= 1u << (index(face) % 32);
-        }
-    }
+    std::vector<std::uint32_t> face_words = octree_->face_words(bits_);
     construction_counters_.face_checks = std::uint64_t{octree_->block_count()} * k_block_size;
 
     flips_.assign(octree_->block_count() + 1, 0);
@@ -80,8 +69,8 @@ const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexc
     return record_.end_move(point, counters);
 }
 
-// An edge changes when one of its faces flips and the other does not. Results are stored before it is
-// known whether they count: a branch would be taken at random.
+// An edge changes when one of its faces flips and the other does not. Results are stored before it is known
+// whether they count: a branch would be unpredictable.
 void SilhouetteTracker::toggle_edges(std::span<const std::uint32_t> positions,
                                      TraversalCounters& counters) noexcept {
     for (const std::uint32_t position : positions) {

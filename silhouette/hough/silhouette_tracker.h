@@ -2,13 +2,13 @@
 
 // The silhouette of one mesh from one moving point.
 //
-// A face turns exactly when the point crosses its plane, so between two frames only the faces whose
-// Hough points lie in the active region (thesis 3.4, the symmetric difference of two v-spheres) can
-// turn. The tracker finds them in the octree and flips their bits. Of their edges, those change whose
-// other face did not flip. When so many faces flip that looking at their edges would cost more than
-// finding the silhouette afresh, by the work that both count, it is found afresh and compared.
+// A face turns exactly when the point crosses its plane. So between two frames only those faces can turn
+// whose Hough points lie in the active region (thesis 3.4, the symmetric difference of two v-spheres). The
+// tracker finds them in the octree and flips their bits. Of their edges, those change whose other face did
+// not flip. When many faces flip, the estimated cost of testing their edges may exceed that of an extraction.
+// Then the silhouette is extracted again and compared with the last one.
 //
-// Which slot an edge has depends on nothing but the points so far: the same on every machine.
+// The slot of an edge depends only on the sequence of points. It is the same on every machine.
 
 #include <cstdint>
 #include <span>
@@ -22,19 +22,20 @@ namespace rimline {
 
 class SilhouetteTracker {
 public:
-    /// Extracts the silhouette from `point`. `octree` must outlive the tracker and stay where it is;
-    /// many trackers may share one octree across threads. Reserves everything that moves will need: up
-    /// to 40 bytes an edge and 20 a face, most of it untouched until a move of that size comes.
+    /// Extracts the silhouette from `point`. `octree` must outlive the tracker and must not be moved. Many
+    /// trackers may share one octree across threads. Reserves all memory that moves need: up to 40 bytes an
+    /// edge and 20 a face. Most of it is not touched until a move of that size.
     SilhouetteTracker(const HoughOctree& octree, const HomogeneousPoint& point);
-    SilhouetteTracker(HoughOctree&&, const HomogeneousPoint&) = delete;  // It would be gone.
+    SilhouetteTracker(HoughOctree&&,
+                      const HomogeneousPoint&) = delete;  // A temporary would dangle.
 
-    // A copy would have neither the reserve nor spans of its own.
+    // No copies: a copy's change set would refer to the original, and its memory would not be reserved.
     SilhouetteTracker(SilhouetteTracker&&) noexcept = default;
     SilhouetteTracker& operator=(SilhouetteTracker&&) noexcept = default;
 
-    /// Moves to `point` and reports the difference. Equal, bit for bit, to extracting afresh.
-    /// Never allocates. One thread at a time. O(faces near the active region + what changed), and never
-    /// much more than a fresh extraction.
+    /// Moves to `point` and returns the difference. The result equals an extraction, bit for bit.
+    /// Never allocates. One thread at a time. O(faces near the active region + changes), and never much more
+    /// than an extraction.
     const ChangeSet& move_to(const HomogeneousPoint& point) noexcept;
 
     const Mesh& mesh() const noexcept { return octree_->mesh(); }
@@ -51,7 +52,7 @@ public:
     }
     /// Memory reserved, the octree's not counted.
     std::uint64_t size_bytes() const noexcept;
-    /// Of the last move: whether the silhouette was found afresh.
+    /// Whether the last move extracted the silhouette again.
     bool was_extracted() const noexcept { return was_extracted_; }
 
 private:
@@ -62,14 +63,14 @@ private:
     const HoughOctree* octree_;
     BlockScratch scratch_;
     TraversalCounters construction_counters_;
-    TraversalCounters
-        extraction_counters_;           // Of the last extraction: what the next one would cost.
-    std::vector<std::uint16_t> bits_;   // By block of the octree.
-    std::vector<std::uint16_t> flips_;  // By block, one more than there are; zero between moves.
-    std::vector<std::uint32_t> positions_;  // Of what flipped; room for all.
+    // Of the last extraction: estimates the cost of the next.
+    TraversalCounters extraction_counters_;
+    std::vector<std::uint16_t> bits_;       // By block of the octree.
+    std::vector<std::uint16_t> flips_;      // By block, and one more; zero between moves.
+    std::vector<std::uint32_t> positions_;  // Of flipped faces; as long as all positions.
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
-    std::vector<EdgeId> toggled_;  // One more than the most there can be.
+    std::vector<EdgeId> toggled_;  // One more than edges.
     SilhouetteRecord record_;
     bool was_extracted_ = false;
 };

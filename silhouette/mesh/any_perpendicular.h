@@ -1,6 +1,6 @@
 #pragma once
 
-// A direction at right angles to another, where any will do but always the same.
+// One direction perpendicular to another, always the same one for the same input.
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,7 +8,7 @@
 
 namespace rimline {
 
-/// Of length 1. `direction` is of length 1 too.
+/// Returns a unit vector. `direction` must be a unit vector.
 inline glm::dvec3 any_perpendicular(const glm::dvec3& direction) {
     return glm::normalize(glm::cross(
         direction, std::abs(direction.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));

@@ -1,7 +1,7 @@
 #pragma once
 
-// The definition, written down as plainly as it can be: every face, then every edge. The oracle for
-// everything else. O(faces + edges).
+// The silhouette by its definition: tests every face, then every edge. All other methods are tested
+// against it. O(faces + edges).
 
 #include <cstdint>
 #include <vector>
@@ -12,10 +12,10 @@
 
 namespace rimline {
 
-/// The face bits of every face, packed as face_bits.h says.
+/// The bits of all faces, packed as in face_bits.h.
 std::vector<std::uint32_t> brute_force_face_bits(const Mesh& mesh, const HomogeneousPoint& point);
 
-/// The silhouette's edges, ascending. Borders are not among them.
+/// The silhouette's edges in ascending order, without borders.
 std::vector<EdgeId> brute_force_silhouette(const Mesh& mesh, const HomogeneousPoint& point);
 
 }  // namespace rimline

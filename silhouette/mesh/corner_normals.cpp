@@ -16,11 +16,11 @@ namespace {
 
 glm::vec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz}; }
 
-// Each face's own normal. A degenerate face takes that of the nearest face, counted in edges, that
-// has one, so that smoothness passes through slivers; +y where there is none.
+// One normal per face. A degenerate face takes the normal of the nearest face that has one, counted
+// in edges, so the surface stays smooth across slivers. +y if there is none.
 std::vector<glm::vec3> face_normals(const Mesh& mesh) {
     std::vector<glm::vec3> normals(mesh.face_count());
-    std::vector<FaceId> wave;  // Faces whose degenerate neighbors still lack a normal.
+    std::vector<FaceId> wave;  // Faces whose degenerate neighbors may lack a normal.
     std::vector<bool> known(mesh.face_count());
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         known[f] = mesh.planes()[f].has_normal();
@@ -53,7 +53,7 @@ std::vector<glm::vec3> face_normals(const Mesh& mesh) {
     return normals;
 }
 
-// Whether two unit normals are at most an angle in [0, pi] apart, without an inverse cosine.
+// Whether the angle between two unit normals is at most a limit in [0, pi], without an arc cosine.
 class BendTest {
 public:
     explicit BendTest(double angle_rad)
@@ -66,13 +66,13 @@ public:
         const double cos = glm::dot(a, b);
         const glm::dvec3 c = glm::cross(a, b);
         const double sin = std::sqrt(glm::dot(c, c));
-        // The sine of (limit - bend); both lie in [0, pi), so its sign is the difference's, except
-        // that opposite normals, bent by pi, may give 0.
+        // The sine of (limit - bend). Both lie in [0, pi), so it has the sign of the difference.
+        // The exception: opposite normals, with a bend of pi, may give 0.
         return sin_ * cos - cos_ * sin >= 0.0 && !(cos < 0.0 && sin == 0.0);
     }
 
 private:
-    // Normals are rounded to float: coplanar faces seem bent by as much as 2^-22.
+    // Normals are rounded to float, so coplanar faces may show a bend of up to 2^-22.
     static constexpr double k_slack = 0x1p-20;
     bool any_;
     double cos_, sin_;
@@ -89,10 +89,10 @@ public:
         b = root(b);
         parent_[std::max(a, b)] = std::min(a, b);
     }
-    /// Replaces the tree by group numbers, 0, 1, 2, ..., and gives their count. No join after that.
+    /// Replaces the tree by group numbers 0, 1, 2, ... Returns their count. Do not join afterwards.
     std::uint32_t number() {
         std::uint32_t count = 0;
-        // A parent is never greater than its child, so its group is known before.
+        // A parent is never greater than its child, so its group number is already set.
         for (std::uint32_t c = 0; c < parent_.size(); ++c)
             parent_[c] = parent_[c] == c ? count++ : parent_[parent_[c]];
         return count;
@@ -145,7 +145,7 @@ std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad) 
     for (std::uint32_t corner = 0; corner < normals.size(); ++corner) {
         const glm::dvec3& sum = sums[groups.group(corner)];
         const double length = std::sqrt(glm::dot(sum, sum));
-        // Below this the group's normals cancel and what is left is rounding.
+        // Below this limit the group's normals cancel and only rounding errors remain.
         normals[corner] = length > 1e-6 ? glm::vec3(sum / length) : own[corner / 3];
     }
     return normals;

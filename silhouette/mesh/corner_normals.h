@@ -1,13 +1,13 @@
 #pragma once
 
-// Normals to shade with: smooth where the surface is smooth, sharp where it has an edge.
+// Normals for shading: smooth where the surface is smooth, sharp at its creases.
 //
-// Around a vertex the faces fall into groups: two faces that share a regular edge are in one group
-// when the surface bends there by no more than the crease angle. Each corner gets the mean of its
-// group's face normals, weighted by the angle each face has at the vertex (Thuermer, Wuethrich 1998),
-// which does not depend on how the surface is cut into triangles.
+// The faces around a vertex form groups. Two faces that share a regular edge are in one group if the
+// surface bends there by at most the crease angle. Each corner gets the mean of its group's face
+// normals. The weight of a face is its angle at the vertex (Thuermer, Wuethrich 1998), so the mean does
+// not depend on the triangulation.
 //
-// For shading only: which faces are front is decided by planes, never by these.
+// These normals are for shading only. Planes decide which faces are front.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -17,19 +17,19 @@
 
 namespace rimline {
 
-/// One unit normal for each corner: face f's are elements 3f, 3f + 1, 3f + 2. Always finite and of
-/// length 1 but for rounding. `crease_angle_rad` lies in [0, pi]: 0 joins coplanar faces only, pi all.
-/// Degenerate faces weigh nothing; their corners take a neighbor's normal, or +y where none has one.
-/// O(faces) but for the inverse Ackermann function, whatever the valences.
+/// One unit normal per corner. Those of face f are elements 3f, 3f + 1, 3f + 2. All are finite and of
+/// length 1 up to rounding. `crease_angle_rad` is in [0, pi]: 0 joins coplanar faces only, pi joins
+/// all. Degenerate faces have weight 0. Their corners take a neighbor's normal, or +y if no neighbor
+/// has one. O(faces) times the inverse Ackermann function, for any valences.
 std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad);
 
-/// The groups themselves, for who computes normals from other positions of the same triangles. Corner c
-/// of face f is number 3f + c; group g holds corners[begin[g]] to corners[begin[g + 1]], ascending.
+/// The groups, for computing normals from other positions of the same triangles. Corner c of face f has
+/// the number 3f + c. Group g holds corners[begin[g]] to corners[begin[g + 1]], ascending.
 struct CornerGroupList {
     std::vector<std::uint32_t> begin;
     std::vector<std::uint32_t> corners;
 };
-/// The groups of corner_normals() for the same mesh and angle. O(faces), likewise.
+/// The groups that corner_normals() uses for the same mesh and angle. The same cost.
 CornerGroupList corner_groups(const Mesh& mesh, float crease_angle_rad);
 
 }  // namespace rimline

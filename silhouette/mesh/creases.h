@@ -1,17 +1,18 @@
 #pragma once
 
-// Creases: edges over which a surface bends by more than an angle, ridges and valleys alike. Unlike a
-// silhouette they do not depend on the viewer.
+// Creases: edges where the surface bends by more than a given angle. Both ridges and valleys are
+// creases. Unlike a silhouette, they do not depend on the viewpoint.
 //
-//      n0 ^   / n1         bend = the angle between the normals: 0 where the surface goes on plane,
-//         |  /                    90 degrees at the edge of a cube, 180 where it folds back onto itself
+//      n0 ^   / n1         bend = the angle between the normals: 0 where the faces are coplanar,
+//         |  /                    90 degrees at the edge of a cube, 180 where they are folded together
 //     ____|_/
 //           \.
 //            \.
 //
-// Faces that run an edge the same way have opposite normals where the surface goes on: of those the
-// second is turned round. Where three faces or more meet there is no one surface; such an edge bends as
-// much as the plane that differs most from that of its first face, either way round.
+// If both faces traverse the edge in the same direction, coplanar ones have opposite normals. The
+// second normal is then negated. If three or more faces meet, there is no single surface. The bend is
+// then the largest angle between the first face's plane and another face's plane, in either
+// orientation.
 
 #include <vector>
 
@@ -24,8 +25,8 @@ struct Crease {
     float bend_rad;  ///< In [0, pi].
 };
 
-/// The edges that bend by at least `min_bend_rad`, sharpest first, equal ones by their number. Borders
-/// and edges of faces without a normal are none. O(edges), and a sort of what is returned.
+/// The edges with a bend of at least `min_bend_rad`, sharpest first, equal ones by number. Excludes
+/// borders and edges between faces without a normal. O(edges) plus a sort of the result.
 std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad);
 
 }  // namespace rimline

@@ -7,7 +7,7 @@ namespace rimline {
 
 namespace {
 
-// The corner that is not the edge's.
+// The corner of `face` that is not on the edge.
 glm::dvec3 far_corner(const Mesh& mesh, FaceId face, const Edge& edge) noexcept {
     const Triangle& t = mesh.triangles()[index(face)];
     for (const VertexId v : t)
@@ -16,8 +16,9 @@ glm::dvec3 far_corner(const Mesh& mesh, FaceId face, const Edge& edge) noexcept 
     return glm::dvec3(mesh.positions()[index(edge.vertices[0])]);  // Not reached: corners differ.
 }
 
-// u x v · w, and no less than its error: (7 + 56e)e times the sum of its terms' sizes, e = 2^-53, if u, v
-// and w are differences rounded once. Nothing overflows or is subnormal: coordinates are floats.
+// u x v · w and an upper bound of its error. For u, v and w that are differences rounded once, the bound
+// is (7 + 56e)e times the sum of the absolute terms, e = 2^-53. No value overflows or is subnormal,
+// because coordinates are floats.
 struct Determinant {
     double value, error;
 };

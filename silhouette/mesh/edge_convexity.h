@@ -1,32 +1,33 @@
 #pragma once
 
-// Which edges are valleys: what a query for visible lines may leave out.
+// Which edges are valleys. A query for visible lines can skip valleys.
 //
-// Faces (a, b, c) and (b, a, d) share a regular edge ab. Whether d lies behind the plane of the first and
-// whether c lies behind the plane of the second is one question, as both ask for the sign of
+// Faces (a, b, c) and (b, a, d) share a regular edge ab. The edge is convex if d lies behind the plane of
+// the first face, or equally if c lies behind the plane of the second. Both conditions are the sign of
 //
 //     det = (b - a) x (c - a) · (d - a)        < 0 convex, a ridge      > 0 concave, a valley
 //
-// It is asked of the corners themselves, not of the faces' rounded planes, so the two sides of an edge
-// never disagree. In double, with Shewchuk's bound of its error (Adaptive Precision Floating-Point
-// Arithmetic, 1997): nearer to zero than that, the edge is flat. Flat are also edges of a face without
-// area and faces folded onto each other.
+// The corners decide it, not the faces' rounded planes, so the two sides of an edge always agree. The
+// determinant is computed in double, with Shewchuk's error bound (Adaptive Precision Floating-Point
+// Arithmetic, 1997). An edge is flat if the determinant is within that bound. Edges of a face without
+// area and edges between faces folded together are flat, too.
 //
 //         ___            \   /
 //        /   \            \_/         front is outside, above
 //     convex              concave
 //
-// Beside a concave edge of a solid, outside is where both faces are front. A point outside that sees the
-// edge is there and sees both faces front, so the edge is not on the silhouette; where it is, the solid
-// itself hides it (Bénard, Hertzmann, Line Drawings from 3D Models, 2019, 4.2). What that needs:
+// Near a concave edge of a solid, the outside is the region where both faces are front. An outside point
+// that sees the edge sees both faces from the front, so the edge is not on the silhouette. A concave edge
+// on the silhouette is hidden by the solid itself (Bénard, Hertzmann, Line Drawings from 3D Models, 2019,
+// 4.2). Conditions:
 //
 //   The mesh is closed, oriented outwards and free of self-intersections, and the point is outside it. On
-//   a mesh turned inside out ridges and valleys change places, and what would be removed is just what is
-//   visible. On an open mesh, or from inside, one sees the backs of faces, and valleys that part a front
-//   face from a back one are visible: remove none there.
-//   Where the point is within rounding of a face's plane its bit may be the wrong one (plane.h), and a
-//   removed edge may be seen edge-on, beside a face of no visible width.
-//   Shadows need every edge of the silhouette: never remove any for them.
+//   an inside-out mesh ridges and valleys are exchanged, so the visible edges would be removed. On an open
+//   mesh, or from inside, backs of faces are visible, and so are valleys between a front and a back face:
+//   do not remove edges there.
+//   If the point is within rounding error of a face's plane, the face's bit may be wrong (plane.h). A
+//   removed edge may then be visible, next to a face seen edge-on.
+//   Shadows need every edge of the silhouette: never remove edges for them.
 
 #include <cstdint>
 #include <span>
@@ -37,21 +38,22 @@
 namespace rimline {
 
 enum class EdgeConvexity : std::uint8_t {
-    convex,   ///< Certainly a ridge.
+    convex,   ///< A ridge, certain despite rounding.
     flat,     ///< Neither is certain.
-    concave,  ///< Certainly a valley.
-    none,     ///< Not a regular edge: inside and outside have no sides there.
+    concave,  ///< A valley, certain despite rounding.
+    none,     ///< Not a regular edge: no inside and outside is defined.
 };
 
 /// O(1).
 EdgeConvexity edge_convexity(const Mesh& mesh, EdgeId edge) noexcept;
 
-/// One bit for each regular edge, set where it is concave: edge e is bit e % 32 of word e / 32. Bits past
-/// the last regular edge are zero. O(regular edges).
+/// One bit per regular edge, set if it is concave. Edge e is bit e % 32 of word e / 32. Bits after the
+/// last regular edge are 0. O(regular edges).
 std::vector<std::uint32_t> concave_edge_bits(const Mesh& mesh);
 
-/// Removes from `edges`, which may be any of the mesh in any order, those whose bit is set; the rest stay
-/// in order. Edges beyond the last word are not concave. Does not allocate. O(edges).
+/// Removes the edges whose bit is set from `edges`, and keeps the order of the others. `edges` may hold
+/// any edges of the mesh in any order. Edges beyond the last word are not concave. Does not allocate.
+/// O(edges).
 void remove_concave_edges(std::span<const std::uint32_t> concave_bits, std::vector<EdgeId>& edges);
 
 }  // namespace rimline

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which positions are equal, as numbers: -0 is 0. A hash table with open addressing at half load.
+// Finds equal positions. Coordinates are compared as numbers: -0 equals 0. Uses a hash table with
+// open addressing, at most half full.
 
 #include <bit>
 #include <cstdint>
@@ -11,8 +12,8 @@
 
 namespace rimline {
 
-/// For each position, the first index with an equal position; at most 2^32 - 2 of them, none NaN.
-/// O(positions) expected.
+/// For each position, the first index with an equal position. Takes at most 2^32 - 2 positions,
+/// none of them NaN. O(positions) expected.
 template <typename Real>
 std::vector<std::uint32_t> first_equal_positions(
     std::span<const std::type_identity_t<glm::vec<3, Real>>> positions) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// One bit for each face, front or back, packed 32 to a word: face f is bit f % 32 of word f / 32. The
-// GPU reads the same words. Bits past the last face are zero.
+// One bit per face, 1 for front and 0 for back, 32 in a word: face f is bit f % 32 of word f / 32.
+// The GPU reads the same words. Bits after the last face are 0.
 
 #include <cstdint>
 #include <span>
@@ -20,7 +20,8 @@ inline bool face_bit(std::span<const std::uint32_t> words, FaceId face) noexcept
     return (words[index(face) / 32] >> (index(face) % 32) & 1u) != 0;
 }
 
-/// Whether an edge is on the silhouette, by its class's rule (EdgeClass). Always false for borders.
+/// Whether an edge is on the silhouette, by the rule of its class (EdgeClass). Always false for
+/// borders.
 inline bool is_on_silhouette(const Mesh& mesh, EdgeId edge,
                              std::span<const std::uint32_t> face_words) noexcept {
     const std::uint32_t e = index(edge);

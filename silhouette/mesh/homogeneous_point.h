@@ -1,10 +1,10 @@
 #pragma once
 
-// Where a silhouette is seen from: a viewpoint (p, 1) or a direction (v, 0).
+// The point that a silhouette belongs to: a viewpoint (p, 1) or a direction (v, 0).
 //
-// A direction points from the model towards the viewer or the light. There is no other w, so that
-// w * d is exact and the face bit of plane.h needs no rounding of its own there. Make points with
-// viewpoint() and direction(); trackers and trees refuse what is_valid() does not hold for.
+// A direction points from the model towards the viewer or the light. w is 0 or 1 only, so the
+// product w * d in the face bit of plane.h is exact. Make points with viewpoint() and direction().
+// Trackers and trees reject points that are not is_valid().
 
 #include <cmath>
 #include <glm/vec3.hpp>
@@ -13,24 +13,24 @@
 
 namespace rimline {
 
-/// Coordinates of meshes and points lie in [-k_max_coordinate, k_max_coordinate]: sums of squares
-/// stay finite in float.
+/// Coordinates of meshes and points lie in [-k_max_coordinate, k_max_coordinate]. Sums of their
+/// squares are then finite in float.
 constexpr float k_max_coordinate = 0x1p60f;
 
-/// Components smaller than this in a point are zero. With plane.h's own limit no product or sum of
-/// the face bit is ever subnormal, so it does not matter what a device does with subnormals.
+/// Smaller components of a point are set to 0. With the limits in plane.h, no product or sum in the
+/// face bit is subnormal, so results do not depend on how a device treats subnormals.
 constexpr float k_min_point_component = 0x1p-60f;
 
 struct HomogeneousPoint {
     float x, y, z;
     float w;  ///< 1 for a viewpoint, 0 for a direction.
 
-    /// Whether viewpoint() and direction() take a vector: finite, and within k_max_coordinate.
+    /// Whether viewpoint() and direction() accept a vector: finite and within k_max_coordinate.
     static bool is_valid(glm::vec3 v) noexcept {
         return std::abs(v.x) <= k_max_coordinate && std::abs(v.y) <= k_max_coordinate &&
                std::abs(v.z) <= k_max_coordinate;  // False for NaN too.
     }
-    /// Whether this is a point that viewpoint() or direction() could have made.
+    /// Whether viewpoint() or direction() could have made this point.
     bool is_valid() const noexcept {
         const auto is_snapped = [](float c) {
             return c == 0.0f || std::abs(c) >= k_min_point_component;
@@ -44,8 +44,8 @@ struct HomogeneousPoint {
         RIMLINE_CHECK(is_valid(p));
         return {snapped(p.x), snapped(p.y), snapped(p.z), 1.0f};
     }
-    /// `v` must be valid. It need not be a unit vector: its length does not matter as long as no
-    /// component that counts is below k_min_point_component.
+    /// `v` must be valid. It may have any length, but components below k_min_point_component are
+    /// lost.
     static HomogeneousPoint direction(glm::vec3 v) noexcept {
         RIMLINE_CHECK(is_valid(v));
         return {snapped(v.x), snapped(v.y), snapped(v.z), 0.0f};

@@ -1,6 +1,7 @@
 #pragma once
 
-// Index types that do not mix. An id is a position in one of a Mesh's arrays; `index(id)` is its number.
+// Index types that do not convert to each other. An id is an index into an array of a Mesh, and
+// `index(id)` is its number.
 
 #include <cstdint>
 

@@ -16,15 +16,15 @@ constexpr std::uint32_t k_vertices_a_checkpoint = 1u << 16;
 
 // One side of one triangle.
 struct HalfEdge {
-    std::uint32_t far_vertex;  // The greater of its two vertices; the lesser names the bucket.
+    std::uint32_t far_vertex;  // The greater of its two vertices. The lesser selects the bucket.
     std::uint32_t face;
-    std::uint8_t corner;  // It runs from this corner to the next.
-    bool ascending;       // It runs from the lesser vertex to the greater.
+    std::uint8_t corner;  // It goes from this corner to the next.
+    bool ascending;       // It goes from the lesser vertex to the greater.
 };
 
-// Half-edges by lesser vertex, then greater, then face.
+// Half-edges sorted by lesser vertex, then greater vertex, then face.
 struct SortedHalfEdges {
-    std::vector<std::uint32_t> begin;  // By lesser vertex.
+    std::vector<std::uint32_t> begin;  // Indexed by lesser vertex.
     std::vector<HalfEdge> half_edges;
 };
 
@@ -51,7 +51,7 @@ SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32
     for_each([&](std::uint32_t f, std::uint8_t c, std::uint32_t a, std::uint32_t b) {
         sorted.half_edges[next[std::min(a, b)]++] = {std::max(a, b), f, c, a < b};
     });
-    // Faces were visited in order, so a stable order within equal far vertices is by face.
+    // Each bucket is sorted by far vertex, then face.
     for (std::uint32_t v = 0; v < vertex_count; ++v) {
         if (v % k_vertices_a_checkpoint == 0) call.checkpoint(0.5 + 0.5 * v / vertex_count);
         std::sort(sorted.half_edges.begin() + sorted.begin[v],
@@ -92,7 +92,7 @@ public:
     explicit FaceSets(std::size_t count) : parent_(count) {
         std::iota(parent_.begin(), parent_.end(), 0u);
     }
-    /// True when two sets became one.
+    /// Returns true if two sets became one.
     bool join(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);
@@ -119,7 +119,7 @@ Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call) : up
     call.checkpoint(0.2);
     planes_.reserve(triangles_.size());
     for (const Triangle& t : triangles_) {
-        // Equal corners give a zero cross product exactly.
+        // Equal corners give a cross product of exactly zero.
         planes_.push_back(supporting_plane(
             {positions_[index(t[0])], positions_[index(t[1])], positions_[index(t[2])]}));
         if (!planes_.back().has_normal()) ++degenerate_face_count_;

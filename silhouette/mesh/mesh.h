@@ -1,13 +1,14 @@
 #pragma once
 
-// A triangle mesh as silhouettes need it: welded vertices, a plane for each face, and edges sorted
-// into four classes by how faces meet there.
+// A triangle mesh for silhouettes: welded vertices, a plane per face, and edges in four classes by how their
+// faces meet.
 //
-// Equal positions are one vertex, so that split vertices (UV seams, STL) make no borders, unless it is
-// asked otherwise. Vertices that no triangle uses are dropped. Faces keep the file's order, degenerate ones included:
-//   a triangle with two equal corners has no plane and contributes no edges;
-//   a triangle whose cross product is zero has no plane (its bit is always back) but has edges.
-// Built in O(vertices + faces), the same for the same input on every machine.
+// By default equal positions are one vertex, so that split vertices (UV seams, STL) make no borders.
+// Vertices that no triangle uses are dropped. Faces, also degenerate ones, keep the file's order:
+//   a triangle with two equal corners has no plane and no edges;
+//   a triangle with distinct corners and a zero cross product has no plane, but has edges. Its bit is
+//   always back.
+// Construction takes O(vertices + faces). The same input gives the same mesh on every machine.
 
 #include <array>
 #include <cstdint>
@@ -22,16 +23,16 @@
 
 namespace rimline {
 
-/// Edges are numbered class by class in this order, within a class by their vertices.
+/// Edges are numbered by class in this order, and within a class by their vertices.
 enum class EdgeClass : std::uint8_t {
-    regular,       ///< Two faces that run it in opposite directions. Silhouette: bits differ.
-    inconsistent,  ///< Two faces that run it the same way. Silhouette: bits are equal.
-    nonmanifold,   ///< Three faces or more. Silhouette: bits are not all equal.
-    border,        ///< One face. Its own class: always drawn, never joins or leaves a silhouette.
+    regular,       ///< Two faces that traverse it in opposite directions. Silhouette: bits differ.
+    inconsistent,  ///< Two faces that traverse it in the same direction. Silhouette: bits are equal.
+    nonmanifold,   ///< Three or more faces. Silhouette: bits are not all equal.
+    border,        ///< One face. Always drawn, never part of a silhouette.
 };
 
-/// faces[0], the first of its faces, runs it from vertices[0] to vertices[1]. faces[1] is the second
-/// face of a regular or inconsistent edge, else k_no_face; Mesh::faces_of knows them all.
+/// The first face, faces[0], traverses the edge from vertices[0] to vertices[1]. faces[1] is the second face
+/// of a regular or inconsistent edge, else k_no_face. Mesh::faces_of returns all faces.
 struct Edge {
     std::array<VertexId, 2> vertices;
     std::array<FaceId, 2> faces;
@@ -43,16 +44,16 @@ struct Bounds {
     glm::vec3 low, high;
 };
 
-/// Which vertices of a source are one.
+/// Which vertices of a source become one vertex.
 enum class Welding : std::uint8_t {
     equal_positions,
-    none,  ///< Each index by itself: faces that only touch share nothing.
+    none,  ///< Each index is its own vertex: faces that only touch share none.
 };
 
 class Mesh {
 public:
-    /// Throws Error{too_large} beyond 2^30 triangles. A source without triangles gives an empty mesh.
-    /// Indices must be in range and coordinates as MeshSource says. Throws Error{cancelled}.
+    /// Throws Error{too_large} for more than 2^30 triangles, and Error{cancelled}. A source without
+    /// triangles gives an empty mesh. Indices must be in range, and coordinates as MeshSource requires.
     explicit Mesh(const MeshSource& source, Welding welding = Welding::equal_positions,
                   const LongCall& call = {});
 
@@ -68,12 +69,11 @@ public:
     const Plane& plane(FaceId face) const noexcept { return planes_[index(face)]; }
     const Edge& edge(EdgeId edge) const noexcept { return edges_[index(edge)]; }
 
-    /// The edges of a face: corner 0 to 1, 1 to 2, 2 to 0; k_no_edge three times where two corners
-    /// are equal.
+    /// The edges of a face: corner 0 to 1, 1 to 2, 2 to 0. All three are k_no_edge if two corners are equal.
     const std::array<EdgeId, 3>& edges_of(FaceId face) const noexcept {
         return face_edges_[index(face)];
     }
-    /// All faces of an edge, ascending: one at a border, three or more where non-manifold.
+    /// All faces of an edge, ascending: one for a border, three or more for a non-manifold edge.
     std::span<const FaceId> faces_of(EdgeId edge) const noexcept;
 
     EdgeClass edge_class(EdgeId edge) const noexcept;
@@ -87,21 +87,21 @@ public:
         return {class_begin_[c], class_begin_[c + 1]};
     }
 
-    /// The file's number of a vertex: of equal positions that are welded, the first in the file.
+    /// The file's number of a vertex. For welded positions, the first in the file.
     std::uint32_t file_vertex(VertexId vertex) const noexcept {
         return file_vertex_[index(vertex)];
     }
     std::uint32_t file_vertex_count() const noexcept { return file_vertex_count_; }
     std::uint32_t degenerate_face_count() const noexcept { return degenerate_face_count_; }
-    /// Sets of faces connected through edges.
+    /// The number of sets of faces connected by edges.
     std::uint32_t component_count() const noexcept { return component_count_; }
-    /// Every edge has an even number of faces (and there is a face).
+    /// Whether every edge has an even number of faces, and there is a face.
     bool is_closed() const noexcept { return closed_; }
-    /// No two faces run a shared two-face edge the same way.
+    /// Whether no edge is inconsistent.
     bool is_oriented() const noexcept;
     UpAxis up() const noexcept { return up_; }
 
-    /// Of the used vertices; all zero for an empty mesh.
+    /// Bounds of the used vertices. All zero for an empty mesh.
     const Bounds& bounds() const noexcept { return bounds_; }
     /// The center of the bounds.
     glm::dvec3 center() const noexcept;

@@ -18,15 +18,15 @@ glm::vec3 snapped(glm::vec3 v, float smallest) {
     return {snap(v.x), snap(v.y), snap(v.z)};
 }
 
-// Times the power of two that takes the greatest component into [1, 2).
+// Multiplies by the power of two that brings the largest component into [1, 2).
 glm::vec3 scaled(glm::vec3 v) {
-    const float greatest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (greatest == 0.0f) return v;
-    const std::uint32_t exponent = std::bit_cast<std::uint32_t>(greatest) >> 23;
+    const float max_component = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (max_component == 0.0f) return v;
+    const std::uint32_t exponent = std::bit_cast<std::uint32_t>(max_component) >> 23;
     return snapped(v * std::bit_cast<float>((254u - exponent) << 23), k_min_scaled_component);
 }
 
-// Each component in two parts of at most 12 bits (Veltkamp).
+// Splits each component into two parts of at most 12 bits (Veltkamp).
 struct Halves {
     glm::vec3 high, low;
 };
@@ -37,14 +37,14 @@ Halves halves(glm::vec3 v) {
     return {high, v - high};
 }
 
-// What rounding took from a * b.
+// The rounding error of `product`: a * b - product.
 glm::vec3 product_error(glm::vec3 a, glm::vec3 b, glm::vec3 product) {
     const auto [a_high, a_low] = halves(a);
     const auto [b_high, b_low] = halves(b);
     return a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
 }
 
-glm::vec3 careful_cross(glm::vec3 a, glm::vec3 b) {
+glm::vec3 accurate_cross(glm::vec3 a, glm::vec3 b) {
     const glm::vec3 a_left{a.y, a.z, a.x}, b_left{b.z, b.x, b.y};
     const glm::vec3 a_right{a.z, a.x, a.y}, b_right{b.y, b.z, b.x};
     const glm::vec3 left = a_left * b_left;
@@ -59,7 +59,7 @@ bool is_front(const std::array<glm::vec3, 3>& corners, const HomogeneousPoint& p
     const glm::vec3 v0 = snapped(corners[0], k_min_corner_component);
     const glm::vec3 a = scaled(snapped(corners[1], k_min_corner_component) - v0);
     const glm::vec3 b = scaled(snapped(corners[2], k_min_corner_component) - v0);
-    const glm::vec3 n = scaled(careful_cross(a, b));
+    const glm::vec3 n = scaled(accurate_cross(a, b));
     const glm::vec3 q = scaled(point.xyz() - v0 * point.w);
     return (n.x * q.x + n.y * q.y) + n.z * q.z > 0.0f;
 }

@@ -1,9 +1,10 @@
 #pragma once
 
-// What a file or a generator says of points, before equal ones are merged: the input of PointCloud, as
-// MeshSource is that of Mesh.
+// The points of a file or generator, before equal ones are merged. It is the input of PointCloud, as
+// MeshSource is the input of Mesh.
 //
-// Positions are doubles: a scan in a surveyor's coordinates has its millimetres far behind the point.
+// Positions are doubles, because a scan in survey coordinates needs millimeters in numbers of many
+// digits.
 
 #include <array>
 #include <cstdint>
@@ -17,30 +18,32 @@ namespace rimline {
 /// sRGB, 8 bits a channel: red, green, blue.
 using PointColor = std::array<std::uint8_t, 3>;
 
-/// What to do with positions that are NaN or infinite. Finite ones beyond k_max_coordinate are an error.
+/// What to do with positions that are NaN or infinite. Finite positions beyond k_max_coordinate are
+/// always an error.
 enum class BadPoints {
-    refuse,  ///< The first is an error that names its place, and its number, from 0, where a file has one.
-    keep,  ///< They keep their numbers; PointCloud leaves them out and counts them.
+    refuse,  ///< The first one is an error that names its place and, if the file has one, its number.
+    keep,    ///< They keep their numbers. PointCloud drops and counts them.
 };
 
 struct PointSource {
-    /// In the file's own numbering. Finite ones within k_max_coordinate; others only where they were
-    /// asked for (BadPoints::keep).
+    /// Numbered as in the file. Finite ones are within k_max_coordinate. Others occur only with
+    /// BadPoints::keep.
     std::vector<glm::dvec3> positions;
-    /// As the file says, of any length, zero where a point has none; one a position, or empty.
+    /// One per position, or empty. As in the file: of any length, zero if a point has none.
     std::vector<glm::vec3> normals;
-    /// One a position, or empty.
+    /// One per position, or empty.
     std::vector<PointColor> colors;
-    /// How strongly a scanner's light came back, in the file's own unit; one a position, or empty.
+    /// The strength of the scanner's returned light, in the file's unit. One per position, or empty.
     std::vector<float> intensities;
-    /// The faces of a file that holds a mesh, as positions' indices: not for finding silhouettes, but to
-    /// know what is true of its points. Empty where a position is not finite.
+    /// The faces of a file that holds a mesh, as indices into `positions`. They are a reference to
+    /// compare results for the points with, not an input for silhouettes. Empty if a position is not
+    /// finite.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    /// The file format's convention.
+    /// The up axis of the file format.
     UpAxis up = UpAxis::y;
 };
 
-/// A mesh's positions, its faces kept aside.
+/// The positions of a mesh. Its faces go to `triangles`.
 PointSource points_of(MeshSource mesh);
 
 }  // namespace rimline

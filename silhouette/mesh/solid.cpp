@@ -20,12 +20,12 @@ namespace rimline {
 
 namespace {
 
-// Roundings of a projection are some twenty of 2^-53, of the length of what is projected.
+// A projection has about twenty rounding errors of 2^-53, relative to the projected length.
 constexpr double k_rounding = 0x1p-40;
 constexpr std::uint32_t k_leaf_faces = 4;
 constexpr std::uint32_t k_faces_a_task = 4096;
 constexpr std::uint32_t k_faces_a_checkpoint = 1u << 14;
-// Pairs of faces whose boxes meet, beyond which nobody knows: a fan's all meet at its middle.
+// Beyond this many pairs of overlapping boxes the test gives up. In a fan all boxes overlap at its center.
 constexpr std::uint64_t k_pairs_a_face = 256;
 constexpr std::uint64_t k_min_pairs = 1u << 22;
 
@@ -33,7 +33,7 @@ using Points = std::span<const glm::dvec3>;
 using Segment = std::array<glm::dvec3, 2>;
 using Corners = std::array<glm::dvec3, 3>;
 
-// Whether what two sets of points span lies apart along an axis, by more than rounding.
+// Whether an axis separates the convex hulls of two sets of points, by more than rounding error.
 bool are_apart(Points a, Points b, const glm::dvec3& axis) {
     const glm::dvec3 origin = a[0];
     double low[2], high[2], reach = 0.0;
@@ -55,7 +55,7 @@ bool are_apart(Points a, Points b, const glm::dvec3& axis) {
 
 glm::dvec3 normal_of(const Corners& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
 
-// By the axes along which two convex sets in space can be apart, or in a plane where both lie in one.
+// Tests all axes that can separate two triangles, in space or in a common plane.
 bool are_apart(const Corners& a, const Corners& b) {
     const glm::dvec3 normals[]{normal_of(a), normal_of(b)};
     if (are_apart(a, b, normals[0]) || are_apart(a, b, normals[1])) return true;
@@ -73,12 +73,12 @@ bool are_apart(const Corners& a, const Corners& b) {
 
 bool are_apart(const Segment& segment, const Corners& t) {
     const glm::dvec3 normal = normal_of(t);
-    const glm::dvec3 way = segment[1] - segment[0];
-    if (are_apart(segment, t, normal) || are_apart(segment, t, glm::cross(normal, way)))
+    const glm::dvec3 direction = segment[1] - segment[0];
+    if (are_apart(segment, t, normal) || are_apart(segment, t, glm::cross(normal, direction)))
         return true;
     for (std::size_t j = 0; j < 3; ++j) {
         const glm::dvec3 edge = t[(j + 1) % 3] - t[j];
-        if (are_apart(segment, t, glm::cross(way, edge)) ||
+        if (are_apart(segment, t, glm::cross(direction, edge)) ||
             are_apart(segment, t, glm::cross(normal, edge)))
             return true;
     }
@@ -99,7 +99,8 @@ struct Box {
     }
 };
 
-// The faces in a balanced tree of boxes: a node's faces are a run of the order, halved by its children.
+// A balanced tree of boxes over the faces. A node holds a range of `order_`. Its children hold one half
+// each.
 class FaceTree {
 public:
     explicit FaceTree(const Mesh& mesh) : mesh_(mesh), order_(mesh.face_count()) {
@@ -111,8 +112,8 @@ public:
         build(0, 0, mesh.face_count());
     }
 
-    // Whether the face at a place of the order meets one behind it where it should not. Adds to `pairs` how
-    // many it was held against.
+    // Whether the face at `place` in the order intersects a later face outside their shared corners and
+    // edges. Adds the number of tested pairs to `pairs`.
     bool meets_another(std::uint32_t place, std::uint64_t& pairs) const {
         const std::uint32_t face = order_[place];
         return meets_another(face, box_of(face), place + 1, 0, 0, mesh_.face_count(), pairs);
@@ -142,7 +143,7 @@ private:
         if (last - first <= k_leaf_faces) return;
         const glm::vec3 size = box.high - box.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-        // Equal places in order of their numbers, so that the tree is the same everywhere.
+        // The face number breaks ties, so the tree is the same on every machine.
         const auto place = [&](std::uint32_t face) {
             const Box b = box_of(face);
             return std::pair(b.low[axis] + b.high[axis], face);
@@ -180,7 +181,7 @@ private:
         return false;
     }
 
-    // Whether two faces may meet but in what they share.
+    // Whether two faces may meet outside the corners and edges that they share.
     bool meet_elsewhere(std::uint32_t face, std::uint32_t other) const {
         const Triangle& a = mesh_.triangles()[face];
         const Triangle& b = mesh_.triangles()[other];
@@ -192,13 +193,13 @@ private:
                 if (a[i] == b[j]) shared[count++] = {i, j};
         if (count == 0) return !are_apart(p, q);
         if (count == 1) {
-            // If they meet in more than the corner, then where one leaves the other through its far side.
+            // If they meet in more than the corner, the far side of one of them intersects the other.
             const auto [i, j] = shared[0];
             return !are_apart(Segment{p[(i + 1) % 3], p[(i + 2) % 3]}, q) ||
                    !are_apart(Segment{q[(j + 1) % 3], q[(j + 2) % 3]}, p);
         }
         if (count == 3) return true;
-        // They meet in more than the edge where they are folded flat onto each other.
+        // They meet in more than the edge only if they are folded flat onto each other.
         const std::size_t i = 3 - shared[0][0] - shared[1][0];
         const std::size_t j = 3 - shared[0][1] - shared[1][1];
         const glm::dvec3 start = p[(i + 1) % 3];
@@ -219,14 +220,14 @@ private:
     std::vector<Box> boxes_;
 };
 
-// Whether every set of faces connected through edges encloses a positive volume.
+// Whether every set of faces connected by edges encloses a positive volume.
 bool shells_turn_outwards(const Mesh& mesh) {
     std::vector<std::uint8_t> seen(mesh.face_count(), 0);
     std::vector<std::uint32_t> open;
     for (std::uint32_t first = 0; first < mesh.face_count(); ++first) {
         if (seen[first]) continue;
         const glm::dvec3 origin(mesh.positions()[index(mesh.triangles()[first][0])]);
-        // Sixfold; with the sums that its rounding is a share of.
+        // Six times the volume, and two sums that bound its rounding error.
         double volume = 0.0, terms = 0.0, products = 0.0;
         std::uint32_t faces = 0;
         seen[first] = 1;
@@ -249,7 +250,7 @@ bool shells_turn_outwards(const Mesh& mesh) {
                         open.push_back(index(next));
                     }
         }
-        // Of a term at most five roundings of 2^-53 of its product; of the sum, one a face.
+        // A term has at most five rounding errors of 2^-53 times its product. The sum has one per face.
         if (!(volume > 0x1p-49 * products + 0x1p-52 * faces * terms)) return false;
     }
     return true;

@@ -1,25 +1,25 @@
 #pragma once
 
-// Which side of a closed mesh its faces turn outwards.
+// Whether the faces of a closed mesh face outwards.
 //
-// What looks at a solid from outside asks which faces turn towards it, so the corners have to be
-// counter-clockwise as seen from outside. Some files have it the other way round; silhouettes and shadows do
-// not mind, but a vote on front and back does. The sign of the volume that the faces enclose tells.
+// Corners must be counter-clockwise as seen from outside, so that faces towards an outside viewer are front.
+// Some files use the opposite order. It does not affect silhouettes and shadows, but it affects votes on
+// front and back. The sign of the enclosed volume tells the order.
 
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
 
-/// The volume that the faces enclose, negative where they are wound clockwise as seen from outside; of an
-/// open mesh, with the cones to the mesh's center added. O(faces).
+/// The volume that the faces enclose. It is negative if they are wound clockwise as seen from outside. For
+/// an open mesh, cones from its borders to its center close it. O(faces).
 double enclosed_volume(const Mesh& mesh);
 
-/// Whether a mesh is closed, consistently oriented and encloses a negative volume. Of an open or an
-/// inconsistently oriented mesh nobody can say: false.
+/// Whether a mesh is closed, consistently oriented and encloses a negative volume. False for an open or
+/// inconsistently oriented mesh, where it is not defined.
 bool is_inside_out(const Mesh& mesh);
 
-/// The same mesh with all faces wound the other way. Vertices and faces keep their order; file_vertex()
-/// gives the mesh's own numbers.
+/// The same mesh with all faces wound in the opposite order. Vertices and faces keep their order.
+/// file_vertex() of the result gives vertex numbers of `mesh`.
 Mesh turned_inside_out(const Mesh& mesh);
 
 }  // namespace rimline

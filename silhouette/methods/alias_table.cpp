@@ -19,8 +19,8 @@ AliasTable::AliasTable(std::span<const double> weights) : columns_(weights.size(
         (height[i] < 1.0 ? low : high).push_back(i);
         columns_[i] = {0xffffffffu, i};
     }
-    // A low column is filled up from a high one, which may be low then. What rounding leaves in either
-    // list is full.
+    // A low column is filled from a high one, which may be low afterwards. Columns that rounding leaves in
+    // either list are full.
     while (!low.empty() && !high.empty()) {
         const std::uint32_t i = low.back();
         const std::uint32_t j = high.back();

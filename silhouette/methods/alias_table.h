@@ -1,9 +1,10 @@
 #pragma once
 
-// Draws a number with a given probability for each, in constant time, and the random bits for it.
+// Draws numbers with given probabilities, each in constant time, from a generator of random bits.
 //
 // A. Walker, An Efficient Method for Generating Discrete Random Variables with General Distributions,
-// ACM TOMS 1977: n columns of equal height, each shared by one number and at most one other.
+// ACM TOMS 1977: n columns of equal height. Each column belongs to one number and at
+// most one other.
 
 #include <cstdint>
 #include <span>
@@ -11,8 +12,8 @@
 
 namespace rimline {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): the same on every machine, which the standard library's
-/// distributions are not.
+/// SplitMix64 (Steele, Lea, Flood 2014). Gives the same numbers on every machine, unlike the standard
+/// library's distributions.
 class RandomBits {
 public:
     explicit RandomBits(std::uint64_t seed) noexcept : state_(seed) {}
@@ -32,13 +33,13 @@ private:
 class AliasTable {
 public:
     AliasTable() = default;
-    /// Weights are positive and their sum finite. O(weights).
+    /// Weights must be positive and their sum finite. O(weights).
     explicit AliasTable(std::span<const double> weights);
 
     bool is_empty() const noexcept { return columns_.empty(); }
-    /// Number i with probability weights[i] / sum. There must be one.
+    /// Returns i with probability weights[i] / sum. The table must not be empty.
     std::uint32_t draw(RandomBits& random) const noexcept {
-        // The high half chooses the column, the low half who of the two in it.
+        // The high half chooses the column, the low half one of its two numbers.
         const std::uint64_t bits = random.next();
         const auto at = static_cast<std::uint32_t>((bits >> 32) * columns_.size() >> 32);
         const Column& column = columns_[at];
@@ -47,7 +48,8 @@ public:
 
 private:
     struct Column {
-        std::uint32_t own;  // In 2^-32; at most 1 - 2^-32, in which case `other` is the column too.
+        std::uint32_t
+            own;  // In units of 2^-32. A full column has 1 - 2^-32, and itself as `other`.
         std::uint32_t other;
     };
     std::vector<Column> columns_;

@@ -2,7 +2,7 @@
 
 #include <bit>
 #if defined(__x86_64__)
-// gcc 12 takes its own header's deliberately undefined registers for a mistake.
+// gcc 12 warns of registers that its own header leaves undefined on purpose.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -14,7 +14,7 @@
 
 namespace rimline {
 
-// One body a loop, inlined into a function for each instruction set.
+// The loop bodies, inlined into a function for each instruction set.
 struct PackedBruteForce::Kernels {
     [[gnu::always_inline]] static inline void make_face_bits(const Planes& planes,
                                                              const HomogeneousPoint& p,
@@ -34,7 +34,7 @@ struct PackedBruteForce::Kernels {
         }
     }
 
-    // Of 32 edges, those whose faces' bits differ.
+    // Those of 32 edges whose faces' bits differ.
     [[gnu::always_inline]] static inline std::uint32_t compare_faces(const std::uint32_t* face_a,
                                                                      const std::uint32_t* face_b,
                                                                      const std::uint32_t* words) {
@@ -62,7 +62,7 @@ struct PackedBruteForce::Kernels {
                                                        std::span<std::uint32_t> words) {
         make_face_bits(planes, p, words);
     }
-    // By intrinsics: gcc makes a gather of single loads, which takes a tenth longer.
+    // Intrinsics: gcc compiles the plain loop to single loads, which takes a tenth longer.
     [[gnu::target("avx2")]] static std::uint32_t compare_avx2(const std::uint32_t* face_a,
                                                               const std::uint32_t* face_b,
                                                               const std::uint32_t* words) {
@@ -70,7 +70,7 @@ struct PackedBruteForce::Kernels {
         for (std::uint32_t i = 0; i < 32; i += 8) {
             const __m256i bits =
                 _mm256_xor_si256(bits_avx2(face_a + i, words), bits_avx2(face_b + i, words));
-            // The bits stand lowest; the mask reads the sign.
+            // The bits are lowest; the mask reads the sign.
             const __m256 signs = _mm256_castsi256_ps(_mm256_slli_epi32(bits, 31));
             differ |= static_cast<std::uint32_t>(_mm256_movemask_ps(signs)) << i;
         }
@@ -102,7 +102,7 @@ struct PackedBruteForce::Kernels {
         const __m512i b = _mm512_loadu_si512(face_b);
         const __m512i word_a = _mm512_i32gather_epi32(_mm512_srli_epi32(a, 5), words, 4);
         const __m512i word_b = _mm512_i32gather_epi32(_mm512_srli_epi32(b, 5), words, 4);
-        // A rotation takes its count modulo 32.
+        // A rotation uses its count modulo 32.
         const __m512i differ =
             _mm512_xor_si512(_mm512_rorv_epi32(word_a, a), _mm512_rorv_epi32(word_b, b));
         return _mm512_test_epi32_mask(differ, _mm512_set1_epi32(1));

@@ -1,11 +1,11 @@
 #pragma once
 
-// Brute force as fast as today's machines do it: the baseline that an index has to beat.
+// Brute force in wide registers: the baseline that an index is compared with.
 //
-// Every face and every edge again, but laid out for vector registers: planes and the faces of edges as
-// structure of arrays, 32 face bits made at a time, then 32 edges examined at a time on the packed bits.
-// The loops are plain C++ that the compiler vectorizes, compiled once for each instruction set below and
-// chosen when the object is made. Equal, bit for bit, to brute_force.h.
+// It tests every face and every edge. Planes and the faces of edges are stored as structures of arrays. 32
+// face bits are computed at a time, then 32 edges are examined at a time on the packed bits. The compiler
+// vectorizes the plain C++ loops once for each instruction set below; the constructor chooses the version.
+// The results equal those of brute_force.h bit for bit.
 
 #include <cstdint>
 #include <span>
@@ -19,22 +19,22 @@ namespace rimline {
 
 class PackedBruteForce {
 public:
-    /// `mesh` must outlive it. Holds 16 bytes a face and 8 an edge.
+    /// `mesh` must outlive this object. Uses 16 bytes a face and 8 an edge.
     explicit PackedBruteForce(const Mesh& mesh);
-    explicit PackedBruteForce(Mesh&&) = delete;  // It would be gone.
+    explicit PackedBruteForce(Mesh&&) = delete;  // It would dangle.
 
-    /// Replaces `words` by every face's bit, packed as face_bits.h says. O(faces).
+    /// Replaces `words` by the bits of all faces, packed as face_bits.h says. O(faces).
     void face_bits(const HomogeneousPoint& point, std::vector<std::uint32_t>& words) const;
-    /// Replaces `edges` by the silhouette that `words` make, ascending. O(edges).
+    /// Replaces `edges` by the silhouette for the face bits `words`, ascending. O(edges).
     void silhouette(std::span<const std::uint32_t> words, std::vector<EdgeId>& edges) const;
 
-    /// What the loops were compiled for: "AVX-512", "AVX2" or "baseline".
+    /// The instruction set of the loops: "AVX-512", "AVX2" or "baseline".
     std::string_view instruction_set() const noexcept { return instruction_set_; }
 
 private:
-    // Planes n·x = d, padded with planes of no normal, whose bit is back, to whole words.
+    // Planes n·x = d, padded to whole words with planes without a normal, which are always back.
     std::vector<float> nx_, ny_, nz_, d_;
-    // The faces of regular and inconsistent edges, padded with twice face 0, whose bits never differ.
+    // The two faces of regular and inconsistent edges, padded with pairs of face 0, whose bits never differ.
     std::vector<std::uint32_t> face_a_, face_b_;
     const Mesh* mesh_;
 

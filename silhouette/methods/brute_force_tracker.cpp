@@ -7,12 +7,12 @@ namespace rimline {
 
 namespace {
 
-// Words compared before one branch: most hold no face that flipped.
+// Words compared before one branch: most contain no face that flipped.
 constexpr std::size_t k_words_at_once = 8;
 constexpr std::size_t k_prefetch_ahead = 12;
 
-// In the unit of one edge of a flipped face looked at, as the tracker counts it: an edge of the pass
-// over all, an edge of the silhouette written and compared.
+// Unit: the examination of one edge of a flipped face, as the tracker counts it. The terms: a pass over all
+// edges, and writing and comparing the silhouette's edges.
 std::uint64_t cost_of_extraction(std::uint64_t edge_count, std::size_t silhouette_size) {
     return edge_count / 4 + 3 * silhouette_size;
 }
@@ -87,7 +87,7 @@ void BruteForceTracker::find_flips() noexcept {
     }
 }
 
-// Results are stored before it is known whether they count: a branch would be taken at random.
+// Every result is stored and the count advanced only if it is valid: a branch would be unpredictable.
 std::span<const EdgeId> BruteForceTracker::changed_edges() noexcept {
     std::size_t count = 0;
     for (std::size_t i = 0; i < flipped_.size(); ++i) {

@@ -20,7 +20,7 @@ struct SupportingPlane {
     double d;
 };
 
-// The planes of the edges' faces, and the middle of their vertices' bounds.
+// The planes of the edges' faces, and the center of their vertices' bounds.
 struct Cluster {
     std::vector<SupportingPlane> planes;
     glm::dvec3 middle;
@@ -61,7 +61,7 @@ glm::dvec3 farthest_normal(const Cluster& cluster, const glm::dvec3& axis) {
 }
 
 // Nearly the axis of the smallest cone around all normals, by steps towards the farthest one (Badoiu,
-// Clarkson 2003). Zero where it is plain that no cone narrower than a half-space will come of it.
+// Clarkson 2003). Zero where the cone cannot be narrower than a half-space.
 glm::dvec3 axis_of(const Cluster& cluster) {
     glm::dvec3 axis(0.0);
     for (const SupportingPlane& plane : cluster.planes) axis += plane.unit_n;
@@ -77,8 +77,8 @@ glm::dvec3 axis_of(const Cluster& cluster) {
     return glm::length(axis) > k_smallest ? glm::normalize(axis) : glm::dvec3(0.0);
 }
 
-// The sine of the greatest angle between an axis and a normal; 1 where that is a right angle or more.
-// By the cross product: small angles have cosines that tell nothing.
+// The sine of the greatest angle between an axis and a normal; 1 where that is a right angle or more. Uses
+// the cross product: cosines of small angles are too inexact.
 double sine_around(const Cluster& cluster, const glm::dvec3& axis) {
     double greatest = 0.0;
     for (const SupportingPlane& plane : cluster.planes) {
@@ -88,8 +88,8 @@ double sine_around(const Cluster& cluster, const glm::dvec3& axis) {
     return greatest;
 }
 
-// The first point along the axis from the middle, forward (sign 1) or backward (-1), that lies on the
-// outer or the inner side of all planes by enough to be certain. Infinite where none is within reach.
+// The first point along the axis from the center, forward (sign 1) or backward (-1), that lies certainly on
+// the outer or the inner side of all planes. Infinite where none is within reach.
 glm::vec3 apex_of(const Cluster& cluster, const glm::dvec3& axis, double sign) {
     const glm::vec3 none(std::numeric_limits<float>::infinity());
     double along = -std::numeric_limits<double>::infinity();
@@ -97,7 +97,7 @@ glm::vec3 apex_of(const Cluster& cluster, const glm::dvec3& axis, double sign) {
         const double missing = sign * (plane.d - glm::dot(plane.n, cluster.middle));
         along = std::max(along, missing / glm::dot(plane.n, axis));
     }
-    // Each try goes farther than rounding and the margin ask for from the last.
+    // Each step is longer than rounding and the margin require after the last.
     double step = 0x1p-20 * (glm::length(cluster.middle) + std::abs(along));
     for (int attempt = 0; attempt < 12; ++attempt, step *= 2.0) {
         const glm::vec3 apex(cluster.middle + sign * (along + step) * axis);

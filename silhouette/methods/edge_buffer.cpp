@@ -6,7 +6,7 @@
 
 namespace rimline {
 
-[[gnu::always_inline]] inline std::uint32_t EdgeBuffer::ToldBoth::run(const std::uint8_t* flags) {
+[[gnu::always_inline]] inline std::uint32_t EdgeBuffer::BothFlags::run(const std::uint8_t* flags) {
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < k_sweep; ++i)
         bits |= flags[i] == (k_front | k_back) ? 1u << i : 0u;
@@ -17,11 +17,11 @@ EdgeBuffer::EdgeBuffer(const Mesh& mesh)
     : mesh_(&mesh),
       planes_((std::size_t{mesh.face_count()} + k_leaf_items - 1) / k_leaf_items),
       front_(best_version<FrontOfSixteen>()),
-      told_both_(best_version<ToldBoth>()) {
+      both_flags_(best_version<BothFlags>()) {
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
         planes_[f / k_leaf_items].set(f % k_leaf_items, mesh.plane(FaceId{f}));
 
-    // Lists of vertices, one after another; in a list, by the other vertex.
+    // The lists of all vertices, one after another. Each list is sorted by the other vertex.
     edges_.resize(mesh.edge_count());
     for (std::uint32_t e = 0; e < edges_.size(); ++e) edges_[e] = EdgeId{e};
     const auto ends = [&mesh](EdgeId edge) {
@@ -45,7 +45,7 @@ EdgeBuffer::EdgeBuffer(const Mesh& mesh)
             const EdgeId edge = mesh.edges_of(FaceId{f})[corner];
             places_[f][corner] = edge == k_no_edge ? none : place_of[index(edge)];
         }
-    // What is told there is never read as an edge's.
+    // The flags of this place belong to no edge.
     flags_[none] = k_inconsistent;
 }
 
@@ -58,8 +58,8 @@ void EdgeBuffer::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edg
         const std::uint32_t bits = front_(planes_[begin / k_leaf_items], point);
         const std::uint32_t count = std::min(k_leaf_items, face_count - begin);
         for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint8_t told = (bits >> i & 1u) != 0 ? k_front : k_back;
-            for (const std::uint32_t place : places_[begin + i]) flags_[place] |= told;
+            const std::uint8_t flag = (bits >> i & 1u) != 0 ? k_front : k_back;
+            for (const std::uint32_t place : places_[begin + i]) flags_[place] |= flag;
         }
     }
     for (const std::uint32_t place : inconsistent_)
@@ -67,7 +67,7 @@ void EdgeBuffer::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edg
             edges.push_back(edges_[place]);
     for (std::uint32_t begin = 0; begin < flags_.size(); begin += k_sweep) {
         std::uint8_t* const flags = &flags_[begin];
-        for (std::uint32_t on = told_both_(flags); on != 0; on &= on - 1)
+        for (std::uint32_t on = both_flags_(flags); on != 0; on &= on - 1)
             edges.push_back(edges_[begin + static_cast<std::uint32_t>(std::countr_zero(on))]);
         for (std::uint32_t i = 0; i < k_sweep; ++i) flags[i] &= k_inconsistent;
     }

@@ -1,10 +1,10 @@
 #pragma once
 
-// Face bits and edges sixteen at a time: what the leaves of all the trees here are made of.
+// Face bits and edges in blocks of sixteen: the leaves of all trees of this folder.
 //
-// Sixteen planes are a structure of arrays; sixteen edges are two of those, of their first and of their
-// second faces. A leaf holds its own planes, so that nothing is gathered, at the price of storing each
-// plane with every edge of its face.
+// Sixteen planes are a structure of arrays. Sixteen edges are two of them: the planes of their first faces
+// and of their second faces. A leaf stores its own planes, so that no load is a gather; each plane is
+// therefore stored with every edge of its face.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace rimline {
 
-/// Planes that are not set have no normal: always back.
+/// A plane that is not set has no normal and is always back.
 struct alignas(64) SixteenPlanes {
     using Lanes = std::array<float, k_leaf_items>;
     Lanes nx{}, ny{}, nz{}, d{};
@@ -32,7 +32,7 @@ struct alignas(64) SixteenPlanes {
     }
 };
 
-/// The face bits of a block, lane i in bit i.
+/// The face bits of a block. Bit i belongs to lane i.
 struct FrontOfSixteen {
     [[gnu::always_inline]] static inline std::uint32_t run(const SixteenPlanes& planes,
                                                            const HomogeneousPoint& p) {
@@ -46,7 +46,7 @@ struct FrontOfSixteen {
     }
 };
 
-/// Those of two blocks that differ.
+/// The bits in which two blocks differ.
 struct DifferenceOfSixteen {
     [[gnu::always_inline]] static inline std::uint32_t run(
         const std::array<SixteenPlanes, 2>& faces, const HomogeneousPoint& p) {
@@ -54,19 +54,19 @@ struct DifferenceOfSixteen {
     }
 };
 
-/// All edges of a mesh but its borders: those that a tree leads to, in the tree's order, and the rest,
-/// which are tested at every extraction.
+/// All edges of a mesh but its borders: the edges of a tree in the tree's order, and the rest, which is
+/// tested at every extraction.
 class EdgeLeaves {
 public:
     EdgeLeaves() = default;
-    /// `treed` are regular edges in the tree's order, each once. `mesh` must outlive the object.
+    /// `treed` are regular edges in the tree's order, each once. `mesh` must outlive this object.
     EdgeLeaves(const Mesh& mesh, std::span<const EdgeId> treed);
 
     /// Appends those edges of a leaf that are on the silhouette.
     void test_leaf(std::uint32_t leaf, const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                    TraversalCounters& counters) const;
-    /// Appends those edges that no leaf has: regular ones left out of the tree, inconsistent ones and
-    /// non-manifold ones.
+    /// Appends those edges outside the tree that are on the silhouette: regular edges that the tree leaves
+    /// out, inconsistent edges and non-manifold edges.
     void test_rest(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                    TraversalCounters& counters) const;
 
@@ -89,7 +89,7 @@ private:
     const Mesh* mesh_ = nullptr;
     KernelPointer<DifferenceOfSixteen> difference_ = best_version<DifferenceOfSixteen>();
     std::vector<Block>
-        blocks_;  // Treed, untreed and inconsistent edges, each from a block's start.
+        blocks_;  // Edges in the tree, regular edges outside it, inconsistent ones; each kind starts a block.
     std::uint32_t treed_count_ = 0;
     std::uint32_t untreed_count_ = 0;
     std::uint32_t rest_count_ = 0;

@@ -1,7 +1,6 @@
 #pragma once
 
-// Edges in an order in which close ones have nearly the same planes: what the trees of cones and of
-// quadrics are built over.
+// An order in which neighboring edges have nearly the same planes. The trees of cones and of quadrics use it.
 
 #include <vector>
 
@@ -10,7 +9,7 @@
 
 namespace rimline {
 
-/// Regular edges whose faces both have a plane, in packed_order of the planes' mean in plane space
+/// The regular edges whose two faces have a plane, in packed_order of the planes' mean in plane space
 /// about the mesh's center (plane_tree.h). O(edges log edges).
 std::vector<EdgeId> edges_by_plane(const Mesh& mesh);
 

@@ -6,29 +6,47 @@ FollowedSilhouette::FollowedSilhouette(const Mesh& mesh) : mesh_(&mesh) {}
 
 void FollowedSilhouette::start(std::span<const std::uint32_t> face_words,
                                TraversalCounters& counters) {
+    start(face_words, std::span<const EdgeId>());
+    for (std::uint32_t e = 0; e < slot_of_.size(); ++e)
+        if (is_on_silhouette(*mesh_, EdgeId{e}, face_words_)) join(EdgeId{e});
+    counters.edge_checks += slot_of_.size();
+}
+
+void FollowedSilhouette::start(std::span<const std::uint32_t> face_words,
+                               std::span<const EdgeId> edges) {
     RIMLINE_CHECK(face_words.size() == face_word_count(mesh_->face_count()));
     face_words_.assign(face_words.begin(), face_words.end());
-    const std::uint32_t edge_count = mesh_->edges_of_class(EdgeClass::border).first;
-    slot_of_.assign(edge_count, k_no_slot);
+    // Borders come last and never join.
+    slot_of_.assign(mesh_->edges_of_class(EdgeClass::border).first, k_no_slot);
     edges_.clear();
-    for (std::uint32_t e = 0; e < edge_count; ++e)
-        if (is_on_silhouette(*mesh_, EdgeId{e}, face_words_)) join(EdgeId{e});
-    counters.edge_checks += edge_count;
+    for (const EdgeId edge : edges) join(edge);
     started_ = true;
 }
 
 void FollowedSilhouette::turn(std::span<const FaceId> flipped, TraversalCounters& counters) {
     for (const FaceId face : flipped) face_words_[index(face) / 32] ^= 1u << (index(face) % 32);
-    for (const FaceId face : flipped) {
+    counters.edge_checks += update_edges(flipped);
+}
+
+bool FollowedSilhouette::set_bit(FaceId face, bool is_front) noexcept {
+    if (face_bit(face_words_, face) == is_front) return false;
+    face_words_[index(face) / 32] ^= 1u << (index(face) % 32);
+    return true;
+}
+
+std::uint64_t FollowedSilhouette::update_edges(std::span<const FaceId> turned) {
+    std::uint64_t examined = 0;
+    for (const FaceId face : turned) {
         for (const EdgeId edge : mesh_->edges_of(face)) {
             if (index(edge) >= slot_of_.size()) continue;  // A border, or none.
-            ++counters.edge_checks;
+            ++examined;
             const bool was = slot_of_[index(edge)] != k_no_slot;
             const bool is = is_on_silhouette(*mesh_, edge, face_words_);
             if (is && !was) join(edge);
             if (was && !is) leave(edge);
         }
     }
+    return examined;
 }
 
 void FollowedSilhouette::join(EdgeId edge) {

@@ -1,10 +1,10 @@
 #pragma once
 
-// A silhouette kept up to date by the faces that turn: what every method that follows a moving point
-// needs once it has found them.
+// A silhouette that is updated from the faces that turn. Every method that follows a moving point uses it
+// once it has found those faces.
 //
-// Each face that turned has its three edges examined again, on the packed face bits. The edges lie
-// without gaps; one that leaves is replaced by the last.
+// The three edges of each face that turned are examined again, on the packed face bits. The edges are stored
+// without gaps: the last edge takes the place of one that leaves.
 
 #include <cstdint>
 #include <span>
@@ -18,17 +18,26 @@ namespace rimline {
 
 class FollowedSilhouette {
 public:
-    /// `mesh` must outlive it.
+    /// `mesh` must outlive this object.
     explicit FollowedSilhouette(const Mesh& mesh);
 
-    /// From the bits of all faces, packed as face_bits.h says. O(faces + edges).
+    /// Starts from the bits of all faces, packed as face_bits.h says. O(faces + edges).
     void start(std::span<const std::uint32_t> face_words, TraversalCounters& counters);
-    /// `flipped` names faces whose bits are now the other ones, each once. O(flipped).
+    /// The same where the silhouette of these bits is known: `edges`, without borders.
+    void start(std::span<const std::uint32_t> face_words, std::span<const EdgeId> edges);
+
+    /// `flipped` names the faces whose bits are now inverted, each once. O(flipped).
     void turn(std::span<const FaceId> flipped, TraversalCounters& counters);
+
+    /// The two halves of turn(). Sets one bit; returns whether it has changed. update_edges() must follow
+    /// before edges() is read.
+    bool set_bit(FaceId face, bool is_front) noexcept;
+    /// `turned` names the faces whose bits have changed, each once. Returns the number of edges examined.
+    std::uint64_t update_edges(std::span<const FaceId> turned);
 
     bool has_started() const noexcept { return started_; }
     std::span<const std::uint32_t> face_words() const noexcept { return face_words_; }
-    /// In no particular order, borders not among them.
+    /// In no particular order, without borders.
     std::span<const EdgeId> edges() const noexcept { return edges_; }
 
 private:
@@ -41,7 +50,7 @@ private:
     bool started_ = false;
     std::vector<std::uint32_t> face_words_;
     std::vector<EdgeId> edges_;
-    std::vector<std::uint32_t> slot_of_;  // By edge, borders excepted.
+    std::vector<std::uint32_t> slot_of_;  // The position in edges_ of each edge but borders.
 };
 
 }  // namespace rimline

@@ -1,14 +1,14 @@
 #pragma once
 
-// One body of plain loops, compiled once for each instruction set, and the version this machine runs.
+// Plain loops that are compiled once for each instruction set, and the best version for this machine.
 //
 // A kernel is a type with a static, always-inlined `run` over a fixed number of lanes, which the
-// compiler turns into whatever registers the version has:
+// compiler translates to the registers of each version:
 //
 //     struct Sum {
 //         [[gnu::always_inline]] static inline float run(const std::array<float, 8>& lanes);
 //     };
-//     const auto sum = best_version<Sum>();   // Kept by whoever calls it often.
+//     const auto sum = best_version<Sum>();   // Store it where it is called often.
 
 #include <vector>
 
@@ -26,7 +26,7 @@ struct KernelVersions<Kernel, Result(Arguments...)> {
     [[gnu::target("avx2")]] static Result avx2(Arguments... arguments) {
         return Kernel::run(arguments...);
     }
-#if defined(__clang__)  // Which has no such preference, and would ignore the rest with it.
+#if defined(__clang__)  // clang has no such preference and would ignore the other names with it.
     [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl")]] static Result
 #else
     [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512")]] static Result
@@ -36,7 +36,7 @@ struct KernelVersions<Kernel, Result(Arguments...)> {
     }
 #endif
 
-    /// Those that this machine runs, the best last.
+    /// The versions that this machine can run, the best last.
     static std::vector<Pointer> all() {
         std::vector<Pointer> versions{baseline};
 #if defined(__x86_64__)
@@ -57,7 +57,7 @@ KernelPointer<Kernel> best_version() {
     return KernelVersions<Kernel, decltype(Kernel::run)>::all().back();
 }
 
-/// For tests: all give the same.
+/// For tests: all versions give the same results.
 template <typename Kernel>
 std::vector<KernelPointer<Kernel>> all_versions() {
     return KernelVersions<Kernel, decltype(Kernel::run)>::all();

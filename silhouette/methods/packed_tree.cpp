@@ -30,14 +30,14 @@ std::size_t widest_axis(std::span<const KeyedItem> items) {
     return widest;
 }
 
-// `unit` is what a node of one level holds: leaves, then eight of those, and so on.
+// `unit` is the number of items of a node: of a leaf, then eight times as many at each level.
 void arrange(std::span<KeyedItem> items, std::size_t unit) {
     while (items.size() <= unit && unit > k_leaf_items) unit /= k_fan_out;
     if (items.size() <= unit) return;
     const std::size_t nodes = (items.size() + unit - 1) / unit;
     const std::size_t middle = nodes / 2 * unit;
     const std::size_t axis = widest_axis(items);
-    // Ties by number: where equal keys fall must not depend on a library's nth_element.
+    // Ties are broken by number: the order of equal keys must not depend on a library's nth_element.
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle),
                      items.end(), [axis](const KeyedItem& a, const KeyedItem& b) {
                          return a.key[axis] != b.key[axis] ? a.key[axis] < b.key[axis]
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> packed_order(std::span<const PackedKey> keys) {
     std::size_t unit = k_leaf_items;
     while (unit * k_fan_out < items.size()) unit *= k_fan_out;
     arrange(items, unit);
-    // Within a leaf, by number: what nth_element left there is the library's own.
+    // Sorted by number within a leaf: the order that nth_element leaves depends on the library.
     for (std::size_t begin = 0; begin < items.size(); begin += k_leaf_items) {
         const auto leaf = std::span(items).subspan(
             begin, std::min<std::size_t>(k_leaf_items, items.size() - begin));

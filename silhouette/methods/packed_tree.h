@@ -1,14 +1,13 @@
 #pragma once
 
-// The shape that all the trees here share: complete, eight children a node, sixteen items a leaf, and
-// no pointers.
+// The shape of all trees of this folder: complete, eight children a node, sixteen items a leaf, no pointers.
 //
 //     level 1   [ 0                       | 1             ]     node i has the children 8i .. 8i + 7
 //     level 0   [ 0 | 1 | 2 | ... | 7     | 8 | 9 | ...   ]     leaf i has the items 16i .. 16i + 15
 //     items     [ 16 | 16 | 16 | ...      |               ]     in packed_order
 //
-// What a tree knows of its nodes lies in groups of eight siblings, structure of arrays, so that one
-// pass of vector instructions tests them all. Only the last node of a level may have fewer children,
+// The data of the nodes is stored in groups of eight siblings, as structures of arrays, so that one pass of
+// vector instructions tests all eight. Only the last node of a level may have fewer children,
 // and only the last leaf fewer items.
 
 #include <array>
@@ -22,12 +21,12 @@ namespace rimline {
 constexpr std::uint32_t k_leaf_items = 16;
 constexpr std::uint32_t k_fan_out = 8;
 
-/// Four coordinates by which items are told near or far.
+/// Four coordinates that define the distance of items.
 using PackedKey = std::array<float, 4>;
 
-/// An order in which every node's items are close together: order[i] is the number of the item at
-/// position i. Ranges are halved at a median of their widest axis, rounded to whole nodes; coincident
-/// keys are as good as any. Coordinates must be finite. O(n log n); the same on every machine.
+/// An order in which the items of every node are close together: order[i] is the number of the item at
+/// position i. Ranges are halved at a median of their widest axis, rounded to whole nodes. Keys may
+/// coincide. Coordinates must be finite. O(n log n); the same on every machine.
 std::vector<std::uint32_t> packed_order(std::span<const PackedKey> keys);
 
 class PackedTree {
@@ -52,12 +51,12 @@ public:
         return {node * levels_[level].items_a_node,
                 end < item_count_ ? static_cast<std::uint32_t>(end) : item_count_};
     }
-    /// Where a node's siblings and itself are; its lane is node % k_fan_out.
+    /// The group of a node and its siblings. The node's lane is node % k_fan_out.
     std::uint32_t group_of(std::uint32_t level, std::uint32_t node) const noexcept {
         return levels_[level].first_group + node / k_fan_out;
     }
 
-    /// Siblings as a walk meets them.
+    /// A group of siblings during a traversal.
     struct Siblings {
         std::uint32_t group;
         std::uint32_t level;
@@ -65,8 +64,8 @@ public:
         std::uint32_t count;
         std::uint32_t lanes() const noexcept { return (1u << count) - 1; }
     };
-    /// Depth first. `enter(siblings)` says, as a mask of lanes, which nodes to look into;
-    /// `visit(leaf)` is called for each leaf looked into. Never allocates.
+    /// Traverses depth first. `enter(siblings)` returns a mask of the lanes whose nodes are entered;
+    /// `visit(leaf)` is called for each leaf that is entered. Never allocates.
     template <typename Enter, typename Visit>
     void walk(Enter&& enter, Visit&& visit) const;
 
@@ -76,7 +75,7 @@ private:
         std::uint32_t first_group;
         std::uint32_t items_a_node;
     };
-    // 16 * 8^10 items are more than 2^32; a walk pops a group before it pushes up to eight.
+    // 16 * 8^10 items are more than 2^32. A traversal pops one group before it pushes up to eight.
     static constexpr std::uint32_t k_max_levels = 11;
     static constexpr std::uint32_t k_max_stack = (k_fan_out - 1) * k_max_levels + 1;
 

@@ -5,19 +5,9 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/rounded_float.h"
 
 namespace rimline {
-
-namespace {
-
-float rounded_up(double value) noexcept {
-    const auto rounded = static_cast<float>(value);
-    return double{rounded} >= value
-               ? rounded
-               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
-
-}  // namespace
 
 PointForm form_of(const HomogeneousPoint& point, const glm::dvec3& origin) noexcept {
     const glm::dvec3 q = glm::dvec3(point.xyz()) - double{point.w} * origin;
@@ -60,7 +50,7 @@ PlaneBoxes::PlaneBoxes(const glm::dvec3& origin, std::span<const PlaneBounds> it
       kernel_(best_version<Sides>()) {
     const std::array<double, 3> origin_size{std::abs(origin.x), std::abs(origin.y),
                                             std::abs(origin.z)};
-    std::vector<PlaneBounds> below;  // Of the level below.
+    std::vector<PlaneBounds> below;  // Bounds of the level below.
     for (std::uint32_t level = 0; level < tree_.level_count(); ++level) {
         std::vector<PlaneBounds> nodes(tree_.node_count(level), PlaneBounds::none());
         for (std::uint32_t node = 0; node < nodes.size(); ++node) {

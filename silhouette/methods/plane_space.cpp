@@ -6,7 +6,7 @@
 
 namespace rimline {
 
-// As hough_point.h derives: two floats' worth of bits times a double, three sums.
+// The bound of hough_point.h: products of a float and a double, three sums.
 OffsetPlane offset_plane(const Plane& plane, const glm::dvec3& origin) noexcept {
     const double d = plane.d;
     return {d - glm::dot(glm::dvec3(plane.nx, plane.ny, plane.nz), origin),

@@ -1,18 +1,18 @@
 #pragma once
 
-// Silhouettes by boxes of planes in four dimensions: what plane_tree.h, dual_tree.h and gauss_map.h
-// share. They differ in where they place a plane (plane_boxes.h).
+// Silhouettes by boxes of planes in four dimensions: the common part of plane_tree.h, dual_tree.h and
+// gauss_map.h. These differ in how they map a plane to a point (plane_boxes.h).
 //
-//   Extraction. A tree of edges, whose boxes hold the planes of both their faces. Where a box lies
-//   certainly on one side of the point's hyperplane, no edge of it is on the silhouette.
+//   Extraction. A tree of edges, whose boxes contain the planes of both faces of each edge. Where a box lies
+//   certainly on one side of the point's hyperplane, none of its edges is on the silhouette.
 //
 //   Update. A tree of faces. Where a box is certainly on one side of both the old and the new
-//   hyperplane, none of its faces turned, or all of them did if these are different sides.
+//   hyperplane, none of its faces turned if it is the same side, all of them if it is not.
 //
-// A factor that is negative for some planes changes their sides: an edge whose faces disagree in it is
-// on the silhouette when both are on the *same* side, which no box can exclude. Such edges, and those
-// with a face that is not placed, are tested at every extraction, as are inconsistent and non-manifold
-// ones; faces that have a plane but are not placed, at every update.
+// A negative factor exchanges the sides of a plane. An edge whose two faces have factors of different signs
+// is on the silhouette when both points are on the *same* side, which no box can exclude. Such edges are
+// tested at every extraction. So are edges with a face that is not placed, inconsistent edges and
+// non-manifold edges. Faces that have a plane but are not placed are tested at every update.
 
 #include <array>
 #include <cstdint>
@@ -29,10 +29,10 @@ namespace rimline {
 
 struct PlacedPlane {
     PlaneBounds bounds{};
-    int factor_sign = 0;  ///< Of what the plane was divided by; 0: it is not placed.
+    int factor_sign = 0;  ///< The sign of the plane's factor; 0 where the plane is not placed.
 };
 
-/// The distance of a plane from an origin, d - n·O, in double, and how far the exact one may be off.
+/// The distance of a plane from an origin, d - n·O, in double, and a bound of its error.
 struct OffsetPlane {
     double distance, error;
 };
@@ -42,7 +42,8 @@ class PlaneSpace {
 public:
     /// Places a plane that has a normal.
     using Place = std::function<PlacedPlane(const Plane&)>;
-    /// `weights` say how coordinates compare when planes are told near or far. `mesh` must outlive it.
+    /// `weights` scale the coordinates when the distance of two planes is computed. `mesh` must outlive this
+    /// object.
     PlaneSpace(const Mesh& mesh, const glm::dvec3& origin, const Place& place,
                const std::array<double, 4>& weights);
 
@@ -52,7 +53,7 @@ public:
     void update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                 TraversalCounters& counters);
 
-    /// Edges tested at every extraction.
+    /// The number of edges that are tested at every extraction.
     std::uint32_t untreed_edges() const noexcept { return edge_leaves_.rest_count(); }
 
 private:
@@ -72,14 +73,14 @@ private:
     PlaneBoxes edge_boxes_;
     EdgeLeaves edge_leaves_;
 
-    // Faces that have a plane, sixteen a block: those of face_boxes_, then, from a block of their own,
-    // those that are not placed.
+    // Faces that have a plane, sixteen a block: first those of face_boxes_, then those that are not placed,
+    // which start a new block.
     PlaneBoxes face_boxes_;
     struct FaceBlock {
         SixteenPlanes planes;
         std::array<FaceId, k_leaf_items> faces;
         std::uint32_t count;
-        std::uint32_t bits;  // As of followed_point_.
+        std::uint32_t bits;  // The face bits at followed_point_.
     };
     std::vector<FaceBlock> face_blocks_;
     std::size_t placed_blocks_ = 0;

@@ -20,7 +20,7 @@ constexpr std::size_t at(std::size_t row, std::size_t column) {
 
 struct OffsetVector {
     Vector4 x;     // (n, d - n·O)
-    double error;  // Of the fourth.
+    double error;  // Of the fourth coordinate.
 };
 
 OffsetVector vector_of(const Plane& plane, const glm::dvec3& origin) {
@@ -33,8 +33,8 @@ PlaneBounds bounds_of(const Plane& plane, const glm::dvec3& origin) {
     return {{x[0], x[1], x[2], x[3] - error}, {x[0], x[1], x[2], x[3] + error}};
 }
 
-// M = LL^T. A coordinate that does not vary, or depends on those before it within a millionth, gets a
-// column that is zero or as short as that.
+// M = LL^T. A coordinate that does not vary, or depends on those before it within a millionth, has a column
+// that is zero or nearly zero.
 LowerTriangle cholesky(const LowerTriangle& m) {
     LowerTriangle l{};
     for (std::size_t j = 0; j < 4; ++j) {
@@ -52,7 +52,7 @@ LowerTriangle cholesky(const LowerTriangle& m) {
     return l;
 }
 
-// t with Lt = v, as far as L reaches.
+// t with Lt = v, as far as v lies in the range of L.
 Vector4 solved(const LowerTriangle& l, const Vector4& v) {
     Vector4 t{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -97,7 +97,7 @@ void QuadricTree::build_quadric(std::uint32_t level, std::uint32_t node,
     for_each_plane([&](const OffsetVector& v) {
         for (std::size_t i = 0; i < 4; ++i) center[i] += v.x[i] / count;
     });
-    for (double& c : center) c = static_cast<float>(c);  // As it is stored.
+    for (double& c : center) c = static_cast<float>(c);  // Rounded as it is stored.
 
     const auto from_center = [&center](const Vector4& x) {
         return Vector4{x[0] - center[0], x[1] - center[1], x[2] - center[2], x[3] - center[3]};
@@ -147,7 +147,7 @@ void QuadricTree::build_quadric(std::uint32_t level, std::uint32_t node,
         else
             stored += origin_margin;
         group.center[i][lane] = static_cast<float>(center[i]);
-        // A little more, so that rounding to the nearest float cannot make it less.
+        // Slightly enlarged, so that rounding to the nearest float cannot make it too small.
         group.extent[i][lane] = static_cast<float>(stored * (1.0 + 0x1p-22));
     }
 }

@@ -9,7 +9,7 @@ namespace rimline {
 
 namespace {
 
-// Every edge has a chance: coplanar faces may differ by rounding.
+// No edge has weight zero: coplanar faces may differ by rounding.
 constexpr double k_min_angle_rad = 1e-3;
 
 double angle_of(const Mesh& mesh, EdgeId edge) {
@@ -83,7 +83,7 @@ bool Randomised::test(EdgeId edge, const HomogeneousPoint& point) {
 }
 
 void Randomised::begin_call() {
-    if (++call_ == 0) {  // Calls have wrapped: old marks would look new.
+    if (++call_ == 0) {  // The call number has wrapped: old marks would be valid again.
         for (EdgeToTest& edge : edges_) edge.tested_in = 0;
         call_ = 1;
     }
@@ -101,7 +101,7 @@ void Randomised::try_random_edges(std::uint64_t count, const HomogeneousPoint& p
         ++tried_;
         if (!test(EdgeId{edges_by_angle_.draw(random_)}, point)) continue;
         ++hits_;
-        // At once, so that later seeds that fall on the same loop cost nothing.
+        // Followed at once, so that later seeds on the same loop cost nothing.
         trace(point);
     }
 }

@@ -1,19 +1,19 @@
 #pragma once
 
-// Randomised search: a few random edges, and from each that is on the silhouette along it.
+// Randomized search: tests a few random edges, and follows the silhouette from each that is on it.
 //
 // L. Markosian, M. Kowalski, S. Trychin, L. Bourdev, D. Goldstein, J. Hughes, Real-Time
-// Nonphotorealistic Rendering, SIGGRAPH 1997. Silhouettes of smooth shapes are long loops, of which one
-// edge is enough to find all, and sharp edges are on them most often. So seeds are drawn in proportion
-// to the angle between the faces' normals, 8√edges of them, as a smooth shape's silhouette has some
-// √edges. A move begins with the silhouette that was: its edges are the seeds, and where one has left,
-// all those around its vertices, with a quarter of the random ones for loops that are new.
+// Nonphotorealistic Rendering, SIGGRAPH 1997. Silhouettes of smooth shapes are long loops. One edge of
+// a loop is enough to find the whole loop. Sharp edges are on silhouettes most often. So 8√edges seeds are
+// drawn, with probabilities in proportion to the angle between the faces' normals; a smooth shape's
+// silhouette has about √edges edges. An update takes the edges of the previous silhouette as seeds, and the
+// edges around the vertices of those that have left it, with a quarter of the random seeds for new loops.
 //
-// What is found is on the silhouette; loops that no seed meets are missed. So it is fast, and not
-// exact: what share of the silhouette it finds must be reported beside any time of it.
+// All edges of the result are on the silhouette; loops without a seed are missed. The method is fast and not
+// exact: the share of the silhouette that it finds must be reported beside any of its times.
 //
-// Inconsistent and non-manifold edges take part like all others. The same for the same seed and calls,
-// on every machine; extract() always starts from the seed.
+// Inconsistent and non-manifold edges are treated like all others. Results are the same on every machine for
+// the same seed and calls; extract() always starts from the seed.
 
 #include <array>
 
@@ -24,6 +24,7 @@ namespace rimline {
 
 class Randomised final : public SilhouetteMethod {
 public:
+    /// `mesh` must outlive the method.
     Randomised(const Mesh& mesh, std::uint64_t seed);
 
     /// A subset of the silhouette, each edge once.
@@ -31,13 +32,12 @@ public:
                  TraversalCounters& counters) override;
     void update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                 TraversalCounters& counters) override;
-    /// Random edges tried in the last call, and how many of them were on the silhouette and not yet
-    /// found.
+    /// The random edges tried in the last call, and those of them that were new edges of the silhouette.
     std::vector<NamedCount> own_counts() const override;
 
 private:
     bool is_on_silhouette_from(EdgeId edge, const HomogeneousPoint& point);
-    // False too when it was tested before in this call.
+    // Returns false also where this call has tested the edge before.
     bool test(EdgeId edge, const HomogeneousPoint& point);
     void begin_call();
     void try_random_edges(std::uint64_t count, const HomogeneousPoint& point);
@@ -54,15 +54,16 @@ private:
     std::vector<std::uint32_t> vertex_begin_;
     std::vector<EdgeId> vertex_edges_;  // Of vertex v: [vertex_begin_[v], vertex_begin_[v + 1]).
 
-    // By edge, borders excepted: all that a test of most edges needs, in one place.
+    // One an edge but borders: all data that the test of most edges needs.
     struct EdgeToTest {
         std::array<Plane, 2> planes;  // Of the first two faces.
-        std::uint32_t tested_in;      // The call that tested it last.
+        std::uint32_t tested_in;      // The last call that tested the edge.
         EdgeClass edge_class;
     };
     std::vector<EdgeToTest> edges_;
     std::uint32_t call_ = 0;
-    std::vector<EdgeId> found_;  // In this call; those before traced_ have been traced.
+    std::vector<EdgeId>
+        found_;  // Edges found by this call; those before traced_ have been followed.
     std::size_t traced_ = 0;
     std::vector<EdgeId> previous_;
     std::uint64_t tried_ = 0;

@@ -9,8 +9,8 @@
 
 namespace rimline {
 
-/// Directions come back with their greatest component in [1, 2), viewpoints and no direction at all
-/// unchanged. On which side of a plane a direction points stays exactly the same.
+/// Returns a direction with its greatest component in [1, 2). Viewpoints and the zero vector stay unchanged.
+/// The side of a plane to which a direction points is exactly the same.
 inline HomogeneousPoint scaled_direction(const HomogeneousPoint& point) noexcept {
     const float greatest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     if (!point.is_direction() || greatest == 0.0f) return point;

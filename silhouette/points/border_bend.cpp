@@ -7,20 +7,21 @@
 #include <optional>
 
 #include "silhouette/mesh/angle_between.h"
-#include "silhouette/points/border_tracing.h"
+#include "silhouette/points/neighborhood.h"
+#include "silhouette/points/open_point.h"
 
 namespace rimline {
 
 namespace {
 
 constexpr double k_standing_back = 10.0;
-// Of eight degrees: as much bends by noise.
+// The square of eight degrees in radians: noise bends borders by so much.
 constexpr double k_noise_bend = 0.0195;
-// Where several in a row stand back, each waits for the one that does most.
+// Of several neighbors that stand back, one is taken off in each round.
 constexpr int k_bend_rounds = 3;
 
-// The gap that ends at `old_end` then ends at `new_end`, with a triangle between the two. False, and as it
-// was, where that is no neighbor or in the ring already.
+// Moves the end of the gap at `old_end` to `new_end` and adds the triangle between the two. Returns false,
+// with the fan unchanged, where `new_end` is no neighbor or is in the ring already.
 bool move_end(Fan& fan, std::span<const std::uint32_t> list, std::uint32_t old_end,
               std::uint32_t new_end) {
     const auto found = std::find(list.begin(), list.end(), new_end);
@@ -30,7 +31,7 @@ bool move_end(Fan& fan, std::span<const std::uint32_t> list, std::uint32_t old_e
     if (std::find(fan.ring.begin(), ring_end, place) != ring_end) return false;
     const auto gap = static_cast<std::size_t>(std::countr_zero(fan.gaps));
     const bool is_first = list[fan.ring[gap]] == old_end;
-    // Between the gap's two ends: the sector on the side of the old one is a triangle.
+    // It is inserted between the gap's two ends. The sector on the side of the old end becomes a triangle.
     const std::size_t at = gap + 1;
     std::copy_backward(fan.ring.begin() + static_cast<std::ptrdiff_t>(at), ring_end, ring_end + 1);
     fan.ring[at] = place;
@@ -45,11 +46,11 @@ public:
                   std::vector<OpenPoint>& open)
         : points_(points), neighbors_(neighbors), open_(open) {}
 
-    // Whether anything changed.
+    // Returns whether anything changed.
     bool round() {
         std::vector<double> bends(open_.size(), 0.0);
         for (std::size_t n = 0; n < open_.size(); ++n) bends[n] = bend_of(open_[n]);
-        std::vector<std::size_t> farthest;  // No two in a row.
+        std::vector<std::size_t> farthest;  // No two of them are neighbors on the border.
         for (std::size_t n = 0; n < open_.size(); ++n) {
             if (bends[n] == 0.0) continue;
             const auto stands_less = [&](std::size_t other) {
@@ -71,7 +72,7 @@ private:
         bool has(std::uint32_t point) const { return first == point || last == point; }
         std::uint32_t other(std::uint32_t point) const { return first == point ? last : first; }
     };
-    // Of a point with one gap.
+    // The ends of the gap of a point with one gap.
     Ends ends(const OpenPoint& open) const {
         const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
         const auto list = neighbors_.of(open.point);
@@ -86,7 +87,7 @@ private:
         return static_cast<std::size_t>(found - open_.begin());
     }
 
-    // Above k_standing_back, or zero.
+    // The bend through the point over that past it where it is above k_standing_back; else zero.
     double bend_of(const OpenPoint& open) {
         if (!is_simple(open)) return 0.0;
         const std::uint32_t e = open.point;
@@ -95,9 +96,9 @@ private:
         if (!at_a || !at_b || !is_simple(open_[*at_a]) || !is_simple(open_[*at_b])) return 0.0;
         const Ends of_a = ends(open_[*at_a]), of_b = ends(open_[*at_b]);
         if (!of_a.has(e) || !of_b.has(e) || of_a.has(b) || of_b.has(a)) return 0.0;
-        // Back, not out.
+        // Only points behind the border, not before it.
         const auto gap = static_cast<std::size_t>(std::countr_zero(open.fan.gaps));
-        around_.look_from(points_, e, neighbors_.of(e));
+        around_.assign(points_, e, neighbors_.of(e));
         if (glm::dot(around_.cross(open.fan, gap), around_.normal(open.fan)) <= 0.0) return 0.0;
         const double bend =
             bend_through(points_, of_a.other(e), a, e, b, of_b.other(e), k_noise_bend);

@@ -1,12 +1,12 @@
 #pragma once
 
-// Whether a border runs through a point or past it: whichever way bends less.
+// Whether a border goes through a point or past it: the way that bends less.
 //
-// An inner point next to a border looks much like one of it, where the triangle between it and two border
-// points is obtuse; from its own neighbors it cannot tell. The border can. It goes from c over a to b and d,
-// or over a, e and b. Compared are the squares of its turns, summed: at a concave corner they are twice as
-// much through e, four times where only one of c and d is known, along saw teeth six times; where e stands
-// back from a border that is straight or curves gently, ten times and more.
+// Where the triangle of an inner point e and two border points a and b is obtuse, the neighbors of e do not
+// tell whether e lies on the border. The border itself tells. It goes from c over a and b to d, or from c
+// over a, e and b to d. The bend of a way is the sum of the squares of its turns. At a concave corner the
+// bend through e is twice the bend past it; four times where only one of c and d is known; along saw teeth
+// six times. Where e stands back from a border that is straight or curves gently, it is ten times and more.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -19,18 +19,19 @@ namespace rimline {
 class NeighborLists;
 struct OpenPoint;
 
-/// The angle at b between the ways from a and to c, in radians: 0 straight on.
+/// The turn at b on the way from a to c, in radians; 0 where the way is straight.
 double turn(std::span<const glm::dvec3> points, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-/// The bend of c, a, e, b, d over that of c, a, b, d, to which `min_bend` is added: a straight border's turns
-/// are zero but for rounding. c and d where they are known.
+/// The bend of c, a, e, b, d divided by that of c, a, b, d. `min_bend` is added to the divisor, for the turns
+/// of a straight border are zero but for rounding. c and d are left out where they are unknown.
 double bend_through(std::span<const glm::dvec3> points, std::optional<std::uint32_t> c,
                     std::uint32_t a, std::uint32_t e, std::uint32_t b,
                     std::optional<std::uint32_t> d, double min_bend = 1e-6);
 
-/// Takes points off their borders that stand back from them by ten times the bend, to which that of a turn of
-/// eight degrees is added, for noise bends straight borders: they have no gap then, and no verdict, and those
-/// on both sides a triangle more, where they are neighbors. `open` is sorted by point.
+/// Takes points off their borders whose bend is ten times the bend past them. The bend of a turn of eight
+/// degrees is added to the latter, for noise bends straight borders. Such a point then has no gap and no
+/// verdict. The border points on both sides of it get one more triangle each, where they are neighbors.
+/// `open` is sorted by point.
 void straighten_borders(std::span<const glm::dvec3> points, const NeighborLists& neighbors,
                         std::vector<OpenPoint>& open);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A loop over points on all threads that reports progress and can be stopped.
+// A loop over points on all threads. It reports progress and can be stopped.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -18,16 +18,17 @@ struct CallPart {
     double begin = 0.0, end = 1.0;
 };
 
-/// body(first, last) for runs of points that together are [0, count).
+/// Calls body(first, last) for ranges of points that together are [0, count).
 template <typename Body>
 void each_point(std::uint32_t count, const CallPart& part, Body&& body) {
     const std::uint32_t batch = std::max<std::uint32_t>(count / 64, 4096);
     for (std::uint32_t first = 0; first < count;) {
         part.call.checkpoint(part.begin + (part.end - part.begin) * first / count);
         const std::uint32_t last = first + std::min(batch, count - first);
-        tbb::parallel_for(
-            tbb::blocked_range<std::uint32_t>(first, last, 64),
-            [&](const tbb::blocked_range<std::uint32_t>& run) { body(run.begin(), run.end()); });
+        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(first, last, 64),
+                          [&](const tbb::blocked_range<std::uint32_t>& range) {
+                              body(range.begin(), range.end());
+                          });
         first = last;
     }
     part.call.checkpoint(part.end);

@@ -15,7 +15,7 @@ void merge_gaps(Fan& fan) noexcept {
 }
 
 void reverse(Fan& fan) noexcept {
-    // Sector j, from ring[j], is then the one that ends there.
+    // The sector that ended at ring[from] begins at turned.ring[j].
     Fan turned;
     turned.size = fan.size;
     for (std::size_t j = 0; j < fan.size; ++j) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// A ring of neighbors around a point while it is being found: places in the point's neighbor list in
-// cyclic order, and which sectors are gaps. An Umbrella, packed.
+// A packed Umbrella, for use while umbrellas are found: the ring as places in the point's neighbor list, in
+// cyclic order, and which sectors are gaps.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "silhouette/points/neighbor_lists.h"
-#include "silhouette/points/point_surface.h"
+#include "silhouette/points/umbrella.h"
 
 namespace rimline {
 
@@ -22,30 +22,30 @@ struct Fan {
     std::size_t previous(std::size_t j) const noexcept { return (j == 0 ? size : j) - 1u; }
     bool is_gap(std::size_t sector) const noexcept { return (gaps >> sector & 1u) != 0; }
     void open(std::size_t sector) noexcept { gaps |= std::uint64_t{1} << sector; }
-    /// Has a triangle.
+    /// Whether it has a triangle.
     bool is_umbrella() const noexcept {
         return size >= 2 && gaps != (std::uint64_t{1} << size) - 1;
     }
 };
 
-/// Takes out of the ring what lies between two gaps, and makes one gap of them.
+/// Joins gaps that follow each other: removes the ring points between them.
 void merge_gaps(Fan& fan) noexcept;
-/// The same umbrella, turning the other way.
+/// Reverses the order of the ring.
 void reverse(Fan& fan) noexcept;
 
-/// What a method finds, points numbered as OrderedPoints has them.
-struct FoundUmbrellas {
+/// The umbrellas of all points, numbered as in OrderedPoints.
+struct UmbrellaSet {
     struct Supplement {
         std::uint32_t point;
         Fan fan;
         glm::dvec3 normal;
     };
-    std::vector<Fan> fans;  ///< Of each point its first; of no umbrella where it has none.
+    std::vector<Fan> fans;  ///< The first of each point; without triangles where it has none.
     std::vector<glm::dvec3> normals;  ///< Of each fan.
     std::vector<double> scales;       ///< Of each point.
     std::vector<PointLabel> labels;
     std::vector<UndecidedReason> reasons;
-    std::vector<Supplement> supplements;  ///< Further ones, by point.
+    std::vector<Supplement> supplements;  ///< Further umbrellas, by point.
 };
 
 }  // namespace rimline

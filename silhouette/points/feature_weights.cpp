@@ -13,21 +13,21 @@ namespace rimline {
 
 namespace {
 
-// From the sine too: the cosine alone says little near 0.
+// By sine and cosine: the cosine alone is inaccurate near 0.
 double angle_between_lines(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), std::abs(glm::dot(a, b)));
 }
 
-// The normal of `point`'s umbrella nearest to `normal`; `normal` where it has none.
+// Of the normals of the point's umbrellas that nearest to `normal`; `normal` itself where there is none.
 glm::dvec3 nearest_normal(const PointSurface& surface, PointId point, const glm::dvec3& normal) {
     const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
     glm::dvec3 nearest = normal;
-    double most = -1.0;
+    double max_cosine = -1.0;
     for (std::uint32_t u = range.first; u < range.last; ++u) {
         const glm::dvec3 candidate = surface.umbrella(UmbrellaId{u}).normal;
         const double cosine = std::abs(glm::dot(candidate, normal));
-        if (cosine > most) {
-            most = cosine;
+        if (cosine > max_cosine) {
+            max_cosine = cosine;
             nearest = candidate;
         }
     }
@@ -49,7 +49,7 @@ public:
         for_each_triangle(surface_, point, [&](PointId from, PointId to, UmbrellaId umbrella) {
             triangles_.push_back({{from, to}, umbrella});
         });
-        double most = 0.0;
+        double max_angle = 0.0;
         // Two triangles that share a corner lie on either side of an edge.
         for (std::size_t i = 0; i < triangles_.size(); ++i)
             for (std::size_t k = i + 1; k < triangles_.size(); ++k) {
@@ -58,10 +58,10 @@ public:
                 for (const bool a_ends : {false, true})
                     for (const bool b_ends : {false, true})
                         if (a.corner(a_ends) == b.corner(b_ends))
-                            most =
-                                std::max(most, angle(a, a.corner(!a_ends), b, b.corner(!b_ends)));
+                            max_angle = std::max(max_angle,
+                                                 angle(a, a.corner(!a_ends), b, b.corner(!b_ends)));
             }
-        return std::min(most / (std::numbers::pi / 2), 1.0);
+        return std::min(max_angle / (std::numbers::pi / 2), 1.0);
     }
 
 private:

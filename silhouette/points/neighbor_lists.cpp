@@ -15,10 +15,10 @@ namespace rimline {
 
 namespace {
 
-// Directions spread 1.8 times as far along a line as across it.
+// Limit of minors / trace² (is_row). At it, directions spread 1.8 times as far along a line as across it.
 constexpr double k_row = 0.18;
 
-// As nanoflann reads points.
+// The interface through which nanoflann reads points.
 struct TreePoints {
     std::span<const glm::dvec3> points;
     std::size_t kdtree_get_point_count() const { return points.size(); }
@@ -43,18 +43,20 @@ struct Near {
     }
 };
 
-// Up to where the tree must look for all that lies no farther: it leaves out branches by sums of squares that
-// are rounded otherwise than those of points, by some units in the last place for each of its levels.
+// The search radius, squared, that surely includes all points no farther than `square`. The tree skips
+// branches by sums of squares that are rounded differently from those of points: by some units in the last
+// place for each level.
 double reach(double square) { return square * (1.0 + 0x1p-30); }
 
-// The nearest so far, ascending, for nanoflann, whose own set drops ties in the order it meets them.
+// The nearest so far, ascending. Nanoflann has a set of its own, but that resolves ties by the order of the
+// search.
 class NearestSet {
 public:
-    // k others are known to lie no farther than the square root of `known`.
+    // It is known that k others lie no farther than the square root of `known`.
     NearestSet(std::uint32_t self, std::uint32_t k, double known)
         : self_(self), k_(k), reach_(reach(known)) {}
     bool full() const { return count_ == k_; }
-    // Beyond it nothing is offered.
+    // Nanoflann offers no points beyond it.
     double worstDist() const { return reach_; }
     bool addPoint(double square, std::uint32_t number) {
         const Near near{square, number};
@@ -65,7 +67,7 @@ public:
         if (full()) reach_ = reach(near_[k_ - 1].square);
         return true;
     }
-    // All k of them.
+    // All k. The set must be full.
     std::span<const Near> found() const {
         RIMLINE_CHECK(full());
         return std::span(near_).first(k_);
@@ -78,9 +80,9 @@ private:
     std::array<Near, k_max_neighbors> near_;
 };
 
-// Whether the directions of so many neighbors spread along one line, as they do where a row bends too: by
-// the eigenvalues of the sum of their squares, for (ab + bc + ca) / (a + b + c)² is its sum of principal
-// minors over the square of its trace.
+// Whether the directions to these neighbors spread along one line (also where a row bends). With eigenvalues
+// a, b, c of the sum of the directions' outer products, (ab + bc + ca) / (a + b + c)² is its sum of principal
+// minors divided by the square of its trace.
 bool is_row(std::span<const glm::dvec3> points, std::uint32_t i,
             std::span<const std::uint32_t> near) {
     glm::dmat3 sum(0.0);
@@ -104,20 +106,20 @@ public:
           nearest_(points.size() * k),
           farthest_(points.size()) {}
 
-    // Of all points; body(point) for each as it is found.
+    // Finds the k nearest of all points. Calls body(point) after each.
     template <typename Body>
     void find(const CallPart& part, Body&& body) {
         each_point(static_cast<std::uint32_t>(points_.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
                        for (std::uint32_t i = first; i < last; ++i) {
                            NearestSet set(i, k_, i > first ? known_of(i) : k_unknown);
-                           farthest_[i] = look(set, i, nearest_.data() + std::size_t{i} * k_);
+                           farthest_[i] = search(set, i, nearest_.data() + std::size_t{i} * k_);
                            body(i);
                        }
                    });
     }
 
-    // Its k nearest.
+    // The k nearest of a point.
     std::span<const std::uint32_t> of(std::uint32_t point) const {
         return std::span(nearest_).subspan(std::size_t{point} * k_, k_);
     }
@@ -129,23 +131,24 @@ public:
     bool has(std::uint32_t point, std::uint32_t other) const {
         return !(farthest_[point] < from(point, other));
     }
-    // Writes its `most` nearest.
-    void find_more(std::uint32_t point, std::uint32_t most, std::uint32_t* out) const {
-        NearestSet set(point, most, k_unknown);
-        look(set, point, out);
+    // Writes the `max_count` nearest of a point.
+    void find_more(std::uint32_t point, std::uint32_t max_count, std::uint32_t* out) const {
+        NearestSet set(point, max_count, k_unknown);
+        search(set, point, out);
     }
 
 private:
     static constexpr double k_unknown = std::numeric_limits<double>::infinity();
 
-    // The point before, near in memory and mostly in space, and its neighbors are k others.
+    // The point before, which is mostly near in space, and its neighbors: k others whose distances bound the
+    // search.
     double known_of(std::uint32_t point) const {
         double known = from(point, point - 1).square;
         for (const std::uint32_t other : of(point - 1))
             known = std::max(known, from(point, other).square);
         return known;
     }
-    Near look(NearestSet& set, std::uint32_t point, std::uint32_t* out) const {
+    Near search(NearestSet& set, std::uint32_t point, std::uint32_t* out) const {
         tree_.findNeighbors(set, &points_[point].x, nanoflann::SearchParams());
         const std::span<const Near> found = set.found();
         for (const Near& near : found) *out++ = near.number;
@@ -160,10 +163,10 @@ private:
     std::vector<Near> farthest_;
 };
 
-// Who counts a point among its k nearest, but for those among the point's own.
+// For each point the points that have it among their k nearest, without those among its own k nearest.
 class Followers {
 public:
-    // is_returned[i], bit n: the n-th nearest of i counts i among its own.
+    // is_returned[i], bit n: the n-th nearest of i has i among its own.
     Followers(const Search& search, std::span<const std::uint64_t> is_returned)
         : begin_(is_returned.size() + 1, 0) {
         const auto each = [&](auto&& body) {
@@ -213,9 +216,9 @@ NeighborLists::NeighborLists(std::span<const glm::dvec3> points, std::uint32_t k
     });
     const Followers followers(search, is_returned);
 
-    const std::uint32_t most = std::min(k_max_neighbors, count - 1);
+    const std::uint32_t max_count = std::min(k_max_neighbors, count - 1);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::size_t all = is_row_[i] != 0 ? most : k_ + followers.of(i).size();
+        const std::size_t all = is_row_[i] != 0 ? max_count : k_ + followers.of(i).size();
         begin_[i + 1] = begin_[i] + std::min<std::size_t>(all, k_max_neighbors);
     }
     lists_.resize(begin_[count]);
@@ -224,7 +227,7 @@ NeighborLists::NeighborLists(std::span<const glm::dvec3> points, std::uint32_t k
         for (std::uint32_t i = first; i < last; ++i) {
             std::uint32_t* out = lists_.data() + begin_[i];
             if (is_row_[i] != 0) {
-                search.find_more(i, most, out);
+                search.find_more(i, max_count, out);
                 continue;
             }
             out = std::ranges::copy(search.of(i), out).out;

@@ -1,14 +1,15 @@
 #pragma once
 
-// The neighbors of each point: the k nearest, and whoever counts it among its own k nearest.
+// The neighbors of each point: its k nearest, and all points that have it among their own k nearest.
 //
-// k nearest neighbors are not mutual: next to a denser region all k lie on its side, and the umbrella
-// looks open on the other. Made mutual, a fifth fewer interior points are taken for border. A point in
-// the middle of a sparse region may be counted by many; the nearest k_max_neighbors stay.
+// k nearest neighbors are not mutual. Next to a denser region all k lie on the side of that region, and the
+// umbrella seems open on the other side. With mutual neighbors a fifth fewer interior points are taken for
+// border points. A point inside a sparse region may be the neighbor of many; the nearest k_max_neighbors are
+// kept.
 //
-// Where points lie in rows, far denser along than across, most of the k lie in the same row, and it alone
-// spans no plane or a wrong one. There, wherever directions to the k spread along a line, a point has its
-// nearest k_max_neighbors instead.
+// Points may lie in rows, far denser along the row than across. Then most of the k lie in the same row, which
+// spans no plane, or a wrong one. Where the directions to the k spread along a line, a point has its nearest
+// k_max_neighbors instead.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -23,21 +24,21 @@ constexpr std::uint32_t k_max_neighbors = 48;
 
 class NeighborLists {
 public:
-    /// `points` are distinct and few enough that twice k times their number fits 64 bits; ties are broken
-    /// by number. On all threads.
+    /// `points` are distinct, and 2 k times their number fits 64 bits. Of points at equal distance the lower
+    /// number comes first. O(n log n) on all threads. Throws Error{cancelled}.
     NeighborLists(std::span<const glm::dvec3> points, std::uint32_t k, const LongCall& call);
 
-    /// By distance, then by number; at most k_max_neighbors.
+    /// At most k_max_neighbors, by distance, then by number.
     std::span<const std::uint32_t> of(std::uint32_t point) const noexcept {
         return std::span(lists_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
     }
-    /// How many of of(point), its first, are its own k nearest.
+    /// The first so many of of(point) are its own k nearest.
     std::uint32_t nearest_count() const noexcept { return k_; }
-    /// How many of of(point), its first, span its surface: k, but all of a row's.
+    /// The first so many of of(point) span its surface: k, or all where the point lies in a row.
     std::uint32_t spanning_count(std::uint32_t point) const noexcept {
         return is_row_[point] != 0 ? static_cast<std::uint32_t>(of(point).size()) : k_;
     }
-    /// One of its k nearest counts it among its own.
+    /// Whether one of its k nearest has it among its own.
     bool is_mutual(std::uint32_t point) const noexcept { return is_mutual_[point] != 0; }
 
 private:

@@ -13,29 +13,29 @@ namespace rimline {
 
 namespace {
 
-// To what directions are rounded.
+// Directions are rounded to multiples of it.
 constexpr double k_same_angle = 0x1p-30;
 
-// Grows with the angle, from 0 to 4; what is nearly 4 is nearly 0.
+// A monotonic function of the angle, from 0 to 4. Values that round to 4 become nearly 0.
 double diamond_angle(double x, double y) {
     const double t = x / (std::abs(x) + std::abs(y));
     const double angle = y >= 0.0 ? 1.0 - t : 3.0 + t;
     return angle < 4.0 - 0.5 * k_same_angle ? angle : angle - 4.0;
 }
 
-// A neighbor's image under the inversion.
+// The image of a neighbor under the inversion.
 struct Image {
     double angle, x, y;
     std::uint8_t place;
 };
 
-// Sorts by angle; of those in one direction the nearer comes first, for neighbors come by distance.
+// Sorts by angle. In one direction the nearer neighbor comes first, for places are ordered by distance.
 constexpr int k_place_bits = 6;
 std::uint64_t sort_key(double angle, std::size_t place) {
     return static_cast<std::uint64_t>(angle / k_same_angle + 0.5) << k_place_bits | place;
 }
 
-// Not a corner of the hull: a, b, c turn right, or not enough to the left.
+// Whether b is no corner of the hull: a, b, c turn right, or too little to the left.
 bool is_inside(const Image& a, const Image& b, const Image& c) {
     const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
     const double turn = ux * vy - uy * vx;
@@ -45,8 +45,8 @@ bool is_inside(const Image& a, const Image& b, const Image& c) {
 
 }  // namespace
 
-void Neighborhood::look_from(std::span<const glm::dvec3> points, std::uint32_t point,
-                             std::span<const std::uint32_t> list) {
+void Neighborhood::assign(std::span<const glm::dvec3> points, std::uint32_t point,
+                          std::span<const std::uint32_t> list) {
     list_ = list;
     size_ = static_cast<std::uint32_t>(list.size());
     for (std::uint32_t i = 0; i < size_; ++i) {
@@ -76,8 +76,8 @@ glm::dvec3 Neighborhood::fitted_normal(std::uint32_t count) const noexcept {
     const double weight = 1.0 / (count + 1.0);
     xx -= weight * mean.x * mean.x, xy -= weight * mean.x * mean.y, xz -= weight * mean.x * mean.z;
     yy -= weight * mean.y * mean.y, yz -= weight * mean.y * mean.z, zz -= weight * mean.z * mean.z;
-    // The least eigenvalue by the trigonometric solution of the cubic (Smith 1961), its vector as the
-    // longest product of two rows of what remains.
+    // The minimum eigenvalue by the trigonometric solution of the cubic (Smith 1961). Its vector is the
+    // longest cross product of two rows of the matrix minus the eigenvalue.
     const double q = (xx + yy + zz) / 3.0;
     const double p2 = (xx - q) * (xx - q) + (yy - q) * (yy - q) + (zz - q) * (zz - q) +
                       2.0 * (xy * xy + xz * xz + yz * yz);
@@ -88,8 +88,10 @@ glm::dvec3 Neighborhood::fitted_normal(std::uint32_t count) const noexcept {
     const double half_determinant =
         0.5 * (a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e));
     const double angle = std::acos(std::clamp(half_determinant, -1.0, 1.0)) / 3.0;
-    const double least = q + 2.0 * p * std::cos(angle + 2.0 * std::numbers::pi / 3.0);
-    const glm::dvec3 rows[3] = {{xx - least, xy, xz}, {xy, yy - least, yz}, {xz, yz, zz - least}};
+    const double min_eigenvalue = q + 2.0 * p * std::cos(angle + 2.0 * std::numbers::pi / 3.0);
+    const glm::dvec3 rows[3] = {{xx - min_eigenvalue, xy, xz},
+                                {xy, yy - min_eigenvalue, yz},
+                                {xz, yz, zz - min_eigenvalue}};
     glm::dvec3 best(0.0);
     double longest = 0.0;
     for (int i = 0; i < 3; ++i) {
@@ -121,7 +123,7 @@ Fan Neighborhood::star(const glm::dvec3& normal, double sine_of_angle,
         for (; at > 0 && key < keys[at - 1]; --at) keys[at] = keys[at - 1];
         keys[at] = key;
     }
-    // What lies behind another is on no hull, but by rounding.
+    // Of neighbors in one direction only the nearest can be on the hull; rounding could add others.
     const std::size_t all = count;
     count = 0;
     for (std::size_t i = 0; i < all; ++i)
@@ -130,7 +132,7 @@ Fan Neighborhood::star(const glm::dvec3& normal, double sine_of_angle,
     Fan fan;
     if (count < 2) return fan;
 
-    // From where to begin: behind a sector of π or more, else at the nearest, which is on the hull.
+    // Begins after a sector of π or more, else at the nearest neighbor, which is on the hull.
     const auto image = [&](std::size_t i) -> const Image& {
         return by_place[keys[i] & ((1u << k_place_bits) - 1)];
     };
@@ -191,12 +193,14 @@ Neighborhood::Triangle Neighborhood::triangle(const Fan& fan, std::size_t j) con
     const double twice_area = glm::length(product);
     const double cosine = glm::dot(edges_[a], edges_[b]);
     const double opposite = glm::length(edges_[b] - edges_[a]);
-    const double most = std::max({lengths_[a], lengths_[b], opposite});
+    const double longest = std::max({lengths_[a], lengths_[b], opposite});
     if (!(twice_area > 0.0))
-        return {glm::dvec3(0.0), std::numeric_limits<double>::infinity(), most, 0.0, cosine, 0.0};
+        return {
+            glm::dvec3(0.0), std::numeric_limits<double>::infinity(), longest, 0.0, cosine, 0.0};
     const double factor = 1.0 / twice_area;
     const double circumradius = 0.5 * factor * lengths_[a] * lengths_[b] * opposite;
-    return {product * factor, circumradius, std::min(circumradius, most), twice_area, cosine, 0.0};
+    return {product * factor, circumradius, std::min(circumradius, longest),
+            twice_area,       cosine,       0.0};
 }
 
 void Neighborhood::triangles(const Fan& fan, Triangles& result) const noexcept {
@@ -223,10 +227,10 @@ double Neighborhood::scale(const Fan& fan, const Triangles& triangles) noexcept 
     for (std::size_t j = 0; j < fan.size; ++j)
         if (!fan.is_gap(j)) radii[count++] = triangles[j].size;
     if (count == 0) return 0.0;
-    const std::size_t middle = (count - 1) / 2;
-    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(middle),
+    const std::size_t median = (count - 1) / 2;
+    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(median),
                      radii.begin() + static_cast<std::ptrdiff_t>(count));
-    return radii[middle];
+    return radii[median];
 }
 
 glm::dvec3 Neighborhood::normal(const Fan& fan) const noexcept {

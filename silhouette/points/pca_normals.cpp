@@ -17,7 +17,7 @@ std::vector<glm::dvec3> pca_normals(std::span<const glm::dvec3> positions, std::
     each_point(count, {call}, [&](std::uint32_t first, std::uint32_t last) {
         Neighborhood neighborhood;
         for (std::uint32_t i = first; i < last; ++i) {
-            neighborhood.look_from(ordered.positions, i, neighbors.of(i));
+            neighborhood.assign(ordered.positions, i, neighbors.of(i));
             if (neighborhood.is_collinear()) continue;
             normals[ordered.numbers[i]] = neighborhood.fitted_normal(neighbors.nearest_count());
         }

@@ -39,7 +39,7 @@ PointCloud::PointCloud(PointSource source) : up_(source.up) {
     RIMLINE_CHECK(source.intensities.empty() || source.intensities.size() == count);
     file_point_count_ = static_cast<std::uint32_t>(count);
 
-    // Which positions are points, in place of their numbers for now.
+    // First only marks positions that are points: 0, or k_none. Later their numbers.
     std::vector<std::uint32_t> point_of(count, source.triangles.empty() ? 0 : k_none);
     for (const auto& triangle : source.triangles)
         for (const std::uint32_t corner : triangle) {

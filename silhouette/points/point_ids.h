@@ -1,7 +1,8 @@
 #pragma once
 
-// Index types of point sets, as silhouette/mesh/ids.h has them for meshes.
+// Index types of point sets. silhouette/mesh/ids.h has those of meshes.
 
+#include <array>
 #include <cstdint>
 
 namespace rimline {
@@ -11,5 +12,8 @@ enum class UmbrellaId : std::uint32_t {};
 
 constexpr std::uint32_t index(PointId id) noexcept { return static_cast<std::uint32_t>(id); }
 constexpr std::uint32_t index(UmbrellaId id) noexcept { return static_cast<std::uint32_t>(id); }
+
+/// Two points, the lesser first.
+using PointEdge = std::array<PointId, 2>;
 
 }  // namespace rimline

@@ -7,12 +7,13 @@
 #include <glm/common.hpp>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/interleaved_bits.h"
 
 namespace rimline {
 
 namespace {
 
-// Multiplies by a power of two, in two steps, each of which is a number.
+// Multiplies by a power of two, in two steps: the factor alone could overflow or underflow.
 class Scaling {
 public:
     explicit Scaling(int exponent)
@@ -32,18 +33,9 @@ bool is_less(const glm::dvec3& a, const glm::dvec3& b) {
     return a.z < b.z;
 }
 
-// Bits 0, 3, 6, .. of the result.
-std::uint64_t spread(std::uint64_t x) {
-    x = (x | x << 32) & 0x001f00000000ffffu;
-    x = (x | x << 16) & 0x001f0000ff0000ffu;
-    x = (x | x << 8) & 0x100f00f00f00f00fu;
-    x = (x | x << 4) & 0x10c30c30c30c30c3u;
-    return (x | x << 2) & 0x1249249249249249u;
-}
-
 std::uint64_t morton_code(const glm::dvec3& p) {
     const auto cell = [](double x) { return static_cast<std::uint64_t>((x + 1.0) * 0x1p20); };
-    return spread(cell(p.x)) | spread(cell(p.y)) << 1 | spread(cell(p.z)) << 2;
+    return interleaved_bits(cell(p.x), cell(p.y), cell(p.z));
 }
 
 }  // namespace
@@ -51,13 +43,13 @@ std::uint64_t morton_code(const glm::dvec3& p) {
 OrderedPoints order_points(std::span<const glm::dvec3> positions) {
     OrderedPoints ordered;
     if (positions.empty()) return ordered;
-    // Twice, so that no sum overflows: by the greatest coordinate, then by the longest side.
-    double greatest = 0.0;
+    // Scales twice, so that no sum overflows: by the maximum coordinate, then by the longest side.
+    double max_coordinate = 0.0;
     for (const glm::dvec3& p : positions) {
         RIMLINE_CHECK(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
-        greatest = std::max(greatest, largest(glm::abs(p)));
+        max_coordinate = std::max(max_coordinate, largest(glm::abs(p)));
     }
-    const int first_exponent = greatest > 0.0 ? -std::ilogb(greatest) - 1 : 0;
+    const int first_exponent = max_coordinate > 0.0 ? -std::ilogb(max_coordinate) - 1 : 0;
     const Scaling first_scaling(first_exponent);
     glm::dvec3 low(1.0);
     glm::dvec3 high(-1.0);
@@ -65,7 +57,7 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions) {
         low = glm::min(low, first_scaling(p));
         high = glm::max(high, first_scaling(p));
     }
-    const glm::dvec3 middle = 0.5 * (low + high);
+    const glm::dvec3 center = 0.5 * (low + high);
     const double side = largest(high - low);
     const int second_exponent = side > 0.0 ? -std::ilogb(side) : 0;
     const Scaling second_scaling(second_exponent);
@@ -78,7 +70,7 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions) {
     std::vector<glm::dvec3> units(positions.size());
     std::vector<Entry> entries(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const glm::dvec3 p = second_scaling(first_scaling(positions[i]) - middle);
+        const glm::dvec3 p = second_scaling(first_scaling(positions[i]) - center);
         units[i] = glm::round(p * 0x1p50) * 0x1p-50;
         entries[i] = {morton_code(units[i]), static_cast<std::uint32_t>(i)};
     }

@@ -10,7 +10,7 @@ namespace rimline {
 
 namespace {
 
-// Eight bytes are read at once, also of the last.
+// Eight bytes are read at once, also at the last element.
 constexpr std::size_t k_slack = 8;
 
 }  // namespace
@@ -67,13 +67,13 @@ void PointSilhouette::update_block(std::uint32_t block, TraversalCounters& count
     }
 }
 
-// All spokes at once: a bit a plane, and of each two neighbors whether they differ.
+// All spokes at once: one bit for each plane, and the bits of successive planes compared.
 void PointSilhouette::update_fan(std::uint32_t patch, std::uint32_t first_spoke, std::uint32_t size,
                                  const std::uint8_t* front) {
     std::uint64_t bytes;
     std::memcpy(&bytes, front, sizeof bytes);
     const std::uint32_t mask = (1u << size) - 1;
-    // Byte i to bit i: no two products meet in a bit.
+    // Moves byte i to bit i. No two partial products share a bit.
     const auto bits = static_cast<std::uint32_t>(bytes * 0x0102040810204080u >> 56) & mask;
     const std::uint32_t on = (bits ^ (bits << 1 | bits >> (size - 1))) & mask;
     std::uint32_t was;
@@ -89,7 +89,7 @@ void PointSilhouette::update_spokes(std::uint32_t patch, const std::uint8_t* fro
         if (umbrellas_->is_on(spoke, front) != is_on(spoke)) toggle(patch, spoke);
 }
 
-// A patch has at most 64 spokes: counts fit a byte.
+// A patch has at most 64 spokes, so its count fits a byte.
 void PointSilhouette::toggle(std::uint32_t patch, std::uint32_t spoke) {
     on_bits_[spoke / 8] = static_cast<std::uint8_t>(on_bits_[spoke / 8] ^ 1u << spoke % 8);
     const bool joins = is_on(spoke);
@@ -113,7 +113,7 @@ void PointSilhouette::join_consensus(std::uint32_t spoke, const PointEdge& edge)
 }
 
 void PointSilhouette::leave_consensus(std::uint32_t spoke) {
-    // The last takes its place.
+    // The last edge takes its slot.
     const auto found = consensus_slots_.find(spoke);
     const std::uint32_t slot = found->second;
     consensus_[slot] = consensus_.back();
@@ -125,7 +125,7 @@ void PointSilhouette::leave_consensus(std::uint32_t spoke) {
 }
 
 std::uint64_t PointSilhouette::size_bytes() const noexcept {
-    // A node of the map holds a link beside what it maps.
+    // A node of the map holds a pointer besides key and value.
     return scratch_.size_bytes() +
            reserved_bytes(front_, spoke_counts_, on_bits_, consensus_, consensus_spokes_, added_,
                           removed_) +
@@ -148,7 +148,7 @@ std::vector<PointEdge> PointSilhouette::consensus_edges() const {
 }
 
 std::vector<std::vector<PointId>> chain(std::span<const PointEdge> edges) {
-    // Each edge from both its ends, by the point it leaves.
+    // Each edge twice, once from each end, sorted by that end.
     struct End {
         PointId from, to;
         std::uint32_t edge;

@@ -1,16 +1,16 @@
 #pragma once
 
-// The silhouette of a point set from one moving point: which points are on it, and which edges two points
-// agree on (thesis 5.3).
+// The silhouette of a point set from one moving point: which points are on it, and which edges are on it by
+// consensus of both their points (thesis 5.3).
 //
-// The index (umbrella_index.h) names the blocks of patches in which something may change from one viewpoint
-// to the next; their face bits are evaluated afresh, and from them their spokes. A spoke that joins or leaves
-// counts for its point, and makes or ends a consensus edge where its twin is on the silhouette.
-//
-// About 8 bytes a point: a byte for its count, a bit a spoke, 5 for walking the tree; and what is on the
+// The index (umbrella_index.h) lists the blocks of patches in which something may change from one viewpoint
+// to the next. Their face bits are evaluated again, and from these their spokes. Each point counts its spokes
+// on the silhouette. A spoke that joins or leaves adds or removes a consensus edge where its twin is on the
 // silhouette.
+//
+// Memory: about 8 bytes a point (a byte for its count, a bit for each spoke, 5 bytes for tree traversal), and
+// the elements on the silhouette.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -22,24 +22,22 @@
 
 namespace rimline {
 
-/// Two points, the lesser first.
-using PointEdge = std::array<PointId, 2>;
-
 class PointSilhouette {
 public:
-    /// Finds the silhouette from `point`, which `umbrellas` made: viewpoint() or direction(). `umbrellas`
-    /// must outlive it and stay where it is.
+    /// Finds the silhouette from `point`, a result of umbrellas.viewpoint() or direction(). `umbrellas` must
+    /// outlive the object and must not be moved.
     PointSilhouette(const UmbrellaIndex& umbrellas, const HomogeneousPoint& point);
-    PointSilhouette(UmbrellaIndex&&, const HomogeneousPoint&) = delete;  // It would be gone.
+    PointSilhouette(UmbrellaIndex&&,
+                    const HomogeneousPoint&) = delete;  // A temporary would dangle.
 
-    /// What changed; the spans live until the next move. What joins and leaves again in one move is in
-    /// none.
+    /// What changed. The spans are valid until the next move. A point that joins and leaves again in one move
+    /// is in neither.
     struct Change {
         std::span<const PointId> added;
         std::span<const PointId> removed;
         TraversalCounters counters;  ///< Work done.
     };
-    /// Moves to `point`. What is then on the silhouette equals what finding it afresh would give, exactly.
+    /// Moves to `point`. The result equals that of a new object, exactly.
     /// O(spokes that change + patches near the active region). One thread at a time.
     Change move_to(const HomogeneousPoint& point);
 
@@ -52,7 +50,7 @@ public:
     std::uint32_t size() const noexcept { return size_; }
     /// Ascending. O(points).
     std::vector<PointId> points() const;
-    /// The edges that are on the silhouette in the patches of both their points, each once, in no order.
+    /// The edges that are on the silhouette in the patches of both their points: each once, unordered.
     /// Valid until the next move.
     std::span<const PointEdge> consensus() const noexcept { return consensus_; }
     /// The same, ascending. O(edges log edges).
@@ -75,11 +73,11 @@ private:
     const UmbrellaIndex* umbrellas_;
     HomogeneousPoint point_;
     BlockScratch scratch_;
-    std::vector<std::uint8_t> front_;         // Of the planes of a block.
-    std::vector<std::uint8_t> spoke_counts_;  // Of each patch, its spokes on the silhouette.
-    std::vector<std::uint8_t> on_bits_;       // A bit a spoke.
+    std::vector<std::uint8_t> front_;         // Face bits of the planes of a block, as bytes.
+    std::vector<std::uint8_t> spoke_counts_;  // For each patch, its spokes on the silhouette.
+    std::vector<std::uint8_t> on_bits_;       // One bit for each spoke.
     std::uint32_t size_ = 0;
-    // Of each edge the lesser of its two spokes, and where that is.
+    // For each edge the lesser of its two spokes, and the slot of the edge by that spoke.
     std::vector<PointEdge> consensus_;
     std::vector<std::uint32_t> consensus_spokes_;
     std::unordered_map<std::uint32_t, std::uint32_t> consensus_slots_;
@@ -87,8 +85,9 @@ private:
     std::vector<PointId> removed_;
 };
 
-/// The edges as polylines, each edge once: from a point that has not two edges along points that have to
-/// the next, then closed loops, whose first point is also their last. O(edges log edges).
+/// The edges as polylines, each edge once. First the lines between points that do not have exactly two edges,
+/// along points that have two. Then the closed loops, whose first point is also their last. O(edges log
+/// edges).
 std::vector<std::vector<PointId>> chain(std::span<const PointEdge> edges);
 
 }  // namespace rimline

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/neighbor_lists.h"
@@ -15,10 +16,10 @@ namespace rimline {
 
 namespace {
 
-// The place of a point that coincides with another.
+// Marks a point that coincides with another.
 constexpr std::uint32_t k_not_ordered = std::numeric_limits<std::uint32_t>::max();
 
-constexpr std::uint32_t k_batch = 1u << 16;  // Between two looks at whether to stop.
+constexpr std::uint32_t k_batch = 1u << 16;  // Points between two checkpoints.
 constexpr std::size_t k_max_ring_points = std::numeric_limits<std::uint32_t>::max();
 
 void check(const PointSurfaceOptions& options) {
@@ -32,20 +33,6 @@ void check(const PointSurfaceOptions& options) {
 
 }  // namespace
 
-const char* describe(UndecidedReason reason) noexcept {
-    switch (reason) {
-        case UndecidedReason::none: return "";
-        case UndecidedReason::alone: return "there is no other point";
-        case UndecidedReason::coincident: return "it coincides with another point";
-        case UndecidedReason::isolated: return "none of its neighbors counts it among their own";
-        case UndecidedReason::collinear: return "all its neighbors lie on one line with it";
-        case UndecidedReason::no_normal: return "no plane through it has neighbors around it";
-        case UndecidedReason::unconfirmed_border:
-            return "it sees a border that does not go on through its neighbors";
-    }
-    return "";
-}
-
 PointSurface::PointSurface(std::span<const glm::dvec3> positions,
                            const PointSurfaceOptions& options, const LongCall& call)
     : positions_(positions.begin(), positions.end()) {
@@ -58,7 +45,7 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     const NeighborLists neighbors(ordered.positions, options.k, call.part(0.1, 0.5));
     const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas
                                                                             : find_robust_umbrellas;
-    const FoundUmbrellas found = find(ordered.positions, neighbors, options, call.part(0.5, 0.95));
+    const UmbrellaSet found = find(ordered.positions, neighbors, options, call.part(0.5, 0.95));
     std::vector<std::uint32_t> place(positions.size(), k_not_ordered);
     for (std::uint32_t i = 0; i < ordered.numbers.size(); ++i) place[ordered.numbers[i]] = i;
     labels_.assign(size(), PointLabel::undecided);
@@ -85,8 +72,8 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
                 scales_[point] = found.scales[i] * ordered.unit;
                 add(i, found.fans[i], found.normals[i]);
             }
-            const auto further = std::ranges::equal_range(found.supplements, i, {},
-                                                          &FoundUmbrellas::Supplement::point);
+            const auto further =
+                std::ranges::equal_range(found.supplements, i, {}, &UmbrellaSet::Supplement::point);
             for (const auto& supplement : further) add(i, supplement.fan, supplement.normal);
         }
         ++counts_[static_cast<std::size_t>(labels_[point])];

@@ -1,97 +1,37 @@
 #pragma once
 
-// The surface that a set of points was sampled from, as far as each point sees it: its umbrella, a ring
-// of neighbors that surround it on the surface, with a triangle between each two that follow each other
-// (thesis 5.2). Umbrellas of neighbors need not agree; together they are no mesh.
+// The surface that a set of points was sampled from, point by point: each point's umbrella (umbrella.h,
+// thesis 5.2). Umbrellas of neighbors need not agree, and together they are not a mesh.
 //
-// A sector of a ring without a triangle is a gap: the surface ends there, or turns so sharply that one
-// umbrella cannot follow. A point may so have several partial umbrellas, one for each smooth patch that
-// meets at it. From them every point has its label: interior, border, feature, or undecided and why.
+// An umbrella with gaps is partial. A point may have several partial umbrellas, one for each smooth patch
+// that meets at it. From its umbrellas every point has its label: interior, border, feature, or undecided
+// with a reason.
 //
-// The result is a function of the set of points: the same for any number of threads and, each point
-// keeping its own, for any order of the points; ties are broken by coordinates. Scaling by a power of
-// two scales scale() and changes nothing else. Umbrellas are unoriented: which side is outside is not
-// known.
+// The result depends on the set of points alone: not on the number of threads, and not on the order of the
+// points (each point keeps its own umbrellas). Ties are broken by coordinates. Scaling by a power of two
+// scales scale() and changes nothing else.
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include "silhouette/error.h"
 #include "silhouette/points/point_ids.h"
+#include "silhouette/points/umbrella.h"
 
 namespace rimline {
 
-enum class PointLabel : std::uint8_t {
-    border,     ///< The surface ends here: a gap of one of its umbrellas is left open.
-    interior,   ///< One umbrella, without gaps.
-    feature,    ///< Partial umbrellas that fill each other's gaps: smooth patches meet in a crease.
-    undecided,  ///< UndecidedReason says why.
-};
-
-enum class UndecidedReason : std::uint8_t {
-    none,        ///< It is decided.
-    alone,       ///< There is no other point.
-    coincident,  ///< Nearer to another point than 2^-50 of the whole set's extent.
-    isolated,    ///< None of its nearest neighbors counts it among their own.
-    collinear,   ///< All its neighbors lie on one line with it.
-    no_normal,  ///< No plane was found about which neighbors lie that have a triangle of the surface.
-    /// It has a gap whose chain, through the points that name each other, is no border: too short, or broken.
-    /// Only it has an umbrella, and so a normal and a scale, among the undecided.
-    unconfirmed_border,
-};
-
-/// "all its neighbors lie on one line with it", and so on; empty for none.
-const char* describe(UndecidedReason reason) noexcept;
-
-struct PointSurfaceOptions {
-    enum class Method : std::uint8_t {
-        robust,  ///< Many normals a point, gaps by the scale of their corners (docs/points.md).
-        thesis,  ///< The passes of thesis 5.2, as written.
-    };
-    Method method = Method::robust;
-
-    /// Neighbors of a point, those nearest to it; 4 to 32. All others where there are no more.
-    std::uint32_t k = 16;
-
-    /// A sector may be a gap where the circle through its corners has a radius above gap_ratio times the
-    /// greatest of its corners' scales, less where its triangle turns away (Stars::excess in
-    /// star_choice.h); above 1. Robust only.
-    double gap_ratio = 2.75;
-
-    // Thesis only, angles in radians.
-    double omega = std::numbers::pi / 6;     ///< Of a neighbor with the plane; in (0, π/2).
-    double omega_t = std::numbers::pi / 18;  ///< Half the marginal band around it; in [0, omega].
-    double phi = std::numbers::pi * 5.0 / 6.0;  ///< A wider sector is a gap; in (0, π].
-    double gamma = 2.0;  ///< Greatest circumradius, in those of the Gabriel triangle; above 1.
-};
-
-/// One umbrella of a point. Sector j lies between ring[j] and the next, the last before the first. A ring
-/// has 2 to 64 points and at least one triangle.
-struct Umbrella {
-    std::span<const PointId> ring;  ///< Counterclockwise, seen from where `normal` points.
-    std::uint64_t gaps = 0;         ///< Bit j: sector j is a gap.
-    glm::dvec3 normal{0.0};  ///< Of length 1; its triangles' mean, by their angles at the point.
-
-    bool is_gap(std::size_t sector) const noexcept { return (gaps >> sector & 1u) != 0; }
-    bool is_closed() const noexcept { return gaps == 0; }
-    std::size_t triangle_count() const noexcept {
-        return ring.size() - static_cast<std::size_t>(std::popcount(gaps));
-    }
-};
-
 class PointSurface {
 public:
-    /// `positions` must be finite; equal ones are undecided but for one (merge them before). O(n log n),
-    /// on all threads. Throws Error{too_large} from 2^31 points or 2^32 of all rings, Error{cancelled}.
+    /// `positions` must be finite. All but one of equal positions are undecided (PointCloud merges them). O(n
+    /// log n) on all threads. Throws Error{too_large} from 2^31 points or 2^32 ring points on,
+    /// Error{cancelled}.
     explicit PointSurface(std::span<const glm::dvec3> positions,
                           const PointSurfaceOptions& options = {}, const LongCall& call = {});
 
-    /// As they were given.
+    /// The input.
     std::span<const glm::dvec3> positions() const noexcept { return positions_; }
     std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions_.size()); }
 
@@ -102,13 +42,13 @@ public:
         return counts_[static_cast<std::size_t>(label)];
     }
 
-    /// How many boundary edges are not returned: a gap of one point's ends at another none of whose gaps
-    /// ends at the first. What the passes over boundaries (thesis 5.2.5) have left inconsistent.
+    /// How many boundary edges the passes over boundaries (thesis 5.2.5) have left inconsistent: a gap of one
+    /// point ends at another point, and no gap of the other ends at the first.
     std::uint32_t inconsistent_edge_count() const noexcept { return inconsistent_edges_; }
 
-    /// Umbrellas are numbered point by point: those of a point are [first, last), the one that its normal
-    /// comes from first. Undecided points have none, but for unconfirmed_border. Partial umbrellas of one
-    /// point that end at the same ring points meet there, and turn the same way about the point.
+    /// Umbrellas are numbered point by point: those of a point are [first, last). The point's normal is that
+    /// of the first. Undecided points have none, except with unconfirmed_border. Partial umbrellas of one
+    /// point that end at the same ring points meet there, and have the same sense about the point.
     struct UmbrellaRange {
         std::uint32_t first, last;
         std::uint32_t size() const noexcept { return last - first; }
@@ -125,13 +65,14 @@ public:
                 gaps_[u], normals_[u]};
     }
 
-    /// Of length 1, of the point's first umbrella; zero where it has none. Unoriented.
+    /// The normal of the point's first umbrella, of length 1; zero where it has none. Unoriented.
     glm::dvec3 normal(PointId point) const noexcept {
         const UmbrellaRange range = umbrellas_of(point);
         return range.size() == 0 ? glm::dvec3(0.0) : normals_[range.first];
     }
-    /// How far apart the surface's points lie: the median circumradius of the triangles of the point's star,
-    /// of thin ones the longest edge. In the units of the positions; zero where it has no umbrella.
+    /// How far apart the surface's points lie: the lower median of the circumradii of the triangles of the
+    /// point's star; of thin triangles the longest edge counts. In the units of the positions; zero without
+    /// umbrella.
     double scale(PointId point) const noexcept { return scales_[index(point)]; }
 
 private:
@@ -142,7 +83,7 @@ private:
     std::vector<UndecidedReason> reasons_;
     std::vector<double> scales_;
     std::vector<std::uint32_t> umbrella_begin_;
-    // Of each umbrella.
+    // By umbrella; ring_begin_ has one more.
     std::vector<std::uint32_t> ring_begin_;
     std::vector<std::uint64_t> gaps_;
     std::vector<glm::dvec3> normals_;

@@ -8,22 +8,22 @@
 
 namespace rimline {
 
-FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call) {
+UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call) {
     Stars stars = choose_stars(points, neighbors, options.gap_ratio, call.part(0.0, 0.7));
     const std::vector<OpenPoint> open_points =
         trace_borders(points, neighbors, stars, options.gap_ratio, call.part(0.7, 1.0));
 
-    FoundUmbrellas found{
+    UmbrellaSet found{
         std::move(stars.fans),    std::move(stars.normals),
         std::move(stars.scales),  std::vector<PointLabel>(points.size(), PointLabel::interior),
         std::move(stars.reasons), {}};
     Neighborhood around;
     for (const OpenPoint& open : open_points) {
         const std::uint32_t point = open.point;
-        around.look_from(points, point, neighbors.of(point));
-        // A gap of no border closes again, where the point's star is whole.
+        around.assign(points, point, neighbors.of(point));
+        // A gap that is no border is closed again where the point's star is whole.
         const bool is_whole = open.fan.gaps == 0;
         const bool is_spurious = open.verdict == OpenPoint::Verdict::none && !is_whole;
         if (is_spurious && found.fans[point].gaps == 0) {
@@ -49,7 +49,7 @@ FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
         }
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        // Of a star that was judged by its neighbors before they changed all sectors may be gaps.
+        // All sectors of a star may be gaps: its neighbors changed after it was judged by them.
         if (found.labels[i] == PointLabel::interior && found.reasons[i] == UndecidedReason::none &&
             (found.fans[i].gaps != 0 || found.normals[i] == glm::dvec3(0.0)))
             found.reasons[i] = UndecidedReason::no_normal;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Umbrellas as PointSurfaceOptions::Method::robust finds them.
+// The umbrellas of PointSurfaceOptions::Method::robust: stars (star_choice.h), then borders and creases
+// (border_tracing.h). docs/results/points.md explains the steps.
 
 #include <span>
 
@@ -8,8 +9,8 @@
 
 namespace rimline {
 
-FoundUmbrellas find_robust_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call);
+UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call);
 
 }  // namespace rimline

@@ -16,15 +16,23 @@ namespace {
 constexpr double k_degree = std::numbers::pi / 180.0;
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 constexpr double k_max_deviation = 85.0 * k_degree;
-constexpr double k_sine_of_candidates = 0.766;         // 50 degrees.
-constexpr double k_clean_deviation = 15.0 * k_degree;  // Mean, of a star that needs no other.
+// Maximum angle of a star's edges with its plane: 50 degrees.
+constexpr double k_sine_of_candidates = 0.766;
+// Maximum mean deviation of a star that needs no other.
+constexpr double k_clean_deviation = 15.0 * k_degree;
 constexpr double k_gap_cost = 1.0;
-constexpr double k_cost_tie = 1e-9;  // Of costs: of mirror images the first that was asked stays.
-constexpr std::uint32_t k_fits[] = {k_max_neighbors, 8, 5};  // Of those that span its surface.
-constexpr int k_rounds = 2;                                  // Of asking, then as many of mending.
-constexpr std::uint32_t k_asked = 8;                         // Neighbors for their normals.
-constexpr double k_cosine_of_same = 0.9659;  // 15 degrees: too near to a normal that was tried.
-constexpr double k_cosine_of_across = 0.5;   // 60 degrees, of a star with what its ring sees.
+// A lower cost must be lower by this. Of mirror images the first is kept.
+constexpr double k_cost_tie = 1e-9;
+// How many neighbors planes are fitted to, at most spanning_count().
+constexpr std::uint32_t k_fits[] = {k_max_neighbors, 8, 5};
+// Of improve(), and of repair().
+constexpr int k_rounds = 2;
+// Nearest neighbors whose normals are tried.
+constexpr std::uint32_t k_tried_neighbors = 8;
+// 15 degrees. Normals nearer to one that was tried are skipped.
+constexpr double k_cosine_of_same = 0.9659;
+// 60 degrees, between a star's normal and those of its ring.
+constexpr double k_cosine_of_crossing = 0.5;
 
 double excess_of(double circumradius, double deviation, double scale) {
     if (deviation > k_max_deviation) return k_infinity;
@@ -40,7 +48,7 @@ struct Choice {
     bool is_clean = false;
 };
 
-// Of all points.
+// Chooses the stars of all points.
 class Chooser {
 public:
     Chooser(std::span<const glm::dvec3> points, const NeighborLists& neighbors, double gap_ratio)
@@ -61,39 +69,41 @@ public:
                    });
     }
 
-    // Who asked before, and nothing has changed around it since, would hear the same again.
-    void ask_neighbors(const CallPart& part) {
-        std::vector<std::uint32_t> asking;
+    // Tries the normals of neighbors. Skips points around which nothing has changed since the last round: the
+    // result would be the same.
+    void improve(const CallPart& part) {
+        std::vector<std::uint32_t> unclean;
         for (std::uint32_t i = 0; i < points_.size(); ++i)
             if (!stars_.is_clean[i] && stars_.reasons[i] == UndecidedReason::none &&
                 (was_changed_[i] || std::ranges::any_of(neighbors_.of(i), [&](std::uint32_t q) {
                      return was_changed_[q] != 0;
                  })))
-                asking.push_back(i);
-        choose_again(asking, Asking::for_less_cost, part);
+                unclean.push_back(i);
+        choose_again(unclean, Goal::min_cost, part);
     }
 
-    // A star of two sheets at once may well be clean, but it stands across what its ring sees. There that
-    // angle counts as well, and only whole stars may take its place, for no borders are to come by it.
-    void mend(const CallPart& part) {
-        std::vector<std::uint8_t> is_across(points_.size());
+    // A star across two sheets may be clean, but its normal crosses those of its ring. Here the angle between
+    // them is added to the cost. Only whole stars are accepted, so that no borders arise.
+    void repair(const CallPart& part) {
+        std::vector<std::uint8_t> is_crossing(points_.size());
         each_point(static_cast<std::uint32_t>(points_.size()), {part.call, part.begin, part.begin},
                    [&](std::uint32_t first, std::uint32_t last) {
                        for (std::uint32_t i = first; i < last; ++i)
-                           is_across[i] = cosine_with_ring(i, stars_.fans[i], stars_.normals[i]) <=
-                                          k_cosine_of_across;
+                           is_crossing[i] =
+                               cosine_with_ring(i, stars_.fans[i], stars_.normals[i]) <=
+                               k_cosine_of_crossing;
                    });
-        std::vector<std::uint32_t> asking;
+        std::vector<std::uint32_t> crossing;
         for (std::uint32_t i = 0; i < points_.size(); ++i)
-            if (is_across[i] != 0) asking.push_back(i);
-        choose_again(asking, Asking::for_less_angle, part);
+            if (is_crossing[i] != 0) crossing.push_back(i);
+        choose_again(crossing, Goal::min_angle, part);
     }
 
     Stars stars() { return std::move(stars_); }
 
 private:
-    // scale(j, own): the greatest of the scales of sector j's corners; own is the star's. What is sure to
-    // cost `limit` or more is not worked out.
+    // scale(j, own): the maximum of the scales of sector j's corners, where `own` is the star's. Returns
+    // early where the cost is surely `limit` or more.
     template <typename Scale>
     Choice judge(const Neighborhood& around, const Fan& fan, double limit, Scale&& scale) const {
         Choice choice{fan};
@@ -101,8 +111,8 @@ private:
         Neighborhood::Triangles triangles;
         around.triangles(fan, triangles);
         choice.scale = Neighborhood::scale(fan, triangles);
-        // What is a gap whichever way it turns has no part in the normal: a triangle along a border that bends
-        // with the surface may stand on it.
+        // The normal is without the sectors that are gaps whatever their deviation. Along a bending border
+        // such a triangle may be perpendicular to the surface.
         Fan rest = fan;
         for (std::size_t j = 0; j < fan.size; ++j)
             if (!fan.is_gap(j) && triangles[j].circumradius > gap_ratio_ * scale(j, choice.scale))
@@ -133,7 +143,7 @@ private:
         return choice;
     }
 
-    // Before its neighbors have scales, a star's own is all there is.
+    // By the star's own scale, before its neighbors have scales.
     Choice judge_alone(const Neighborhood& around, const Fan& fan, double limit) const {
         return judge(around, fan, limit, [](std::size_t, double own) { return own; });
     }
@@ -156,7 +166,7 @@ private:
             reason = list.empty() ? UndecidedReason::alone : UndecidedReason::isolated;
             return;
         }
-        around.look_from(points_, point, list);
+        around.assign(points_, point, list);
         Choice best;
         for (const std::uint32_t fit : k_fits) {
             const glm::dvec3 plane =
@@ -176,8 +186,8 @@ private:
             reason = UndecidedReason::no_normal;
     }
 
-    // Of the angles, unoriented, of a star's normal with those that its ring's points have, the cosine of the
-    // second least; of three or fewer the least, 1 where none has a normal.
+    // The cosine of the second smallest of the unoriented angles between a star's normal and the normals of
+    // its ring's points. With three of them or fewer, of the smallest. 1 where no point has a normal.
     double cosine_with_ring(std::uint32_t point, const Fan& fan, const glm::dvec3& normal) const {
         const std::span<const std::uint32_t> list = neighbors_.of(point);
         std::array<double, k_max_neighbors> cosines;
@@ -194,17 +204,18 @@ private:
         return *found;
     }
 
-    // for_less_angle: that with its ring is added to a star's cost, and those with gaps are none to take.
-    enum class Asking : std::uint8_t { for_less_cost, for_less_angle };
+    // min_angle: the angle with the ring's normals is added to the cost of a star, and stars with gaps are
+    // refused.
+    enum class Goal : std::uint8_t { min_cost, min_angle };
 
-    // Every point sees the normals and scales that its neighbors had before.
-    void choose_again(std::span<const std::uint32_t> points, Asking asking, const CallPart& part) {
+    // Every point uses the normals and scales that its neighbors had before the call.
+    void choose_again(std::span<const std::uint32_t> points, Goal goal, const CallPart& part) {
         std::vector<Choice> choices(points.size());
         each_point(static_cast<std::uint32_t>(points.size()), part,
                    [&](std::uint32_t first, std::uint32_t last) {
                        Neighborhood around;
                        for (std::uint32_t n = first; n < last; ++n)
-                           choices[n] = ask_neighbors(points[n], asking, around);
+                           choices[n] = best_of_neighbors(points[n], goal, around);
                    });
         was_changed_.assign(points_.size(), 0);
         for (std::size_t n = 0; n < points.size(); ++n) {
@@ -216,17 +227,17 @@ private:
         }
     }
 
-    Choice ask_neighbors(std::uint32_t point, Asking asking, Neighborhood& around) const {
-        around.look_from(points_, point, neighbors_.of(point));
-        std::array<glm::dvec3, k_asked + 1> tried;
+    Choice best_of_neighbors(std::uint32_t point, Goal goal, Neighborhood& around) const {
+        around.assign(points_, point, neighbors_.of(point));
+        std::array<glm::dvec3, k_tried_neighbors + 1> tried;
         std::size_t count = 0;
         Choice best = judge_among(point, around, stars_.fans[point], k_infinity);
-        const bool counts_angle = asking == Asking::for_less_angle;
+        const bool counts_angle = goal == Goal::min_angle;
         const auto angle_with_ring = [&](const Choice& choice) {
             return std::acos(std::min(cosine_with_ring(point, choice.fan, choice.normal), 1.0));
         };
         if (counts_angle) best.cost += angle_with_ring(best);
-        const auto ask = [&](const glm::dvec3& plane) {
+        const auto try_plane = [&](const glm::dvec3& plane) {
             if (plane == glm::dvec3(0.0)) return;
             for (std::size_t t = 0; t < count; ++t)
                 if (std::abs(glm::dot(tried[t], plane)) > k_cosine_of_same) return;
@@ -237,9 +248,9 @@ private:
             if (counts_angle && choice.cost < best.cost) choice.cost += angle_with_ring(choice);
             if (choice.cost < best.cost - k_cost_tie) best = choice;
         };
-        ask(stars_.normals[point]);
-        for (std::uint32_t n = 0; n < std::min(around.size(), k_asked); ++n)
-            ask(stars_.normals[around.number(n)]);
+        try_plane(stars_.normals[point]);
+        for (std::uint32_t n = 0; n < std::min(around.size(), k_tried_neighbors); ++n)
+            try_plane(stars_.normals[around.number(n)]);
         return best;
     }
 
@@ -247,7 +258,7 @@ private:
     const NeighborLists& neighbors_;
     double gap_ratio_;
     Stars stars_;
-    std::vector<std::uint8_t> was_changed_;  // In the last round.
+    std::vector<std::uint8_t> was_changed_;  // In the last round; by point.
 };
 
 }  // namespace
@@ -265,10 +276,10 @@ Stars choose_stars(std::span<const glm::dvec3> points, const NeighborLists& neig
     Chooser chooser(points, neighbors, gap_ratio);
     chooser.fit({call, 0.0, 0.6});
     for (int round = 0; round < k_rounds; ++round)
-        chooser.ask_neighbors(
-            {call, 0.6 + 0.35 * round / k_rounds, 0.6 + 0.35 * (round + 1) / k_rounds});
+        chooser.improve({call, 0.6 + 0.35 * round / k_rounds, 0.6 + 0.35 * (round + 1) / k_rounds});
     for (int round = 0; round < k_rounds; ++round)
-        chooser.mend({call, 0.95 + 0.05 * round / k_rounds, 0.95 + 0.05 * (round + 1) / k_rounds});
+        chooser.repair(
+            {call, 0.95 + 0.05 * round / k_rounds, 0.95 + 0.05 * (round + 1) / k_rounds});
     return chooser.stars();
 }
 

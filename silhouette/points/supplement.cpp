@@ -16,19 +16,20 @@ constexpr double k_max_turn = std::numbers::pi / 3.0;
 constexpr double k_sine_of_explained = 0.4226;  // 25 degrees.
 constexpr double k_sine_of_aside = 0.2588;      // 15 degrees.
 constexpr double k_cosine_of_flat = 0.9397;     // 20 degrees.
-constexpr double k_cosine_of_tried = 0.985;     // 10 degrees: too near to a plane that was tried.
+constexpr double k_cosine_of_tried = 0.985;  // 10 degrees. Planes nearer to one tried are skipped.
 constexpr double k_ear_angle = 130.0 * std::numbers::pi / 180.0;
 constexpr double k_cosine_of_side = 0.2588;  // 75 degrees.
 constexpr std::size_t k_max_tried = 16;
 constexpr double k_steep = std::numbers::pi / 4.0;
-// Of candidates with the plane: 50 degrees, and 25 for edges so sharp that the first side is nearer.
+// Maximum angle of candidates with the plane: 50 degrees, then 25 for edges so sharp that the first side is
+// nearer.
 constexpr double k_sines[] = {0.766, 0.4226};
 
 std::size_t only_gap(const Fan& fan) {
     return static_cast<std::size_t>(std::countr_zero(fan.gaps));
 }
 
-// Places that the umbrella does not explain, and its gap's ends.
+// The places that the umbrella does not explain, and those of its gap's ends.
 std::uint64_t unexplained(const Neighborhood& around, const Fan& fan, const glm::dvec3& normal) {
     const std::size_t gap = only_gap(fan);
     std::uint64_t places = (std::uint64_t{1} << around.size()) - 1;
@@ -53,8 +54,8 @@ std::uint64_t unexplained(const Neighborhood& around, const Fan& fan, const glm:
     return places;
 }
 
-// Of the places, the fan about the plane whose one gap runs from `first` to `last`, in this sense or, turned
-// round, in the other; of no umbrella where there is none.
+// The fan of the places about the plane whose one gap goes from `first` to `last`. It is reversed where the
+// gap goes from `last` to `first`. Without triangles where there is none.
 Fan partial_between(const Neighborhood& around, std::uint32_t point, std::uint8_t first,
                     std::uint8_t last, const glm::dvec3& plane, double sine, std::uint64_t places,
                     const Stars& stars, double gap_ratio) {
@@ -73,13 +74,13 @@ Fan partial_between(const Neighborhood& around, std::uint32_t point, std::uint8_
     return (a == first && b == last) || (a == last && b == first) ? fan : Fan{};
 }
 
-// Within 20 degrees of one lying on the other; neither is zero.
+// Whether two umbrellas lie within 20 degrees of folding onto each other. Neither normal is zero.
 bool folds_back(const glm::dvec3& normal, const glm::dvec3& of_what_runs_on) {
     return glm::dot(normal, of_what_runs_on) <= -k_cosine_of_flat;
 }
 
-// What stands before a border point that noise has pushed back, and no second side: an obtuse triangle, in
-// `fan`, within 75 degrees of running on as the first side does.
+// Whether `fan` is no second side, but lies before a border point that noise has pushed back: it has an
+// obtuse triangle and turns from the first side by less than 75 degrees.
 bool is_ear(const Neighborhood& around, const Fan& fan, const glm::dvec3& normal) {
     if (glm::dot(normal, around.normal(fan)) < k_cosine_of_side) return false;
     for (std::size_t j = 0; j < fan.size; ++j)
@@ -127,7 +128,8 @@ std::optional<SplitFan> split_fold(const Neighborhood& around, std::uint32_t poi
         is_fold |= !fan.is_gap(j) && around.deviation(fan, j, normal) > k_steep;
     if (!is_fold) return std::nullopt;
 
-    // The crease runs from end to end of the gap; its sides part where the surface does, in the middle.
+    // The crease goes from one end of the gap to the other. The plane through it along the bisector separates
+    // the sides.
     const std::size_t gap = only_gap(fan);
     const std::uint8_t first = fan.ring[gap], last = fan.ring[fan.next(gap)];
     const glm::dvec3 along = around.edge(last) - around.edge(first);
@@ -138,13 +140,13 @@ std::optional<SplitFan> split_fold(const Neighborhood& around, std::uint32_t poi
     const glm::dvec3 up = glm::cross(along, inwards);
     const auto side = [&](bool is_above) -> Fan {
         std::uint64_t places = std::uint64_t{1} << first | std::uint64_t{1} << last;
-        glm::dvec3 plane(0.0);  // Through the nearest that lies aside.
+        glm::dvec3 plane(0.0);  // Of the crease and the nearest point aside of it.
         for (std::uint32_t place = 0; place < around.size(); ++place) {
             const glm::dvec3& d = around.edge(place);
             if (place == first || place == last || (glm::dot(d, up) > 0.0) != is_above) continue;
             places |= std::uint64_t{1} << place;
             const glm::dvec3 product = glm::cross(along, d);
-            // Others of the crease itself, behind its ends, have no side.
+            // Points on the crease itself, behind its ends, are on neither side.
             const bool is_aside =
                 glm::length(product) > k_sine_of_aside * glm::length(along) * around.length(place);
             if (is_aside && plane == glm::dvec3(0.0)) plane = product;

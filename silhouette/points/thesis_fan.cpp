@@ -41,13 +41,13 @@ public:
     void take_out_turned(double omega) {
         for (;;) {
             std::size_t worst = fan_.size;
-            double greatest = omega + k_tie;
+            double max_turned = omega + k_tie;
             for (std::size_t j = 0; j < fan_.size && fan_.size > 3; ++j) {
                 if (is_at_gap(j)) continue;
                 const double turned = std::max(around_.deviation(fan_, j, normal_),
                                                around_.deviation(fan_, fan_.previous(j), normal_));
-                if (turned <= greatest || turn_without(j) > omega) continue;
-                greatest = turned + k_tie;
+                if (turned <= max_turned || turn_without(j) > omega) continue;
+                max_turned = turned + k_tie;
                 worst = j;
             }
             if (worst == fan_.size) return;
@@ -58,14 +58,14 @@ public:
     void make_delaunay() {
         for (;;) {
             std::size_t worst = fan_.size;
-            double greatest = std::numbers::pi + k_tie;
+            double max_sum = std::numbers::pi + k_tie;
             for (std::size_t j = 0; j < fan_.size && fan_.size > 3; ++j) {
                 if (is_at_gap(j)) continue;
                 const glm::dvec3& a = edge(fan_.previous(j));
                 const glm::dvec3& b = edge(fan_.next(j));
                 const double sum = angle_between(-a, edge(j) - a) + angle_between(-b, edge(j) - b);
-                if (sum <= greatest) continue;
-                greatest = sum + k_tie;
+                if (sum <= max_sum) continue;
+                max_sum = sum + k_tie;
                 worst = j;
             }
             if (worst == fan_.size) return;
@@ -73,13 +73,13 @@ public:
         }
     }
 
-    void grow_gaps(double greatest_radius) {
+    void grow_gaps(double max_radius) {
         for (bool is_changed = true; is_changed;) {
             is_changed = false;
             for (std::size_t j = 0; j < fan_.size; ++j) {
                 const bool is_beside = fan_.is_gap(fan_.previous(j)) || fan_.is_gap(fan_.next(j));
                 if (fan_.is_gap(j) || !is_beside) continue;
-                if (around_.circumradius(fan_, j) <= greatest_radius) continue;
+                if (around_.circumradius(fan_, j) <= max_radius) continue;
                 fan_.open(j);
                 is_changed = true;
             }
@@ -92,8 +92,8 @@ public:
 private:
     const glm::dvec3& edge(std::size_t j) const { return around_.edge(fan_.ring[j]); }
 
-    // Of neighbors in one direction the nearest stays: a triangle between two has no normal, and the
-    // nearer one would be taken out for it.
+    // Of neighbors in one direction only the nearest is kept. The triangle between two of them would have no
+    // normal, and the nearer would be removed for it.
     void drop_hidden() {
         std::uint8_t kept = 0;
         for (std::size_t j = 0; j < fan_.size; ++j) {
@@ -112,7 +112,7 @@ private:
         fan_.size = kept;
     }
 
-    // A concave boundary, wider than phi, or a convex one: π or more around the normal.
+    // At a concave boundary a sector is wider than phi; at a convex one it spans π or more around the normal.
     bool is_wide(std::size_t j) const {
         const std::size_t next = fan_.next(j);
         if (next == j) return true;

@@ -40,7 +40,7 @@ std::uint64_t gap_ends(const Fan& fan) {
             places |= std::uint64_t{1} << fan.ring[j] | std::uint64_t{1} << fan.ring[fan.next(j)];
     return places;
 }
-// On the boundaries of an odd number of umbrellas: nothing lies beyond.
+// The ends on the boundaries of an odd number of umbrellas: the surface ends there.
 std::uint64_t open_ends(const PointFans& fans) {
     std::uint64_t places = 0;
     for (std::size_t f = 0; f < fans.count; ++f) places ^= gap_ends(fans.fans[f]);
@@ -61,8 +61,8 @@ public:
           reasons_(count_, UndecidedReason::none) {}
 
     void first(const CallPart& part) {
-        const double middle = part.begin + 0.9 * (part.end - part.begin);
-        each({part.call, part.begin, middle}, [&](std::uint32_t i, Neighborhood& around) {
+        const double end_of_fans = part.begin + 0.9 * (part.end - part.begin);
+        each({part.call, part.begin, end_of_fans}, [&](std::uint32_t i, Neighborhood& around) {
             if (!neighbors_.is_mutual(i)) {
                 reasons_[i] = k_ == 0 ? UndecidedReason::alone : UndecidedReason::isolated;
                 return;
@@ -75,7 +75,7 @@ public:
                     fans_[i].set(*fan);
         });
         normals_.assign(count_, glm::dvec3(0.0));
-        each({part.call, middle, part.end}, [&](std::uint32_t i, Neighborhood& around) {
+        each({part.call, end_of_fans, part.end}, [&](std::uint32_t i, Neighborhood& around) {
             if (fans_[i].is_whole()) normals_[i] = around.normal(fans_[i].fans[0]);
         });
     }
@@ -98,8 +98,8 @@ public:
         fans_.swap(result);
     }
 
-    FoundUmbrellas found() {
-        FoundUmbrellas found;
+    UmbrellaSet found() {
+        UmbrellaSet found;
         found.fans.resize(count_);
         found.normals.assign(count_, glm::dvec3(0.0));
         found.scales.assign(count_, 0.0);
@@ -107,8 +107,8 @@ public:
         Neighborhood around;
         for (std::uint32_t i = 0; i < count_; ++i) {
             PointFans& fans = fans_[i];
-            around.look_from(points_, i, neighbors_.of(i));
-            // What folds back onto itself has no side.
+            around.assign(points_, i, neighbors_.of(i));
+            // An umbrella that folds onto itself has no normal.
             const auto end = std::remove_if(
                 fans.fans.begin(), fans.fans.begin() + fans.count,
                 [&](const Fan& fan) { return around.normal(fan) == glm::dvec3(0.0); });
@@ -137,14 +137,14 @@ private:
         each_point(count_, part, [&](std::uint32_t first, std::uint32_t last) {
             Neighborhood around;
             for (std::uint32_t i = first; i < last; ++i) {
-                around.look_from(points_, i, neighbors_.of(i));
+                around.assign(points_, i, neighbors_.of(i));
                 body(i, around);
             }
         });
     }
     std::uint64_t all_places() const { return (std::uint64_t{1} << k_) - 1; }
 
-    // Of those admissible about the normal.
+    // An umbrella of those places in `among` that are admissible about the normal.
     std::optional<Fan> make(std::uint32_t i, const Neighborhood& around, const glm::dvec3& normal,
                             std::uint64_t among) const {
         std::array<std::uint8_t, k_max_neighbors> places;
@@ -203,7 +203,7 @@ private:
         return all_places() & ~taken & ~twice;
     }
 
-    // Has `of` the point in the ring of one of its umbrellas; or at the ends of its gaps?
+    // Whether `of` has the point in the ring of an umbrella; with `at_gaps`, at the end of a gap.
     bool has(std::uint32_t of, std::uint32_t point, bool at_gaps) const {
         const auto list = neighbors_.of(of);
         for (std::size_t f = 0; f < fans_[of].count; ++f) {
@@ -244,8 +244,8 @@ private:
         return ordered_fan(around, std::span(places).first(count), around.normal(fan), phi);
     }
 
-    // A gap from one incoming boundary edge to the next, where fewest ring points between return theirs:
-    // first of all where there is a gap.
+    // Opens a gap from one incoming boundary edge to the next: where the fewest ring points between have the
+    // point in their umbrellas. The place of the old gap comes first.
     std::optional<Fan> opened(const Neighborhood& around, const Fan& fan, std::uint64_t incoming,
                               std::uint64_t reciprocal) const {
         Fan ring = with_places(around, fan, incoming, options_.phi);
@@ -255,7 +255,7 @@ private:
             return (incoming >> ring.ring[j] & 1u) != 0;
         };
         std::optional<std::size_t> best;
-        int least = 0;
+        int min_cost = 0;
         for (std::size_t j = 0; j < ring.size; ++j) {
             if (!is_incoming(j)) continue;
             int cost = 0;
@@ -266,12 +266,12 @@ private:
                 old += (old_ends >> ring.ring[n] & 1u) != 0;
             }
             old += (old_ends >> ring.ring[n] & 1u) != 0;
-            // An arc without anything between is a triangle, unless the gap was there.
+            // Without ring points between, the sector is a triangle, unless the gap was there.
             if (ring.next(j) == n && old < 2) continue;
             cost -= old >= 2 ? k_max_neighbors : 0;
-            if (best && cost >= least) continue;
+            if (best && cost >= min_cost) continue;
             best = j;
-            least = cost;
+            min_cost = cost;
         }
         if (!best) return std::nullopt;
         std::size_t j = *best;
@@ -283,11 +283,11 @@ private:
         return ring.is_umbrella() ? std::optional(ring) : std::nullopt;
     }
 
-    // The gap, filled with neighbors that have the point in their umbrellas.
+    // Fills the gap with neighbors that have the point in their umbrellas.
     std::optional<Fan> filled(const Neighborhood& around, const Fan& fan,
                               std::uint64_t reciprocal) const {
         const Fan full = with_places(around, fan, reciprocal, std::numbers::pi);
-        // Only what lies within the gaps joins the ring.
+        // Only neighbors within the gaps join the ring.
         std::uint64_t within = 0;
         for (std::size_t j = 0; j < fan.size; ++j) {
             if (!fan.is_gap(j)) continue;
@@ -301,7 +301,8 @@ private:
         return ring.is_umbrella() ? std::optional(ring) : std::nullopt;
     }
 
-    // Where the second ends where the first does, in the same order, it turns the other way.
+    // Reverses the second fan where a gap of it begins where one of the first begins: both then have one
+    // sense.
     static void turn_like(const Fan& first, Fan& second) {
         for (std::size_t j = 0; j < first.size; ++j)
             for (std::size_t n = 0; n < second.size; ++n)
@@ -317,15 +318,15 @@ private:
     std::uint32_t k_, count_;
     std::vector<GabrielTriangle> gabriel_;
     std::vector<PointFans> fans_;
-    std::vector<glm::dvec3> normals_;  // Of those with one whole umbrella after the first pass.
+    std::vector<glm::dvec3> normals_;  // Of points with one whole umbrella after pass 1; else zero.
     std::vector<UndecidedReason> reasons_;
 };
 
 }  // namespace
 
-FoundUmbrellas find_thesis_umbrellas(std::span<const glm::dvec3> points,
-                                     const NeighborLists& neighbors,
-                                     const PointSurfaceOptions& options, const LongCall& call) {
+UmbrellaSet find_thesis_umbrellas(std::span<const glm::dvec3> points,
+                                  const NeighborLists& neighbors,
+                                  const PointSurfaceOptions& options, const LongCall& call) {
     Passes passes(points, neighbors, options);
     passes.first({call, 0.0, 0.4});
     passes.second({call, 0.4, 0.7});

@@ -12,7 +12,7 @@ namespace rimline {
 
 namespace {
 
-// From farther away a silhouette differs by less than float can say.
+// From farther away the difference is below the resolution of float.
 constexpr double k_farthest = 0x1p20;
 
 HomogeneousPoint limited_direction(const glm::dvec3& v) {
@@ -53,11 +53,11 @@ std::uint32_t UmbrellaIndex::find_changing(const HomogeneousPoint& from, const H
                                            TraversalCounters& counters) const noexcept {
     RIMLINE_CHECK(from.is_valid() && to.is_valid());
     if (from == to) return 0;
-    const float reach = tree_.greatest_reach();
-    // Of use where frames are; here a block is settled by its box.
+    const float reach = tree_.max_reach();
+    // Only needed with frames. Here boxes alone decide.
     const BlockPoint no_threshold(to, patch_center_, 1.0);
     std::uint64_t nodes = 0;
-    std::uint32_t certain_count = 0;  // All their bits flip, and no spoke changes.
+    std::uint32_t certain_count = 0;  // All bits of these blocks flip, so no spoke changes.
     const std::uint32_t count =
         is_small_step(from, to, tree_)
             ? kernels::find_mixed(tree_, frames_, BoxQuery::between(from, to, patch_center_, reach),
@@ -69,7 +69,7 @@ std::uint32_t UmbrellaIndex::find_changing(const HomogeneousPoint& from, const H
     return count;
 }
 
-// The face bit of plane.h, over arrays.
+// The face bit of silhouette/mesh/plane.h, for arrays.
 std::uint32_t UmbrellaIndex::evaluate(std::uint32_t block, const HomogeneousPoint& point,
                                       std::span<std::uint8_t> front) const noexcept {
     const auto [first_patch, last_patch] = patches_of(block);

@@ -1,28 +1,28 @@
 #pragma once
 
-// The umbrellas of a point set in a Hough octree (thesis 5.3): what its silhouettes are found in.
+// The umbrellas of a point set in a Hough octree (thesis 5.3), in which its silhouettes are found.
 //
 // A point and the triangles of all its umbrellas are a patch. A spoke p-r with a triangle on either side, of
-// one umbrella or of two that meet there, can be a silhouette edge; one at an open gap has one triangle and
-// cannot. p is on the silhouette when one of its spokes is:
+// one umbrella or of two that meet there, can be a silhouette edge. A spoke at an open gap has one triangle
+// and cannot. p is on the silhouette when one of its spokes is:
 //
-//       r2---r1          on(p-r)  =  the face bits of its two triangles differ, as seen from the point;
-//      /  \ /  \         are equal, where both turn the same way about the spoke; and of three triangles
-//    r3----p----r0       or more, that not all are equal.
+//       r2---r1          on(p-r)  =  the face bits of its two triangles differ. Where both traverse the spoke
+//      /  \ /  \         in the same direction: the bits are equal. With three triangles or more: not all
+//    r3----p----r0       bits are equal.
 //      \  / \  /
-//       r4---r5          Which side is outside is not known and does not matter: patches are oriented each
-//                        for itself.
+//       r4---r5          It is not known which side is outside, and it does not matter: each patch has an
+//                        orientation of its own.
 //
-// p-q is a consensus edge when the spoke p-q of p's patch and the spoke q-p of q's both are on the
-// silhouette; the two are twins.
+// The spoke p-q of p's patch and the spoke q-p of q's patch are twins. p-q is a consensus edge when both are
+// on the silhouette.
 //
-// The octree is over patches: each is a set of Hough points, one a triangle, and sixteen neighbors in octree
-// order make a block, whose box holds all of theirs. Where a box lies certainly on the same side of two
-// v-spheres (box_tree.h) no bit in it differs between the two, and no spoke. What boxes do not settle is
-// decided by is_front from each triangle's own plane, so that results equal brute force bit for bit.
+// The octree is over patches. A patch is a set of Hough points, one for each triangle. Sixteen neighbors in
+// octree order make a block, whose box holds all their Hough points. Where a box lies certainly on the same
+// side of two v-spheres (box_tree.h), no bit in it differs between the two, and no spoke. All other blocks
+// are decided by is_front from the planes of their triangles. So results equal brute force bit for bit.
 //
-// A point takes about 165 bytes: planes 16 each and spokes 6 each, about six of both; 32 for its place in
-// the order, its position and boxes. (docs/points.md has the estimate beside a mesh of six faces a point.)
+// A point takes about 165 bytes: about six planes of 16 bytes, six spokes of 6, and 32 for its place in the
+// order, its position and boxes. (docs/results/points.md compares this with a mesh of six faces a point.)
 
 #include <array>
 #include <cstdint>
@@ -41,27 +41,28 @@ namespace rimline {
 /// Immutable: any number of silhouettes may share one, across threads.
 class UmbrellaIndex {
 public:
-    /// `surface` is not needed afterwards. O(umbrellas log umbrellas), on all threads; the same whatever
-    /// their number. Throws Error{too_large} beyond 2^30 triangles, Error{cancelled}.
+    /// `surface` is not needed afterwards. O(umbrellas log umbrellas) on all threads; the result does not
+    /// depend on their number. Throws Error{too_large} beyond 2^30 triangles, Error{cancelled}.
     explicit UmbrellaIndex(const PointSurface& surface, const LongCall& call = {});
-    // Silhouettes know where it is.
+    // Silhouettes refer to it by address.
     UmbrellaIndex(const UmbrellaIndex&) = delete;
     UmbrellaIndex& operator=(const UmbrellaIndex&) = delete;
 
-    /// Patches are stored about the origin in a size near 1, in float: coordinates far from zero lose
-    /// nothing, but points nearer to each other than 2^-20 of the whole do. These take points and
-    /// directions there; a point must be finite, and is moved to 2^20 sizes away if it lies farther.
+    /// Patches are stored around the origin with a size near 1, in float. Coordinates far from zero lose no
+    /// precision; points nearer to each other than 2^-20 of the whole do. These two functions transform
+    /// points and directions to there. A point must be finite. Beyond 2^20 sizes it is moved nearer, to that
+    /// distance.
     HomogeneousPoint viewpoint(const glm::dvec3& point) const noexcept;
     HomogeneousPoint direction(const glm::dvec3& direction) const noexcept;
-    /// Of a position, as viewpoint() has it.
+    /// Transforms a position as viewpoint() does.
     glm::vec3 to_index(const glm::dvec3& position) const noexcept {
         return glm::vec3((position - center_) * scale_);
     }
-    /// A length there over the same length in positions; a power of two.
+    /// A length in the index divided by the same length in positions; a power of two.
     double scale() const noexcept { return scale_; }
 
-    /// Of the points that have umbrellas, by patch; the middle of their bounding box, and the greatest
-    /// distance from there to one.
+    /// The positions of the points that have umbrellas, by patch; the center of their bounding box; and the
+    /// maximum distance from it to one.
     std::span<const glm::vec3> positions() const noexcept { return positions_; }
     const glm::dvec3& center() const noexcept { return patch_center_; }
     double radius() const noexcept { return patch_radius_; }
@@ -72,7 +73,7 @@ public:
     /// Memory reserved.
     std::uint64_t size_bytes() const noexcept;
 
-    // What silhouettes read. Patches have numbers in octree order, their spokes and planes likewise.
+    // For silhouettes. Patches are numbered in octree order, and so are their spokes and planes.
 
     std::uint32_t patch_count() const noexcept {
         return static_cast<std::uint32_t>(patches_.size()) - 1;
@@ -96,36 +97,36 @@ public:
     Range planes_of(std::uint32_t patch) const noexcept {
         return {patches_[patch].first_plane, patches_[patch + 1].first_plane};
     }
-    /// Of the patches of a block.
+    /// The patches of a block.
     Range patches_of(std::uint32_t block) const noexcept {
         const std::uint32_t first = block * k_block_size;
         return {first, std::min(first + k_block_size, patch_count())};
     }
-    /// The patch that a spoke leads to; k_none where the point there has none.
+    /// The patch of a spoke's other point; k_none where that point has none.
     std::uint32_t target(std::uint32_t spoke) const noexcept { return targets_[spoke]; }
-    /// The spoke of patch `from` that leads to patch `to`; k_none where there is none.
+    /// The spoke of patch `from` to the point of patch `to`; k_none where there is none.
     std::uint32_t find_spoke(std::uint32_t from, std::uint32_t to) const noexcept;
 
-    /// Room for the bits of any block, and to walk the tree, for one thread.
+    /// The maximum number of planes of a block, and working memory for one thread to traverse the tree.
     std::uint32_t max_planes() const noexcept { return max_planes_; }
     BlockScratch make_scratch() const { return BlockScratch(block_count()); }
 
-    /// The blocks in which a spoke may be on the silhouette from one of the two points and not from the
-    /// other: the first so many of scratch.block. `counters` is added to.
+    /// Writes to scratch.block the blocks in which a spoke may be on the silhouette from one of the two
+    /// points and not from the other. Returns their number. Adds to `counters`.
     std::uint32_t find_changing(const HomogeneousPoint& from, const HomogeneousPoint& to,
                                 BlockScratch& scratch, TraversalCounters& counters) const noexcept;
-    /// The face bits of a block's planes, as bytes; returns how many.
+    /// Writes the face bits of a block's planes to `front`, as bytes. Returns their number.
     std::uint32_t evaluate(std::uint32_t block, const HomogeneousPoint& point,
                            std::span<std::uint8_t> front) const noexcept;
-    /// What is known of how a patch's spokes lie between its planes.
+    /// How the spokes of a patch lie between its planes.
     enum class Shape : std::uint8_t {
-        fan,    ///< Closed, up to eight of each: spoke j between plane j and the one before.
-        plain,  ///< None is on where all planes' bits are equal.
-        odd,
+        fan,    ///< Closed, at most eight of each: spoke j lies between planes j - 1 and j.
+        plain,  ///< No spoke is on the silhouette where all bits are equal.
+        odd,    ///< Any other.
     };
     Shape shape(std::uint32_t patch) const noexcept { return shapes_[patch]; }
     static constexpr std::uint32_t k_max_of_fan = 8;
-    /// Whether a spoke is on the silhouette; `front` are the bits of its patch's planes.
+    /// Whether a spoke is on the silhouette. `front`: the bits of its patch's planes.
     bool is_on(std::uint32_t spoke, const std::uint8_t* front) const noexcept {
         const Sides sides = sides_[spoke];
         if (sides.first == k_special) return is_special_on(spoke, front);
@@ -136,26 +137,26 @@ public:
 private:
     friend class UmbrellaIndexBuilder;
 
-    // The planes on either side of a spoke, by their numbers in its patch: the same twice where it has one.
+    // The planes on both sides of a spoke, by their numbers in its patch. Both are the same where it has one.
     struct Sides {
-        std::uint8_t first;  // With the bit below where both turn the same way about the spoke.
+        std::uint8_t first;  // With k_turn_the_same where both traverse the spoke in one direction.
         std::uint8_t second;
     };
     static constexpr std::uint8_t k_turn_the_same = 0x80;
     static constexpr std::uint8_t k_plane_bits = 0x7f;
     static constexpr std::uint8_t k_special = 0xff;
-    static constexpr std::uint32_t k_max_planes_of_sides = 0x7f;  // Beyond, spokes are special.
+    static constexpr std::uint32_t k_max_planes_of_sides = 0x7f;  // With more, spokes are special.
 
     struct Patch {
         PointId point;
         std::uint32_t first_spoke;
         std::uint32_t first_plane;
     };
-    // A spoke with more than two triangles, or of a patch with more than Sides can name.
+    // A spoke with more than two triangles, or of a patch with more planes than Sides can number.
     struct Special {
         std::uint32_t spoke;
-        std::uint32_t first_plane;  // Of special_planes_; up to the next one's.
-        bool turn_the_same;         // Of two.
+        std::uint32_t first_plane;  // In special_planes_; its end is the next one's first.
+        bool turn_the_same;         // Where there are two.
     };
     bool is_special_on(std::uint32_t spoke, const std::uint8_t* front) const noexcept;
 
@@ -165,17 +166,17 @@ private:
     glm::dvec3 patch_center_{0.0};  // The origin of Hough space.
     double patch_radius_ = 0.0;
     std::vector<std::uint32_t> patch_of_;  // Of each point.
-    std::vector<Patch> patches_;           // One more, for the ends.
+    std::vector<Patch> patches_;           // One more than there are, for the ends.
     std::vector<Shape> shapes_;            // Of each patch.
     std::vector<std::uint32_t> targets_;   // Of each spoke, as sides_.
     std::vector<Sides> sides_;
-    std::vector<Special> specials_;  // By spoke, and one more for the end.
+    std::vector<Special> specials_;  // By spoke; one more than there are.
     std::vector<std::uint32_t> special_planes_;
-    // Block after block, of each all nx, all ny, all nz, all d.
+    // Block after block. Of each block all nx, all ny, all nz, all d.
     std::vector<float> planes_;
     std::uint32_t max_planes_ = 0;
     BoxTree tree_;
-    std::vector<NodeFrames> frames_;  // The walk fetches them; nothing here is decided by them.
+    std::vector<NodeFrames> frames_;  // The traversal reads them. No result depends on them.
 };
 
 }  // namespace rimline

@@ -18,8 +18,8 @@ constexpr std::uint64_t k_max_triangles = std::uint64_t{1} << 30;
 struct Box {
     glm::dvec3 low{0.0};
     glm::dvec3 high{0.0};
-    // The sums that halves avoid may be beyond what a double holds.
-    glm::dvec3 middle() const { return 0.5 * low + 0.5 * high; }
+    // Halves first: the sum could overflow.
+    glm::dvec3 center() const { return 0.5 * low + 0.5 * high; }
 };
 
 template <typename Positions>
@@ -33,12 +33,12 @@ Box box_of(const Positions& positions) {
     return box;
 }
 
-// What the patch of a point is made of.
-struct Described {
+// The spokes and triangles of the patch of a point.
+struct PatchDescription {
     struct Triangle {
-        std::uint32_t from, to;  // Spokes.
+        std::uint32_t from, to;  // Numbers of spokes.
     };
-    std::vector<PointId> targets;  // Of each spoke.
+    std::vector<PointId> targets;  // By spoke.
     std::vector<Triangle> triangles;
 
     void describe(const PointSurface& surface, PointId point) {
@@ -86,7 +86,7 @@ private:
 
     void choose_units() {
         const Box box = box_of(surface_.positions());
-        index_.center_ = box.middle();
+        index_.center_ = box.center();
         const glm::dvec3 half = 0.5 * box.high - 0.5 * box.low;
         const double size = std::max({half.x, half.y, half.z});
         int exponent = 0;
@@ -97,24 +97,24 @@ private:
     void place_origin(const std::vector<std::uint32_t>& points) {
         index_.positions_.reserve(points.size());
         for (const std::uint32_t p : points) index_.positions_.push_back(at(PointId{p}));
-        index_.patch_center_ = box_of(index_.positions_).middle();
+        index_.patch_center_ = box_of(index_.positions_).center();
         for (const glm::vec3& p : index_.positions_)
             index_.patch_radius_ =
                 std::max(index_.patch_radius_, glm::distance(glm::dvec3(p), index_.patch_center_));
     }
 
-    // visit(from, to, plane) for each triangle.
+    // Calls visit(plane) for each triangle of the point.
     template <typename Visit>
     void for_each_plane(PointId point, Visit&& visit) const {
-        const glm::vec3 middle = at(point);
+        const glm::vec3 center = at(point);
         for_each_triangle(surface_, point, [&](PointId from, PointId to, UmbrellaId) {
-            visit(supporting_plane({middle, at(from), at(to)}));
+            visit(supporting_plane({center, at(from), at(to)}));
         });
     }
 
     static constexpr HoughPoint k_origin{glm::dvec3(0.0), 0.0, 0};
-    // With what has no plane, whose bit is the same from everywhere, the origin itself: no box that holds
-    // it settles anything.
+    // A triangle without a plane has the same bit from everywhere. It includes the origin, so that the box
+    // never decides.
     void include(HoughBounds& bounds, const Plane& plane) const {
         bounds.include(plane.has_normal() ? hough_point(plane, index_.patch_center_) : k_origin);
     }
@@ -122,10 +122,10 @@ private:
         if (bounds.is_empty()) bounds.include(k_origin);
     }
 
-    // By the middles of the patches' boxes, wide ones by themselves.
+    // In octree order of the centers of the patches' boxes. Wide boxes are in classes of their own.
     void put_in_order(std::vector<std::uint32_t>& points) const {
         const auto count = static_cast<std::uint32_t>(points.size());
-        std::vector<glm::dvec3> middles(count);
+        std::vector<glm::dvec3> centers(count);
         std::vector<double> squares(count);
         each_point(count, {call_, 0.0, 0.4}, [&](std::uint32_t first, std::uint32_t last) {
             for (std::uint32_t i = first; i < last; ++i) {
@@ -135,7 +135,7 @@ private:
                 fill_empty(bounds);
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     const double size = bounds.high[axis] - bounds.low[axis];
-                    middles[i][static_cast<glm::length_t>(axis)] =
+                    centers[i][static_cast<glm::length_t>(axis)] =
                         0.5 * (bounds.low[axis] + bounds.high[axis]);
                     squares[i] += size * size;
                 }
@@ -143,7 +143,7 @@ private:
         });
         const std::vector<std::uint8_t> classes = length_classes(squares);
         squares = {};
-        std::vector<std::uint32_t> order = octree_order(middles, classes);
+        std::vector<std::uint32_t> order = octree_order(centers, classes);
         for (std::uint32_t& place : order) place = points[place];
         points = std::move(order);
         call_.checkpoint(0.5);
@@ -153,7 +153,7 @@ private:
         index_.patch_of_.assign(surface_.size(), UmbrellaIndex::k_none);
         index_.patches_.resize(points.size() + 1);
         each_point(size(), {call_, 0.5, 0.6}, [&](std::uint32_t first, std::uint32_t last) {
-            Described patch;
+            PatchDescription patch;
             for (std::uint32_t i = first; i < last; ++i) {
                 patch.describe(surface_, PointId{points[i]});
                 index_.patch_of_[points[i]] = i;
@@ -185,7 +185,7 @@ private:
         const std::uint32_t blocks = index_.block_count();
         std::vector<HoughBounds> bounds(blocks);
         each_point(blocks, {call_, 0.6, 0.95}, [&](std::uint32_t first, std::uint32_t last) {
-            Described patch;
+            PatchDescription patch;
             for (std::uint32_t block = first; block < last; ++block) {
                 const auto [begin, end] = index_.patches_of(block);
                 for (std::uint32_t i = begin; i < end; ++i) {
@@ -223,7 +223,7 @@ private:
         return bounds;
     }
 
-    void fill_spokes(std::uint32_t number, const Described& patch) {
+    void fill_spokes(std::uint32_t number, const PatchDescription& patch) {
         const std::uint32_t first = index_.spokes_of(number).first;
         if (is_fan(patch)) index_.shapes_[number] = UmbrellaIndex::Shape::fan;
         for (std::uint32_t s = 0; s < patch.targets.size(); ++s) {
@@ -231,7 +231,7 @@ private:
             const SpokeSides sides = sides_of(s, patch);
             UmbrellaIndex::Sides& packed = index_.sides_[first + s];
             packed = {0, 0};
-            if (sides.count < 2) continue;  // One plane beside itself never differs.
+            if (sides.count < 2) continue;  // The bit of one plane never differs from itself.
             if (sides.count > 2 || patch.triangles.size() > UmbrellaIndex::k_max_planes_of_sides)
                 packed.first = UmbrellaIndex::k_special;
             else
@@ -244,7 +244,7 @@ private:
         }
     }
 
-    static bool is_fan(const Described& patch) {
+    static bool is_fan(const PatchDescription& patch) {
         const auto size = static_cast<std::uint32_t>(patch.targets.size());
         if (patch.triangles.size() != size || size > UmbrellaIndex::k_max_of_fan || size < 3)
             return false;
@@ -256,14 +256,14 @@ private:
 
     struct SpokeSides {
         std::uint32_t count = 0;
-        std::array<std::uint32_t, 2> triangles{};  // The first two.
-        bool turn_the_same = false;                // These.
+        std::array<std::uint32_t, 2> triangles{};  // The first two of them.
+        bool turn_the_same = false;                // Of these two.
     };
-    static SpokeSides sides_of(std::uint32_t spoke, const Described& patch) {
+    static SpokeSides sides_of(std::uint32_t spoke, const PatchDescription& patch) {
         SpokeSides sides;
         bool turns_in = false;
         for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
-            const Described::Triangle& triangle = patch.triangles[t];
+            const PatchDescription::Triangle& triangle = patch.triangles[t];
             if (triangle.from != spoke && triangle.to != spoke) continue;
             const bool comes_in = triangle.to == spoke;
             if (sides.count < 2) sides.triangles[sides.count] = t;
@@ -274,9 +274,9 @@ private:
         return sides;
     }
 
-    // Rare: those that sides cannot say, again.
+    // Describes again the rare spokes for which Sides is not enough.
     void add_specials() {
-        Described patch;
+        PatchDescription patch;
         const auto end_list = [&](std::uint32_t spoke, bool turn_the_same) {
             index_.specials_.push_back(
                 {spoke, static_cast<std::uint32_t>(index_.special_planes_.size()), turn_the_same});

@@ -8,7 +8,8 @@
 
 namespace rimline {
 
-/// visit(from, to, umbrella) for each triangle of `point` with two of its ring points, turned as the ring is.
+/// Calls visit(from, to, umbrella) for each triangle of `point`: with two ring points, in the order of the
+/// ring.
 template <typename Visit>
 void for_each_triangle(const PointSurface& surface, PointId point, Visit&& visit) {
     const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);

@@ -1,5 +1,5 @@
-# cmake -DCLANG_FORMAT=PATH -P formatted.cmake, from the root: fails naming what clang-format would
-# change.
+# cmake -DCLANG_FORMAT=PATH -P formatted.cmake, from the root: fails where clang-format would change a
+# source, and names it.
 if(NOT CLANG_FORMAT)
     message("SKIPPED: no clang-format-14")
     return()

@@ -1,14 +1,20 @@
-"""Checks README.md against the tree, so that it cannot say what is no longer so.
+"""Checks the commands and the sample in README.md and docs/**/*.md against the tree.
 
-readme.py ROOT quotes FILE...     every FILE stands in README.md as a code block, word for word
-readme.py ROOT run BIN SCRATCH    the commands of tested blocks succeed
+readme.py ROOT quotes FILE...          every FILE is a code block of README.md, word for word
+readme.py ROOT marks                   every block of commands says whether it is tested
+readme.py ROOT run PAGE BIN SCRATCH    the commands of the tested blocks of PAGE succeed
 
-A code block whose preceding line is the comment <!-- tested --> (invisible where the page is shown)
-holds commands as a reader types them in the root: they name the program build/release/rimline. They
-run here with the program of folder BIN, in a copy of the root made of links under SCRATCH, so that
-what they write stays out of the tree. <!-- tested: engine --> marks commands that need a Vulkan
-device, <!-- tested: models --> those that read $RIMLINE_MODELS; without, such a block is left out
-and named.
+A block of commands is a fenced block of language `sh`. The line before it is a comment, which the shown page
+does not have:
+
+<!-- tested -->             the commands run in a test
+<!-- tested: engine -->     they need a Vulkan device
+<!-- tested: models -->     they read models from the folders of RIMLINE_MODELS
+<!-- not run: REASON -->    they do not run
+
+Commands run in a copy of the root made of links, SCRATCH, so that their output stays out of the tree. The
+program there is build/release/rimline, from the folder BIN. The test is skipped (exit status 77) where a block
+lacks what it needs; the other blocks run first. `--engine` says that the engine was built.
 """
 
 import os
@@ -18,20 +24,63 @@ import shutil
 import subprocess
 import sys
 
-# Optional mark line, opening fence, body, closing fence.
-BLOCK = re.compile(
-    r"^(?:<!-- *tested(?P<mark>(?:: *[a-z ]+)?) *-->\n)?```(?P<kind>[a-z+]*)\n(?P<body>.*?)^```$",
-    re.MULTILINE | re.DOTALL,
-)
-MARK = re.compile(r"^\s*<!-- *tested", re.MULTILINE)
+SKIPPED = 77
+# The line before the block, opening fence, body, closing fence.
+BLOCK = re.compile(r"^(?P<before>[^\n]*)\n```(?P<kind>[^\n]*)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
+MARK = re.compile(r"<!-- *(?:tested(?:: *(?P<needs>[a-z ]+?))?|not run: *(?P<reason>\S.*?)) *-->")
+MARK_LINE = re.compile(r"<!-- *(tested|not run)\b.*")
+OTHER_SHELLS = ("bash", "shell", "console", "zsh", "text/sh")
+INDENTED_COMMAND = re.compile(r"    (\$ )?([A-Z_]+=\S+ +)*((build/\S*/)?rimline|cmake|ctest|git|tools/\S+) \S")
+NEEDS = ("engine", "models")
 
 
-def quotes(readme, root, files):
-    bodies = [block["body"] for block in BLOCK.finditer(readme)]
+class Page:
+    def __init__(self, root, path):
+        self.name = path.relative_to(root).as_posix()
+        # A first line, so that a block at the beginning has one before it.
+        self.text = "\n" + path.read_text(encoding="utf-8")
+        self.blocks = list(BLOCK.finditer(self.text))
+
+    def at(self, place):
+        return f"{self.name}:{self.text.count(chr(10), 0, place)}"
+
+    def faults(self):
+        inside = set()
+        for block in self.blocks:
+            inside.update(range(self.text.count("\n", 0, block.start("body")) - 1, self.text.count("\n", 0, block.end())))
+            at, mark = self.at(block.start("body")), MARK.fullmatch(block["before"])
+            if block["kind"] in OTHER_SHELLS:
+                yield f"{at}: commands are blocks of language sh"
+            elif block["kind"] != "sh" and MARK_LINE.match(block["before"]):
+                yield f"{at}: a mark before a block that is not of language sh"
+            elif block["kind"] == "sh" and not mark:
+                yield f"{at}: the line before has to be <!-- tested --> or <!-- not run: REASON -->"
+            elif mark and set((mark["needs"] or "").split()) - set(NEEDS):
+                yield f"{at}: a tested block can need {' or '.join(NEEDS)}, not {mark['needs']}"
+        marked = {self.text.count("\n", 0, block.start("before")) for block in self.blocks}
+        for number, line in enumerate(self.text.split("\n")):
+            if MARK_LINE.match(line) and number not in marked:
+                yield f"{self.name}:{number}: no block follows the mark on the next line"
+            if number not in inside and INDENTED_COMMAND.match(line):
+                yield f"{self.name}:{number}: commands belong into a block of language sh"
+
+
+def pages(root):
+    return [Page(root, path) for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]]
+
+
+def quotes(root, files):
+    bodies = [block["body"] for block in Page(root, root / "README.md").blocks]
     missing = [name for name in files if (root / name).read_text(encoding="utf-8") not in bodies]
     for name in missing:
         print(f"README.md has no code block that equals {name}: quote the file as it is")
-    return not missing
+    return 1 if missing else 0
+
+
+def marks(root):
+    faults = [fault for page in pages(root) for fault in page.faults()]
+    print("\n".join(faults))
+    return 1 if faults else 0
 
 
 def scratch_root(root, bin_folder, scratch):
@@ -48,42 +97,36 @@ def has_device(scratch):
                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
 
 
-def run(readme, root, bin_folder, scratch, engine):
-    blocks = [block for block in BLOCK.finditer(readme) if block["mark"] is not None]
-    if not blocks or len(blocks) != len(MARK.findall(readme)):
-        print("README.md has no tested blocks, or a mark that no code block follows on the next line")
-        return False
+def run(root, page, bin_folder, scratch, engine):
     scratch_root(root, bin_folder, scratch)
     met = {"models": bool(os.environ.get("RIMLINE_MODELS")), "engine": engine and has_device(scratch)}
-    for block in blocks:
-        line = readme.count("\n", 0, block.start("body"))
-        needs = block["mark"].lstrip(": ").split()
-        unknown = [need for need in needs if need not in met]
-        if unknown or block["kind"] != "sh":
-            print(f"README.md:{line}: a tested block is a ```sh block that needs of: {', '.join(met)}")
-            return False
-        lacking = [need for need in needs if not met[need]]
-        if lacking:
-            print(f"README.md:{line}: left out, no {' and '.join(lacking)} here", flush=True)
+    status = 1  # Without any block to run.
+    for block in page.blocks:
+        mark = MARK.fullmatch(block["before"]) if block["kind"] == "sh" else None
+        if not mark or mark["reason"]:
             continue
-        print(f"README.md:{line}:", flush=True)
+        at = page.at(block.start("body"))
+        lacking = [need for need in (mark["needs"] or "").split() if not met.get(need)]
+        if lacking:
+            print(f"SKIPPED: {at}: no {' and '.join(lacking)} here", flush=True)
+            status = SKIPPED
+            continue
+        print(f"{at}:", flush=True)
         if subprocess.run(["bash", "-euxo", "pipefail", "-c", block["body"]], cwd=scratch).returncode:
-            print(f"README.md:{line}: the last command shown failed")
-            return False
-    return True
+            print(f"{at}: the last command shown failed")
+            return 1
+        status = 0 if status == 1 else status
+    return status
 
 
 def main():
-    root = pathlib.Path(sys.argv[1])
-    try:
-        readme = (root / "README.md").read_text(encoding="utf-8")
-    except OSError as error:
-        print(error)
-        return False
-    if sys.argv[2] == "quotes":
-        return quotes(readme, root, sys.argv[3:])
-    return run(readme, root, pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]),
-               "--engine" in sys.argv[5:])
+    root, check = pathlib.Path(sys.argv[1]), sys.argv[2]
+    if check == "quotes":
+        return quotes(root, sys.argv[3:])
+    if check == "marks":
+        return marks(root)
+    return run(root, Page(root, root / sys.argv[3]), pathlib.Path(sys.argv[4]), pathlib.Path(sys.argv[5]),
+               "--engine" in sys.argv[6:])
 
 
-sys.exit(0 if main() else 1)
+sys.exit(main())

@@ -1,7 +1,7 @@
 """suite_names.py ROOT: cases of suites that scripts choose by label have no comma in their names.
 
-CTest learns a case's suite by asking doctest for the case of that name, and doctest takes a comma for the end
-of a name: such a case would have no label, run where it should not, and not run where it should.
+CTest finds the suite of a case by asking doctest for the case of that name, and doctest splits names at
+commas. A case with a comma would get no label, so scripts that choose by label would not find it.
 """
 
 import pathlib

@@ -1,21 +1,20 @@
 #pragma once
 
-// Is the brute force that we are compared with as fast as it can be made here?
+// A test whether packed brute force, the baseline, is as fast as it can be on this machine.
 //
-// On the machine where it was tuned, with AVX-512, the packed brute force takes 63 us for an extraction
-// on the bunny of 69k faces and 330 us on igea of 269k, of which 14 and 137 us go to the face bits. That
-// pass reads four floats a face and does seven operations on them, and so does the plain loop below,
-// which only counts; no index, no packed words, no edges. So the plain loop measures the machine:
+// On the machine where it was tuned, with AVX-512, packed brute force takes 63 us for an extraction on the
+// bunny of 69k faces and 330 us on igea of 269k. Of these the face bits take 14 and 137 us. That pass reads
+// four floats a face and does seven operations on them. The plain loop below does the same and only counts:
+// it has no index, no packed words, no edges. So the plain loop measures the machine:
 //
 //     ceiling = 1.25 * brute force there * plain loop here / face bits there
 //
-// A brute force slower than the ceiling is a defect of the bench, as its ratios would flatter us.
+// Brute force slower than the ceiling is a defect of the bench: the ratios would be too good for the octree.
 //
-// The limits: what the loop cannot see are the gathers of the edge pass, over half of an extraction. With
-// AVX2 they are so much slower against plain reads (on one machine an edge took 2.7 times as long as the
-// ceiling has room for, with face bits as fast as the loop) that being above tells nothing; so the
-// verdict is for AVX-512 alone. The ceiling is known for these two meshes only, as their size decides
-// what fits in which cache.
+// Limits: the loop does not measure the gathers of the edge pass, over half of an extraction. With AVX2
+// gathers are much slower relative to plain reads: on one machine an edge took 2.7 times as long as the
+// ceiling allows, with face bits as fast as the loop. So the verdict holds for AVX-512 only. The ceiling is
+// known for these two meshes only, because a mesh's size decides which caches it fits in.
 
 #include <cstdint>
 #include <optional>
@@ -28,11 +27,11 @@
 
 namespace rimline::tools {
 
-/// Counts the front faces of a mesh, by the widest registers there are.
+/// Counts the front faces of a mesh with the widest registers of the machine.
 class PlainLoop {
 public:
     explicit PlainLoop(const Mesh& mesh);
-    /// Valid until the object moves or dies; O(faces).
+    /// O(faces).
     std::uint32_t count_front(const HomogeneousPoint& point) const;
 
 private:
@@ -53,17 +52,17 @@ private:
 };
 
 struct BruteForceCeiling {
-    double plain_us;     ///< The plain loop, here.
-    double measured_us;  ///< The packed brute force, here.
-    double ceiling_us;   ///< What it may take here.
-    bool is_known;       ///< Whether being above it is a defect.
-    /// "ok", "defect", or "unknown" where it is above and that tells nothing.
+    double plain_us;     ///< The plain loop, on this machine.
+    double measured_us;  ///< Packed brute force, on this machine.
+    double ceiling_us;   ///< The greatest time allowed on this machine.
+    bool is_known;       ///< Whether a time above the ceiling is a defect.
+    /// "ok", "defect", or "unknown" for a time above the ceiling that means nothing.
     std::string_view verdict() const noexcept {
         return measured_us <= ceiling_us ? "ok" : is_known ? "defect" : "unknown";
     }
 };
 
-/// Nothing for meshes whose time on the other machine is not known.
+/// Nothing for meshes without a known time on the other machine.
 std::optional<BruteForceCeiling> brute_force_ceiling(std::uint32_t faces,
                                                      std::string_view instruction_set,
                                                      double plain_us, double measured_us);

@@ -30,7 +30,7 @@ constexpr VkExtent2D k_frame_size{1024, 1024};
 constexpr double k_orbit_radii = 2.0;
 constexpr double k_step_deg = 0.5;
 constexpr std::uint32_t k_warm_up_frames = 2;
-// Two ways differ where a corner is rounded otherwise, if anywhere.
+// Two ways may differ only where they round a corner differently.
 constexpr double k_max_differing_pixels = 1e-4;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
@@ -86,15 +86,15 @@ double differing_share(const Picture& a, const Picture& b) {
     return 4.0 * static_cast<double>(differing) / static_cast<double>(a.rgba.size());
 }
 
-// One way to a picture.
+// One way to draw the picture.
 struct FrameWay {
     std::string name;
     RendererOptions renderer;
-    std::function<void(Scene&)> change{};  // Of the scene that all ways draw; may be empty.
-    bool draws_the_same = true;            // As the first way.
+    std::function<void(Scene&)> change{};  // Changes the scene that all ways draw; may be empty.
+    bool draws_the_same = true;            // Whether its picture equals that of the first way.
 };
 
-// Frames of all ways in turn. Fills `times`, or returns what differs from the first way.
+// Draws frames in all ways in turn. Fills `times`, or returns the first difference from the first way.
 std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& octree,
                         const Device& device, std::uint32_t frames,
                         const std::function<void(Scene&)>& change, std::vector<EngineTime>& times,
@@ -143,14 +143,14 @@ std::vector<FrameWay> line_ways(const DeviceContext& device) {
     add("all edges, geometry shader", LinePath::all_edges);
     add("all edges, quads", LinePath::quads);
     add("adjacency, geometry shader", LinePath::adjacency);
-    // What it gives that the backs of a solid are left out.
+    // The gain from leaving out the backs of a solid.
     ways.push_back({"slots, vertex pulling, backs drawn too",
                     {.samples = 1, .scale = 1, .line_path = LinePath::pulling},
                     [](Scene& scene) { scene.instances[0].is_solid = false; }});
     return ways;
 }
 
-// The first is what a renderer chooses; pictures are all the same, but those without any shadows.
+// The first way is the renderer's choice. All pictures are equal but those without shadows.
 std::vector<FrameWay> shadow_ways(const DeviceContext& device) {
     std::vector<FrameWay> ways;
     const auto add = [&](const char* name, SideStage sides, ShadowMethod method, ShadowForm form) {
@@ -175,7 +175,7 @@ std::vector<FrameWay> shadow_ways(const DeviceContext& device) {
     return ways;
 }
 
-// In the shell of the thesis, by the golden angle.
+// Viewpoints in the shell of the thesis, by the golden angle.
 std::vector<glm::dvec3> shell(const Mesh& mesh, std::uint32_t count) {
     std::vector<glm::dvec3> eyes;
     const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));

@@ -1,10 +1,10 @@
 #pragma once
 
-// `rimline bench engine`: what is streamed, frames with lines against the paths that look at the whole
-// mesh, shadow volumes, and visible ratios against one target with a barrier for each viewpoint.
+// `rimline bench engine`: bytes streamed, frames with lines against the paths that read the whole mesh,
+// shadow volumes, and visible ratios against one target with a barrier for each viewpoint.
 //
-// Ways of doing one thing take turns, frame by frame; a way's time is the median. Pictures and counts
-// are compared first. Times are the clock's, from moving the trackers to the finished picture.
+// The ways to one result alternate frame by frame; the time of a way is the median. Pictures and counts are
+// compared first. Times are the clock's, from moving the trackers to the finished picture.
 
 #include <cstdint>
 #include <optional>
@@ -13,23 +13,28 @@
 
 #include "engine/vulkan/device.h"
 #include "silhouette/mesh/mesh.h"
-#include "tools/bench/engine_request.h"
 #include "tools/bench/targets.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
 
-/// Bytes that frames of one step size cost.
-struct StreamedBytes {
-    double step_deg = 0.0;
-    double streamed = 0.0;  ///< A frame, on average.
-    double full = 0.0;      ///< The smallest full rewrite.
+struct EngineBenchOptions {
+    std::uint32_t viewpoints = 64;  ///< Of the visible ratio.
+    std::uint32_t frames = 24;      ///< Of an orbit, half a degree a frame.
+    std::uint32_t rounds = 5;       ///< Of the visible ratio.
 };
 
-/// One way of doing it.
+/// Bytes of frames of one step size.
+struct StreamedBytes {
+    double step_deg = 0.0;
+    double streamed = 0.0;  ///< Mean of a frame.
+    double full = 0.0;      ///< Mean of the smallest full rewrite.
+};
+
+/// One way to a result.
 struct EngineTime {
     std::string name;
-    double median_ms = 0.0;  ///< A frame, or all viewpoints.
+    double median_ms = 0.0;  ///< Of a frame, or of all viewpoints.
 };
 
 struct EngineResult {
@@ -37,7 +42,7 @@ struct EngineResult {
     std::uint32_t faces = 0;
     bool is_closed = false;
     bool is_solid = false;     ///< Frames are drawn without the backs of its faces (SceneInstance).
-    std::string difference{};  ///< Between two ways that should agree; the rest is empty then.
+    std::string difference{};  ///< The first difference between two ways; the rest is empty then.
     std::vector<StreamedBytes> bytes;
     std::vector<EngineTime>
         lines;  ///< Frames with lines; the slots by geometry shader or pulling first.
@@ -47,12 +52,12 @@ struct EngineResult {
     const EngineTime* find_line_path(const std::string& name) const;
 };
 
-/// Of a mesh with an extent (check_has_extent). Throws what devices and renderers throw.
+/// The mesh must have an extent (check_has_extent). Throws the errors of devices and renderers.
 EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Device& device,
                           const EngineBenchOptions& options, const Context& context);
 
-/// What performance.md asks of it, as far as the mesh is one that it asks it of: bytes of igea, times of
-/// closed meshes of 60,000 to 110,000 faces on a CPU's Vulkan.
+/// Targets for bytes of igea, and for times of closed meshes of 60,000 to 110,000 faces on a CPU's Vulkan.
+/// None for other meshes.
 std::vector<Target> targets_of(const EngineResult& result);
 
 }  // namespace rimline::tools

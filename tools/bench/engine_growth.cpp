@@ -123,23 +123,23 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
 }  // namespace
 
 std::vector<EngineGrowthStep> bench_engine_growth(
-    const EngineBenchRequest& request, const Device& device,
+    const EngineGrowthOptions& options, const Device& device,
     const std::function<void(const EngineGrowthStep&)>& on_step, const Context& context) {
     std::vector<EngineGrowthStep> steps;
-    for (std::uint64_t decade = 1; decade <= request.max_faces; decade *= 10)
+    for (std::uint64_t decade = 1; decade <= options.max_faces; decade *= 10)
         for (const std::uint64_t faces : {decade, 3 * decade}) {
-            if (faces < request.min_faces || faces > request.max_faces) continue;
+            if (faces < options.min_faces || faces > options.max_faces) continue;
             const std::string model = "shape:knot:" + std::to_string(faces);
             const Mesh mesh = load_mesh(model, 0, context);
-            steps.push_back(about_model(
-                model, [&] { return measure(mesh, device, request.options.frames, context); }));
+            steps.push_back(
+                about_model(model, [&] { return measure(mesh, device, options.frames, context); }));
             on_step(steps.back());
             if (!steps.back().difference.empty()) return steps;
         }
     if (steps.empty())
         throw Error(ErrorCode::bad_input, "shape:knot: has no size from " +
-                                              std::to_string(request.min_faces) + " to " +
-                                              std::to_string(request.max_faces) +
+                                              std::to_string(options.min_faces) + " to " +
+                                              std::to_string(options.max_faces) +
                                               " faces: sizes are 1 and 3 times powers of ten");
     return steps;
 }

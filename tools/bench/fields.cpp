@@ -35,7 +35,7 @@ std::vector<glm::dvec3> lattice_points() {
     return points;
 }
 
-// One way of summing the lattice.
+// One way to sum the lattice.
 struct Sum {
     const TangentialField* field;
     std::vector<double> values;
@@ -64,7 +64,7 @@ double greatest_error(const std::vector<double>& a, const std::vector<double>& b
     return greatest;
 }
 
-// What brute force must equal.
+// The reference for brute force.
 double plain_sum(const UnitPlanes& planes, const TangentialFunction& f, const glm::dvec3& p) {
     double sum = 0.0;
     for (std::size_t i = 0; i < planes.size(); ++i) sum += f.value(planes.distance(i, p));
@@ -111,7 +111,7 @@ FieldBenchResult bench_fields(const std::string& model, const Mesh& mesh,
         // Rounding is part of the bound.
         const double budget = bound * greatest - brute.error_bound();
         fields.emplace_back(planes, function,
-                            FieldOptions{std::max(budget, 0.0) / brute.greatest_value()});
+                            FieldOptions{std::max(budget, 0.0) / brute.max_value()});
     }
     std::vector<Sum> sums = {{&brute, {}}};
     for (const TangentialField& field : fields) sums.push_back({&field, {}});

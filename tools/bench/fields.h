@@ -1,13 +1,13 @@
 #pragma once
 
-// `rimline bench fields`: what tangential distance fields cost, against summing all planes.
+// `rimline bench fields`: the time of tangential distance fields, against summing all planes.
 //
 //   lattice    the 17³ lattice of a search, in the ball of radius 3, for origins. Brute force sums all
-//              planes with the same loops for wide registers. Both on one thread, rounds alternating.
+//              planes with the same loops for wide registers. Both use one thread, in alternating rounds.
 //   origins    four origins, from the mesh to the points, on all threads.
 //
 // Brute force is compared with a plain sum in double at some of the points, clusters with brute force at all
-// of them: an error beyond the bound fails the bench.
+// points. An error beyond the bound fails the bench.
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -26,10 +26,10 @@ struct FieldBenchOptions {
 
 /// A lattice summed in clusters. Shares are of the lattice's greatest value.
 struct LatticeRow {
-    double bound = 0.0;     ///< Asked for, and kept at every point.
-    double error = 0.0;     ///< The greatest there was.
+    double bound = 0.0;     ///< Requested error bound, kept at every point.
+    double error = 0.0;     ///< The greatest error.
     double ms = 0.0;        ///< The least of the rounds.
-    double clusters = 0.0;  ///< Mean, of a point.
+    double clusters = 0.0;  ///< Mean number for a point.
     double planes = 0.0;
 };
 
@@ -39,11 +39,11 @@ struct FieldBenchResult {
     std::uint32_t points = 0;
     double build_ms = 0.0;
     double brute_ms = 0.0;
-    std::vector<LatticeRow> lattice;  ///< From the loosest bound to the closest.
+    std::vector<LatticeRow> lattice;  ///< In order of decreasing bounds.
     double origins_ms = 0.0;
-    std::string difference;  ///< What is wrong, if anything.
+    std::string difference;  ///< The first error; empty if none.
 
-    /// The fastest whose errors are at most a thousandth of the greatest value.
+    /// The fastest row with errors of at most a thousandth of the greatest value.
     const LatticeRow* measured() const;
 };
 
@@ -52,7 +52,7 @@ FieldBenchResult bench_fields(const std::string& model, const Mesh& mesh,
 
 void print_result(const FieldBenchResult& result);
 nlohmann::ordered_json to_json(const FieldBenchResult& result);
-/// Of igea the goals; of others, that clusters are not slower than brute force.
+/// Igea has goals of its own. For other meshes, clusters must not be slower than brute force.
 std::vector<Target> targets_of(const FieldBenchResult& result);
 
 }  // namespace rimline::tools

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> histogram(const std::vector<double>& ascending, doubl
     return counts;
 }
 
-// `unit` is a length in the space of the points.
+// `unit` is a length in the space of `points`.
 PointSpread spread_of(std::span<const glm::dvec3> points, std::span<const OctreeNode> nodes,
                       double unit, std::uint32_t sample) {
     PointSpread spread;
@@ -50,7 +50,8 @@ PointSpread spread_of(std::span<const glm::dvec3> points, std::span<const Octree
     spread.percentile_99 = distances[(distances.size() - 1) * 99 / 100];
     spread.distances = histogram(distances, spread.farthest);
     const std::size_t count = std::min<std::size_t>(sample, points.size());
-    for (std::size_t i = 0; i < count; ++i) {  // In tree order, which spreads them over space.
+    // In tree order, so that the sample is distributed over space.
+    for (std::size_t i = 0; i < count; ++i) {
         const glm::dvec3 point = points[i * points.size() / count] / unit;
         spread.sample.push_back({point.x, point.y, point.z});
     }
@@ -91,7 +92,7 @@ std::vector<HomogeneousPoint> random_points(const UnitSphere& unit, std::uint32_
     return points;
 }
 
-// The two readings of "sufficiently small", and the index.
+// The literal octree in both readings of "sufficiently small", and the index.
 class Extractors {
 public:
     Extractors(const Mesh& mesh, const glm::dvec3& origin)
@@ -172,8 +173,8 @@ std::vector<ExtractionWork> work_on_spheres(const Extractors& extractors, const 
     return spheres;
 }
 
-// Box checks of a full traversal at nodes that no active-set candidate is at or above: what a walk along
-// candidates saves at most.
+// Box checks of a full traversal at nodes above all active-set candidates: the most that a walk along
+// candidates saves.
 std::uint32_t checks_above_candidates(const LiteralOctree& octree, const ActiveRegion& region,
                                       std::uint32_t number) {
     if (octree.candidates().candidate_above[number] != k_no_node) return 0;

@@ -14,16 +14,7 @@ FreshTracker::FreshTracker(const HoughOctree& octree, const HomogeneousPoint& po
 SilhouetteRecord FreshTracker::make_record(const HomogeneousPoint& point) {
     octree_->evaluate_faces(point, bits_, scratch_);
     const Mesh& mesh = octree_->mesh();
-    std::vector<std::uint32_t> words(face_word_count(mesh.face_count()), 0);
-    for (std::uint32_t b = 0; b < bits_.size(); ++b) {
-        for (std::uint32_t lanes = bits_[b]; lanes != 0; lanes &= lanes - 1) {
-            const FaceId face = octree_
-                                    ->face_at(b * k_block_size +
-                                              static_cast<std::uint32_t>(std::countr_zero(lanes)))
-                                    .face;
-            words[index(face) / 32] |= 1u << (index(face) % 32);
-        }
-    }
+    std::vector<std::uint32_t> words = octree_->face_words(bits_);
     flipped_.reserve(mesh.face_count());
     extracted_.reserve(mesh.edge_count() + HoughOctree::k_extraction_slack);
     TraversalCounters counters;

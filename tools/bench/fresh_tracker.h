@@ -1,12 +1,12 @@
 #pragma once
 
-// A fresh tracker for every frame, with the change set that leads there: what one has with the octree
-// and no updates. The worst update is measured against it.
+// A fresh extraction for every frame, with the change set to the new state: the octree without updates. The
+// worst update is compared with it.
 //
 // All face bits from the octree's blocks, those that differ from the last frame's flipped, the
-// silhouette by the octree's static extraction, and what joined and left by comparing it with the last
-// (SilhouetteRecord::replace_edges). Nothing is allocated or reserved anew, as a tracker's construction
-// would have to: the comparison is with the work alone.
+// silhouette by the octree's static extraction, the added and removed edges by a comparison with the last
+// silhouette (SilhouetteRecord::replace_edges). Nothing is allocated in a frame, so that only the work is
+// compared.
 
 #include <cstdint>
 #include <span>
@@ -19,7 +19,7 @@ namespace rimline::tools {
 
 class FreshTracker {
 public:
-    /// `octree` must outlive it.
+    /// `octree` must outlive this object.
     FreshTracker(const HoughOctree& octree, const HomogeneousPoint& point);
 
     const ChangeSet& move_to(const HomogeneousPoint& point);
@@ -32,8 +32,8 @@ private:
 
     const HoughOctree* octree_;
     BlockScratch scratch_;
-    std::vector<std::uint16_t> bits_;      // By block of the octree.
-    std::vector<std::uint16_t> new_bits_;  // Of the point moved to.
+    std::vector<std::uint16_t> bits_;      // One a block of the octree.
+    std::vector<std::uint16_t> new_bits_;  // Of the new point.
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
     SilhouetteRecord record_;

@@ -23,7 +23,7 @@ std::vector<double> widest_sectors(std::span<const glm::dvec3> positions) {
             Neighborhood around;
             std::vector<double> angles;
             for (std::uint32_t i = first; i < last; ++i) {
-                around.look_from(positions, i, neighbors.of(i).first(neighbors.nearest_count()));
+                around.assign(positions, i, neighbors.of(i).first(neighbors.nearest_count()));
                 const glm::dvec3 n = around.fitted_normal(around.size());
                 if (n == glm::dvec3(0.0)) continue;
                 const glm::dvec3 u = any_perpendicular(n);

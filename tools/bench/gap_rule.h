@@ -1,8 +1,8 @@
 #pragma once
 
-// What people use to find the borders of a cloud (PCL's BoundaryEstimation, Open3D's
-// compute_boundary_points): a point is on the border where its neighbors, projected into the plane fitted
-// to them, leave a sector wider than a threshold. An implementation of our own, to compare with.
+// The common rule for borders of a cloud (PCL's BoundaryEstimation, Open3D's compute_boundary_points): a
+// point is on the border where its neighbors, projected into the plane fitted to them, leave a sector wider
+// than a threshold. This is our own implementation, for comparison.
 
 #include <glm/vec3.hpp>
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace rimline::tools {
 
-/// The widest sector, in radians, of each point's 16 nearest neighbors; 2 π where they have no plane.
-/// `positions` are distinct.
+/// The widest sector, in radians, between each point's 16 nearest neighbors; 2 π where no plane fits them.
+/// `positions` must be distinct.
 std::vector<double> widest_sectors(std::span<const glm::dvec3> positions);
 
 }  // namespace rimline::tools

@@ -1,7 +1,7 @@
 #pragma once
 
-// How long commands take: by the clock, around submitting and waiting, and by the device's own
-// timestamps where it has them. On lavapipe trust the clock: its timestamps miss what threads still
+// The time of commands: by the clock, around submitting and waiting, and by the device's timestamps where
+// it has them. On lavapipe only the clock is right: the timestamps miss the work of threads that still
 // rasterize.
 
 #include <functional>
@@ -21,7 +21,7 @@ class CommandTimer {
 public:
     explicit CommandTimer(const DeviceContext& context);
 
-    /// Records, submits, waits. What `record` itself takes is in wall_ms.
+    /// Records, submits and waits. wall_ms includes the time of `record`.
     CommandTimes run(const std::function<void(VkCommandBuffer)>& record) const;
 
 private:

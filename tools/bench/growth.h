@@ -1,7 +1,7 @@
 #pragma once
 
-// How times grow with a mesh: one shape at growing sizes, or one model subdivided, each measured as
-// bench_hough.h measures a model. And where the octree overtakes brute force.
+// Times for growing meshes: one shape at growing sizes, or one model and its subdivisions, each measured as
+// in hough.h. Also the size where the octree overtakes brute force.
 
 #include <cstdint>
 #include <functional>
@@ -23,25 +23,24 @@ struct GrowthOptions {
 
 struct GrowthStep {
     ModelResult result;
-    std::uint64_t peak_bytes = 0;  ///< The most memory that the program has held so far.
+    std::uint64_t peak_bytes = 0;  ///< The peak memory of the program so far.
 };
 
-/// For shape:NAME, with FACES or without, sizes of 1, 3, 10, 30, .. thousand in the range, as near as
-/// the shape can be made; for a file, itself and its subdivisions in the range. `on_step` hears of each
-/// as it is done. Stops after a step whose results are wrong. Throws UsageError where the range holds
-/// nothing.
+/// For shape:NAME, with FACES or without, takes sizes of 1, 3, 10, 30, .. thousand in the range, as near as
+/// the shape allows. For a file, takes the file and its subdivisions in the range. Calls `on_step` after
+/// each. Stops after a step with wrong results. Throws UsageError where the range has no size.
 std::vector<GrowthStep> bench_growth(const std::string& model, const GrowthOptions& options,
                                      const std::function<void(const GrowthStep&)>& on_step,
                                      const Context& context);
 
 void print_growth_names();
 void print_growth(const GrowthStep& step);
-/// In words, for extraction and for updates.
+/// Prints sentences, for extraction and for updates.
 void print_overtaking(const std::vector<GrowthStep>& steps);
 nlohmann::ordered_json to_json(const std::string& model, const std::vector<GrowthStep>& steps);
 
-/// The number of faces from which ours is never slower again, between sizes by a straight line of the
-/// logarithms; nothing where it is slower at the last. The first size where it is never slower.
+/// The number of faces from which on the octree is never slower: between two sizes on a straight line of the
+/// logarithms; the first size where it is never slower; nothing where it is slower at the last size.
 std::optional<double> overtaken_at(const std::vector<GrowthStep>& steps,
                                    CaseResult ModelResult::*which);
 

@@ -25,10 +25,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t k_worst_seed = 1;
 constexpr std::uint32_t k_vtk_frames = 60;
 constexpr std::uint32_t k_vtk_rounds = 3;
-constexpr std::uint64_t k_vtk_faces = 20'000'000;  // Of all frames together.
+constexpr std::uint64_t k_vtk_faces = 20'000'000;  // For all frames together.
 
-// Of so many points every n-th is compared with the scalar oracle, and timed with it. Not by threes:
-// points stand at three radii in turn.
+// Every n-th point is compared with the scalar oracle and timed with it. n is no multiple of three, because
+// the points are at three radii in turn.
 std::size_t scalar_stride(std::size_t points, std::uint32_t faces) {
     const std::uint64_t affordable =
         std::max<std::uint64_t>(k_scalar_faces / std::max(faces, 1u), 8);
@@ -192,7 +192,7 @@ private:
         c.points = points.size();
     }
 
-    // Moves both along the steps; the bytes that their changes are.
+    // Moves both trackers along the steps. Returns the bytes of the changes.
     template <typename Baseline>
     StreamBytes check_updates(CaseResult& c, SilhouetteTracker& tracker, Baseline& baseline,
                               const std::string& baseline_name, Points steps) {
@@ -267,7 +267,7 @@ private:
     const Context& context_;
     std::vector<EdgeId> edges_;
     std::vector<std::uint32_t> words_;
-    std::vector<std::uint32_t> sizes_;  // Of the silhouettes of the frames checked last.
+    std::vector<std::uint32_t> sizes_;  // Sizes of the silhouettes of the frames checked last.
     TraversalCounters tracker_work_;
 };
 

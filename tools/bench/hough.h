@@ -1,16 +1,16 @@
 #pragma once
 
-// What silhouettes of one model cost: the octree and its tracker against the best brute force there is,
-// in one run.
+// The time of silhouettes of one model: the octree and its tracker against packed brute force, in one run.
 //
-// Every case first checks its results, and times nothing where one differs. Cases:
+// Every case checks its results first, and is not timed where one differs. The cases:
 //   extraction   static, from viewpoints spread over the sphere at one, two and three radii;
 //   update       with its change set, half a degree a frame on an orbit at two radii;
 //   worst        with its change set, on a random path with jumps, against a fresh extraction a frame.
 //
-// Up to a million faces all points are taken that are asked for; above, fewer in proportion, at least
-// k_min_points, so that a case takes about as long on any model. Every result is compared with packed
-// brute force, and that with the scalar oracle at about k_scalar_faces faces' worth of points.
+// Up to a million faces a case takes all requested points. Above, it takes fewer in proportion, at least
+// k_min_points, so that its time is about the same for any model. Every result is compared with packed brute
+// force. Packed brute force is compared with the scalar oracle at so many points that the oracle tests about
+// k_scalar_faces faces.
 
 #include <cstdint>
 #include <optional>
@@ -19,10 +19,10 @@
 
 #include "silhouette/mesh/mesh.h"
 #include "tools/bench/ceiling.h"
+#include "tools/bench/contenders.h"
 #include "tools/bench/vtk.h"
 #include "tools/command.h"
 #include "tools/commands/stream_bytes.h"
-#include "tools/timing.h"
 
 namespace rimline::tools {
 
@@ -41,17 +41,17 @@ struct HoughBenchOptions {
 struct CaseResult {
     std::string name;
     std::uint64_t points = 0;
-    double mean_size = 0.0;        ///< Edges on the silhouette, a point.
-    double mean_flips = 0.0;       ///< Faces that turn, a frame; 0 where nothing moves.
+    double mean_size = 0.0;        ///< Edges of the silhouette of a point.
+    double mean_flips = 0.0;       ///< Faces that turn in a frame; 0 for extraction.
     std::string difference{};      ///< The first from brute force; the case is not timed then.
-    std::vector<Times> methods{};  ///< Ours first.
+    std::vector<Times> methods{};  ///< The octree or tracker first.
 };
 
-/// The updates of the worst case against fresh extractions, frame by frame.
+/// The updates of the worst case compared with fresh extractions frame by frame.
 struct WorstUpdate {
     double work = 0.0;        ///< The greatest ratio of box, face and edge checks.
-    double p999 = 0.0;        ///< The ratio of both p99.9.
-    double frame_p999 = 0.0;  ///< p99.9 of the frames' own ratios.
+    double p999 = 0.0;        ///< The ratio of the two p99.9.
+    double frame_p999 = 0.0;  ///< The p99.9 of the ratios of single frames.
 };
 
 struct ModelResult {
@@ -68,22 +68,22 @@ struct ModelResult {
     std::optional<WorstUpdate> worst_update;
     std::optional<BruteForceCeiling> ceiling;
     VtkResult vtk;
-    double vtk_mean_size = 0.0;  ///< Edges on our silhouettes of VTK's frames.
+    double vtk_mean_size = 0.0;  ///< Mean of our silhouettes' edges in VTK's frames.
 
     double bytes_a_face() const {
         return static_cast<double>(octree_bytes + tracker_bytes) / faces;
     }
-    /// Empty when all is as it should be.
+    /// The first difference of all cases; empty if none.
     std::string difference() const;
 };
 
 ModelResult bench_hough(const std::string& model, const Mesh& mesh,
                         const HoughBenchOptions& options, const Context& context);
 
-/// How many of `asked` points a mesh of so many faces gets.
+/// The number of points for a mesh of `faces` faces, where `asked` are requested.
 std::uint32_t point_count(std::uint32_t asked, std::uint32_t faces);
 
-/// The baseline's median over ours, at the points that the baseline was given.
+/// The baseline's median over ours, at the points of the baseline.
 double ratio(const Times& baseline, const Times& ours);
 
 }  // namespace rimline::tools

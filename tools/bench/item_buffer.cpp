@@ -12,7 +12,7 @@ namespace rimline::tools {
 
 namespace {
 
-// Where the ray meets the plane through three points, as a share of the ray; infinite where it does not.
+// The point where the ray meets the plane through three points, as a multiple of the ray. Infinite if none.
 double share_of_ray(const glm::dvec3& ray, const glm::dvec3& a, const glm::dvec3& b,
                     const glm::dvec3& c) {
     const glm::dvec3 normal = glm::cross(b - a, c - a);
@@ -112,8 +112,8 @@ glm::dvec3 ItemBuffer::corner_weights(std::uint32_t x, std::uint32_t y) const {
     return {1.0 - wb - wc, wb, wc};
 }
 
-// How far away, along the view, the face is where a ray to `p` meets its plane. Planes seen edge-on meet it
-// anywhere: it counts no farther beyond the face than the face is deep.
+// The depth along the view where a ray to `p` meets the face's plane. A plane seen edge-on meets the ray
+// anywhere: the depth is limited to the face's own extent in depth beyond the face.
 double ItemBuffer::depth_of(FaceId face, const glm::dvec3& p) const {
     const Triangle& triangle = mesh_.triangles()[index(face)];
     const glm::dvec3& a = in_camera_[index(triangle[0])];
@@ -134,7 +134,7 @@ bool ItemBuffer::sees(const glm::dvec3& point, double tolerance) const {
     const auto is_before = [&](FaceId shown) { return -p.z <= depth_of(shown, p) + tolerance; };
     const FaceId shown = face(std::uint32_t(x), std::uint32_t(y));
     if (shown != k_no_face) return is_before(shown);
-    // On the rim: what is beside it says whether it is the near or the far side's.
+    // On the outline: the neighbors show whether the point belongs to the near or the far side.
     bool is_alone = true;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, int(height_) - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, int(width_) - 1); ++u) {

@@ -20,7 +20,7 @@ LayoutPicture::End end_of(WalkedBox::Side side) {
     return LayoutPicture::End::looked_at;
 }
 
-// Counts an end of the walk, and draws it where it meets the plane.
+// Counts an end of the traversal, and adds its box where it meets the plane.
 void add_end(const WalkedBox& walked, double unit, LayoutPicture& picture) {
     const LayoutPicture::End end = end_of(walked.side);
     (end == LayoutPicture::End::looked_at ? picture.blocks_looked_at : picture.blocks_settled) +=
@@ -58,7 +58,7 @@ LayoutPicture picture_layout(const HoughOctree& octree, double radii, double ang
     picture.pole = {radii * std::cos(angle_rad), radii * std::sin(angle_rad)};
 
     const BoxTree tree = make_face_tree(octree, 0);
-    // The first origin's blocks come first.
+    // The blocks of the first origin come first.
     for (std::uint32_t position = 0; position < tree.block_count() * k_block_size; ++position) {
         const FaceId face = octree.face_at(position).face;
         if (face == k_no_face) continue;
@@ -67,8 +67,7 @@ LayoutPicture picture_layout(const HoughOctree& octree, double radii, double ang
             picture.points.push_back({at.x, at.y, position / k_block_size});
     }
     const glm::dvec3 from = origin + unit * glm::dvec3(picture.pole[0], picture.pole[1], 0.0);
-    const BoxQuery query(HomogeneousPoint::viewpoint(glm::vec3(from)), origin,
-                         tree.greatest_reach());
+    const BoxQuery query(HomogeneousPoint::viewpoint(glm::vec3(from)), origin, tree.max_reach());
     picture.blocks = tree.block_count();
     for (const WalkedBox& walked : walk_boxes(tree, query)) {
         ++picture.boxes_tested;

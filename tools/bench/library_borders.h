@@ -1,7 +1,7 @@
 #pragma once
 
-// The borders that PCL's BoundaryEstimation and Open3D's compute_boundary_points find, by library_borders.py,
-// where they are installed: what users of point cloud libraries have instead.
+// The borders that PCL's BoundaryEstimation and Open3D's compute_boundary_points find, where they are
+// installed (library_borders.py). They are the alternative of users of point cloud libraries.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -18,8 +18,8 @@ struct LibraryBorders {
     std::vector<std::uint8_t> is_border;
 };
 
-/// At several settings each; none where neither is installed. `positions` are rounded to floats. Another
-/// program reads them all. Throws Error{cancelled}.
+/// Several settings of each library; none where neither is installed. `positions` are rounded to floats and
+/// passed to another program. Throws Error{cancelled}.
 std::vector<LibraryBorders> library_borders(std::span<const glm::dvec3> positions,
                                             const Context& context);
 

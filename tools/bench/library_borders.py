@@ -5,9 +5,10 @@ Reads points from standard input, as little-endian numbers:
     uint64  points
     float32 x, y, z      for each
 
-and prints one JSON object: by library, neighbors and threshold in degrees ("Open3D 16 90"), the numbers of
-the points that it calls a border. Open3D is there where this Python imports it (Debian: python3-open3d), PCL
-where its programs are installed (pcl-tools); what is not there or fails is left out.
+and prints one JSON object: for each library, number of neighbors and threshold in degrees ("Open3D 16 90"),
+the numbers of the points that the library labels as border. Open3D is used if this Python imports it
+(Debian: python3-open3d), PCL if its programs are installed (pcl-tools). A library that is missing or fails is
+left out.
 """
 
 import array
@@ -25,10 +26,10 @@ try:
     import open3d
 except ImportError:
     if os.path.exists(DEBIANS) and sys.executable != DEBIANS:
-        sys.exit(77)  # That one may have it, and is asked next.
+        sys.exit(77)  # Debian's Python may have it and is tried next.
     open3d = None
 
-SETTINGS = ((16, 90), (16, 120), (16, 150), (30, 90))  # 30 and 90 are what Open3D has by default.
+SETTINGS = ((16, 90), (16, 120), (16, 150), (30, 90))  # 30 and 90 are Open3D's defaults.
 
 
 def read(type_code, count):
@@ -50,7 +51,7 @@ def by_open3d(positions):
     borders = {}
     for neighbors, threshold in SETTINGS:
         cloud.estimate_normals(max_nn=neighbors)
-        # It takes time by all that lie within a radius, which so is the least that holds the neighbors.
+        # The time grows with the radius, so it is the least radius that contains the neighbors.
         radius = 1.001 * float(search.knn_search(tensor, neighbors)[1].numpy().max()) ** 0.5
         _, mask = cloud.compute_boundary_points(radius, neighbors, threshold)
         borders[f"Open3D {neighbors} {threshold}"] = numpy.flatnonzero(mask.numpy()).tolist()
@@ -84,12 +85,12 @@ def by_pcl(positions):
 
 
 def stop(*_):
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # Once is enough.
-    sys.exit(1)  # Clears the folder away.
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # A second signal must not interrupt the exit.
+    sys.exit(1)  # Removes the temporary folder.
 
 
 signal.signal(signal.SIGTERM, stop)
-# What libraries themselves print is none of the answer.
+# The libraries' own output must not mix with the JSON.
 answer = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
 (point_count,) = read("Q", 1)
@@ -98,7 +99,7 @@ borders = {}
 if open3d:
     try:
         borders.update(by_open3d(positions))
-    except Exception as error:  # Of one library, not of the other.
+    except Exception as error:  # The other library is still tried.
         print(f"Open3D: {error}", file=sys.stderr)
 if shutil.which("pcl_boundary_estimation") and shutil.which("pcl_normal_estimation"):
     try:

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t k_measured_side_px = 512;
 constexpr std::uint32_t k_shadow_px = 2048;
 constexpr double k_lamp_radii = 40.0;
-// Of the mesh's radius.
+// Share of the mesh's radius.
 constexpr double k_shadow_tolerance = 4e-3;
 // Neighboring pixels farther apart than this show different parts of the surface.
 constexpr double k_jump = 0.04;
@@ -48,7 +48,7 @@ LitView::LitView(const Mesh& mesh, const glm::dvec3& eye) : mesh_(mesh) {
             }
             pixel.face_normal =
                 glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-            // Sheets are lit on the side that is seen.
+            // Surfaces are lit on the visible side.
             const double side = glm::dot(pixel.face_normal, eye - pixel.place) < 0.0 ? -1.0 : 1.0;
             pixel.face_normal *= side;
             pixel.normal = side * glm::normalize(normal);

@@ -8,8 +8,6 @@
 #include <thread>
 
 #include "silhouette/hough/hough_octree.h"
-#include "silhouette/mesh/mesh.h"
-#include "silhouette/methods/brute_force_packed.h"
 
 namespace rimline::tools {
 
@@ -28,23 +26,23 @@ std::string processor_name() {
 }  // namespace
 
 BenchMachine this_machine() {
-    const Mesh nothing{MeshSource{}};
     return {processor_name(), std::thread::hardware_concurrency(),
-            std::string(HoughOctree::instruction_set()),
-            std::string(PackedBruteForce(nothing).instruction_set())};
+            std::string(HoughOctree::instruction_set()), packed_instruction_set()};
 }
 
 void print_machine(const BenchMachine& machine) {
-    std::printf(
-        "%s, %u threads, one of them measured; the octree uses %s, packed brute force %s\n\n",
-        machine.cpu.c_str(), machine.threads, machine.tree.c_str(), machine.packed.c_str());
+    std::printf("%s, %u threads, one of them measured; the octree uses %s", machine.cpu.c_str(),
+                machine.threads, machine.tree.c_str());
+    if (!machine.packed.empty()) std::printf(", packed brute force %s", machine.packed.c_str());
+    std::printf("\n\n");
 }
 
 nlohmann::ordered_json to_json(const BenchMachine& machine) {
     return {{"cpu", machine.cpu},
             {"threads", machine.threads},
             {"tree", machine.tree},
-            {"packed", machine.packed}};
+            {"packed", machine.packed.empty() ? nlohmann::ordered_json()
+                                              : nlohmann::ordered_json(machine.packed)}};
 }
 
 std::uint64_t peak_resident_bytes() {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a measurement was made on and with.
+// The machine and the instruction sets of a measurement.
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -10,16 +10,18 @@ namespace rimline::tools {
 
 struct BenchMachine {
     std::string cpu;
-    std::uint32_t threads;  ///< That the system offers; only builds use more than one.
-    std::string tree;       ///< What the octree's loops were compiled for.
-    std::string packed;     ///< What the packed brute force's were.
+    std::uint32_t threads;  ///< Of the system. Only builds use more than one.
+    std::string tree;       ///< The instruction set of the octree's loops.
+    std::string packed;     ///< That of packed brute force; empty in a build without it.
 };
 
 BenchMachine this_machine();
+/// The instruction set of packed brute force. Empty in a build without the other methods.
+std::string packed_instruction_set();
 void print_machine(const BenchMachine& machine);
 nlohmann::ordered_json to_json(const BenchMachine& machine);
 
-/// The most memory that this process has held so far, by the system's count.
+/// The peak memory of this process so far, as the system counts it.
 std::uint64_t peak_resident_bytes();
 
 }  // namespace rimline::tools

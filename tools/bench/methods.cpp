@@ -8,9 +8,9 @@
 
 #include "silhouette/hough/spread_viewpoints.h"
 #include "silhouette/methods/brute_force_packed.h"
-#include "silhouette/methods/silhouette_method.h"
+#include "silhouette/methods/method_registry.h"
 #include "tools/bench/hough.h"
-#include "tools/bench/report.h"
+#include "tools/bench/hough_report.h"
 #include "tools/bench/viewpoints.h"
 #include "tools/progress.h"
 
@@ -20,19 +20,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Made {
+struct BuiltMethod {
     const SilhouetteMethodInfo* info;
     std::unique_ptr<SilhouetteMethod> method;
 };
 
-// What one table asks, and of whom.
-struct Question {
+// The points of one table and the kind of call.
+struct MethodCase {
     std::string name;
     bool is_update;
     bool is_of_directions;
     std::vector<HomogeneousPoint> points;
 
-    bool is_for(const SilhouetteMethodInfo& info) const {
+    bool includes(const SilhouetteMethodInfo& info) const {
         return (info.has_update || !is_update) && (is_of_directions || !info.directions_only);
     }
 };
@@ -45,50 +45,51 @@ public:
         Progress progress(context, "making every method for " + result.model);
         const LongCall call = progress.call();
         for (const SilhouetteMethodInfo& info : silhouette_methods()) {
-            call.checkpoint(static_cast<double>(made_.size()) /
+            call.checkpoint(static_cast<double>(methods_.size()) /
                             static_cast<double>(silhouette_methods().size()));
             const Clock::time_point start = Clock::now();
-            made_.push_back({&info, make_silhouette_method(info.name, mesh)});
+            methods_.push_back({&info, make_silhouette_method(info.name, mesh)});
             const std::chrono::duration<double, std::milli> took = Clock::now() - start;
             result.builds.push_back({std::string(info.name), took.count()});
         }
     }
 
-    // False when a result is wrong.
-    bool ask(const Question& question) {
-        MethodTable table{question.name, {}, {}};
+    // Returns false when a result is wrong.
+    bool measure(const MethodCase& method_case) {
+        MethodTable table{method_case.name, {}, {}};
         std::vector<Contender> contenders;
-        for (const Made& made : made_) {
-            if (!question.is_for(*made.info)) continue;
-            table.recalls.push_back(recall_of(made, question));
+        for (const BuiltMethod& built : methods_) {
+            if (!method_case.includes(*built.info)) continue;
+            table.recalls.push_back(recall_of(built, method_case));
             if (!result_.difference.empty()) return false;
-            contenders.push_back(contender_of(made, question));
+            contenders.push_back(contender_of(built, method_case));
         }
         table.methods =
-            time_in_turn(contenders, question.points, rounds_,
-                         "measuring " + question.name + " of " + result_.model, context_);
+            time_in_turn(contenders, method_case.points, rounds_,
+                         "measuring " + method_case.name + " of " + result_.model, context_);
         result_.tables.push_back(std::move(table));
         return true;
     }
 
 private:
-    // Over all points; says in the result what is wrong where something is.
-    double recall_of(const Made& made, const Question& question) {
-        Progress progress(context_, "checking " + std::string(made.info->name));
+    // The recall over all points. Sets the difference in the result where an edge is wrong.
+    double recall_of(const BuiltMethod& built, const MethodCase& method_case) {
+        Progress progress(context_, "checking " + std::string(built.info->name));
         const LongCall call = progress.call();
         std::size_t found = 0;
         std::size_t expected = 0;
-        for (std::size_t i = 0; i < question.points.size(); ++i) {
-            call.checkpoint(static_cast<double>(i) / static_cast<double>(question.points.size()));
-            packed_.face_bits(question.points[i], words_);
+        for (std::size_t i = 0; i < method_case.points.size(); ++i) {
+            call.checkpoint(static_cast<double>(i) /
+                            static_cast<double>(method_case.points.size()));
+            packed_.face_bits(method_case.points[i], words_);
             packed_.silhouette(words_, truth_);
-            answer(*made.method, question, question.points[i]);
+            run(*built.method, method_case, method_case.points[i]);
             std::sort(edges_.begin(), edges_.end());
             const bool is_right =
-                made.info->exact ? edges_ == truth_ : std::ranges::includes(truth_, edges_);
+                built.info->exact ? edges_ == truth_ : std::ranges::includes(truth_, edges_);
             if (!is_right) {
-                result_.difference = question.name + ", " + result_.model + ": " +
-                                     std::string(made.info->name) + ", point " + std::to_string(i);
+                result_.difference = method_case.name + ", " + result_.model + ": " +
+                                     std::string(built.info->name) + ", point " + std::to_string(i);
                 return 0.0;
             }
             found += edges_.size();
@@ -97,24 +98,25 @@ private:
         return expected == 0 ? 1.0 : static_cast<double>(found) / static_cast<double>(expected);
     }
 
-    Contender contender_of(const Made& made, const Question& question) {
-        SilhouetteMethod& method = *made.method;
+    Contender contender_of(const BuiltMethod& built, const MethodCase& method_case) {
+        SilhouetteMethod& method = *built.method;
         Contender contender{
-            .name = std::string(made.info->name),
-            .step = [this, &method,
-                     &question](const HomogeneousPoint& point) { answer(method, question, point); },
+            .name = std::string(built.info->name),
+            .step = [this, &method, &method_case](
+                        const HomogeneousPoint& point) { run(method, method_case, point); },
             .counters = [this] { return work_; },
             .own_counts = [&method] { return method.own_counts(); }};
-        if (question.is_update)
-            contender.prepare = [this, &method, &question] {
-                answer(method, question, question.points.front());
+        if (method_case.is_update)
+            contender.prepare = [this, &method, &method_case] {
+                run(method, method_case, method_case.points.front());
             };
         return contender;
     }
 
-    void answer(SilhouetteMethod& method, const Question& question, const HomogeneousPoint& point) {
+    void run(SilhouetteMethod& method, const MethodCase& method_case,
+             const HomogeneousPoint& point) {
         work_ = {};
-        if (question.is_update)
+        if (method_case.is_update)
             method.update(point, edges_, work_);
         else
             method.extract(point, edges_, work_);
@@ -124,7 +126,7 @@ private:
     PackedBruteForce packed_;
     std::uint32_t rounds_;
     const Context& context_;
-    std::vector<Made> made_;
+    std::vector<BuiltMethod> methods_;
     std::vector<EdgeId> edges_, truth_;
     std::vector<std::uint32_t> words_;
     TraversalCounters work_;
@@ -140,12 +142,12 @@ MethodsResult bench_methods(const std::string& model, const Mesh& mesh,
     const std::uint32_t viewpoints = point_count(options.viewpoints, mesh.face_count());
     const std::uint32_t frames = point_count(options.frames, mesh.face_count());
     MethodsBench bench(result, mesh, options.rounds, context);
-    for (const Question& question :
-         {Question{"extraction, viewpoints", false, false, spread_viewpoints(mesh, viewpoints)},
-          Question{"extraction, directions", false, true, spread_directions(viewpoints)},
-          Question{"update, viewpoints", true, false, half_degree_orbit(mesh, frames)},
-          Question{"update, directions", true, true, half_degree_turn(mesh, frames)}})
-        if (!bench.ask(question)) break;
+    for (const MethodCase& method_case :
+         {MethodCase{"extraction, viewpoints", false, false, spread_viewpoints(mesh, viewpoints)},
+          MethodCase{"extraction, directions", false, true, spread_directions(viewpoints)},
+          MethodCase{"update, viewpoints", true, false, half_degree_orbit(mesh, frames)},
+          MethodCase{"update, directions", true, true, half_degree_turn(mesh, frames)}})
+        if (!bench.measure(method_case)) break;
     return result;
 }
 

@@ -1,16 +1,15 @@
 #pragma once
 
-// Every registered way of finding silhouettes, side by side on one model: four tables, for viewpoints
-// and for directions, extraction afresh and following a moving point. A method that is not exact is told
-// by its recall, the share of the silhouette that it finds.
+// All silhouette methods (method_info.h) on one model, in four tables: extraction and updates, for viewpoints
+// and for directions. A method that is not exact has a recall, the share of the silhouette that it finds.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
+#include "tools/bench/contenders.h"
 #include "tools/command.h"
-#include "tools/timing.h"
 
 namespace rimline::tools {
 
@@ -22,8 +21,8 @@ struct MethodsOptions {
 
 struct MethodTable {
     std::string name;
-    std::vector<Times> methods;   ///< In the registry's order, the octree first.
-    std::vector<double> recalls;  ///< Of each, 1 for those that are exact.
+    std::vector<Times> methods;   ///< In the order of method_info.h, the octree first.
+    std::vector<double> recalls;  ///< One a method; 1 for exact methods.
 };
 
 struct MethodsResult {
@@ -33,7 +32,7 @@ struct MethodsResult {
         std::string method;
         double ms;
     };
-    std::vector<Build> builds;  ///< What making each method took, once.
+    std::vector<Build> builds;  ///< One construction of each method.
     std::vector<MethodTable> tables;
     std::string difference{};  ///< The first from brute force; nothing is timed then.
 };

@@ -139,9 +139,9 @@ private:
 
     const Mesh& mesh_;
     PointTruth truth_;
-    std::vector<glm::dvec3> normals_by_area_;  // Or zero.
+    std::vector<glm::dvec3> normals_by_area_;  // Zero if none.
     std::vector<std::vector<std::array<std::uint32_t, 2>>> corners_;
-    std::vector<std::uint32_t> by_x_;  // Vertices.
+    std::vector<std::uint32_t> by_x_;  // The vertices sorted by x.
 };
 
 }  // namespace
@@ -153,7 +153,7 @@ bool PointTruth::is_crowded(std::uint32_t vertex) const {
     double longest = 0.0;
     for (const std::uint32_t next : neighbors[vertex])
         longest = std::max(longest, length(vertex, next));
-    // Its own sheet: as far as its edges lead, shortest way first (Dijkstra 1959).
+    // The vertex's own sheet: the vertices near along edges, by shortest paths (Dijkstra 1959).
     using Reached = std::pair<double, std::uint32_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> waiting;
     std::set<std::uint32_t> own;
@@ -179,7 +179,7 @@ std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t>
     const auto is_between_found = [&](const Triangle& t) {
         return std::ranges::all_of(corners_of(t), [&](std::uint32_t v) { return found[v] != 0; });
     };
-    // Faces between found vertices alone, in patches that share vertices: of each a vertex stands for all.
+    // Faces whose vertices are all found, in patches that share vertices. One vertex represents each patch.
     const std::size_t count = mesh.positions().size();
     std::vector<std::uint32_t> up(count);
     std::iota(up.begin(), up.end(), 0u);
@@ -187,7 +187,7 @@ std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t>
         while (up[v] != v) v = up[v] = up[up[v]];
         return v;
     };
-    std::vector<std::uint8_t> is_kept(count, 0);  // Vertices of another face.
+    std::vector<std::uint8_t> is_kept(count, 0);  // Vertices with another face.
     for (const Triangle& t : mesh.triangles()) {
         const auto corners = corners_of(t);
         if (is_between_found(t))
@@ -195,7 +195,7 @@ std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t>
         else
             for (const std::uint32_t v : corners) is_kept[v] = 1;
     }
-    // With a vertex of no other face a patch is no hole, but sampled.
+    // A patch with a vertex that has no other face is sampled and no hole.
     std::vector<std::uint8_t> is_sampled(count, 0);
     for (std::uint32_t v = 0; v < count; ++v)
         if (!is_kept[v]) is_sampled[patch(v)] = 1;
@@ -207,7 +207,7 @@ std::uint32_t count_around_holes(const Mesh& mesh, std::span<const std::uint8_t>
             rest.triangles.push_back(corners_of(t));
     if (rest.triangles.size() == mesh.face_count()) return 0;
     const PointTruth opened = point_truth(Mesh(rest, Welding::none));
-    std::vector<std::uint32_t> around(count, 0), wide(count, 0);  // By patch.
+    std::vector<std::uint32_t> around(count, 0), wide(count, 0);  // One a patch.
     for (std::uint32_t v = 0; v < count; ++v) {
         around[patch(v)] += opened.is_border[v];
         wide[patch(v)] += opened.is_wide_at[v];

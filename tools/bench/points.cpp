@@ -22,7 +22,7 @@ namespace rimline::tools {
 namespace {
 
 constexpr double k_wrong_deg = 60.0;
-constexpr std::uint32_t k_max_extra = 10;  // Of closed models.
+constexpr std::uint32_t k_max_extra = 10;  // For closed models.
 constexpr int k_thresholds_deg[] = {90, 120, 150, 180};
 
 PointsBenchResult::Kind kind_of(const PointTruth& truth) {
@@ -136,7 +136,7 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, doubl
     const std::vector<double> widest = widest_sectors(truth.positions);
     for (const int threshold : k_thresholds_deg)
         add("gap " + std::to_string(threshold), [&](std::uint32_t i) {
-            // A straight border's sector is 180 degrees but for rounding.
+            // The sector of a straight border is 180 degrees, up to rounding.
             return widest[i] > threshold * k_degree - 1e-9;
         });
     for (const LibraryBorders& library : library_borders(truth.positions, context))

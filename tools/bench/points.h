@@ -1,12 +1,12 @@
 #pragma once
 
-// `rimline bench points`: how well PointSurface finds borders and normals again where a mesh's faces are
-// thrown away, with one set of options for all models, beside the rule that people use (gap_rule.h).
+// `rimline bench points`: the borders and normals that PointSurface finds from the vertices of a mesh
+// alone, with one set of options for all models, beside the common rule (gap_rule.h).
 //
-// The truth is the mesh (point_truth.h). Missed are border vertices not labeled so, extra the others that
-// are, both counted against the border vertices (Table 5.1 of the thesis). An open model is found where
-// at most 4% are missed and 7% extra, a closed one where at most 10 are extra but for those around holes
-// in its samples, of fandisk none at all.
+// The truth is the mesh (point_truth.h). A border vertex without the label is missed; another vertex with
+// the label is extra. Both are counted relative to the border vertices (Table 5.1 of the thesis). An open
+// model is found if at most 4% are missed and 7% extra. A closed model is found if at most 10 are extra
+// without those around holes in its samples; fandisk must have none.
 
 #include <cstdint>
 #include <string>
@@ -21,41 +21,37 @@ namespace rimline::tools {
 struct BorderCount {
     std::string method;
     std::uint32_t missed = 0, extra = 0;
-    std::uint32_t missed_wide = 0;  ///< Of the missed, those where the opening is wide.
-    /// Of the extra ones of a closed model (count_around_holes); not counted while extra is at most 10.
+    std::uint32_t missed_wide = 0;  ///< Those missed where the opening is wide.
+    /// Extra points of a closed model around holes (count_around_holes). 0 where `extra` is at most 10.
     std::uint32_t around_holes = 0;
 };
 
 struct PointsBenchResult {
-    enum class Kind { wide, open, smooth, closed, unfit };  ///< As point_truth.h has them.
+    enum class Kind { wide, open, smooth, closed, unfit };  ///< See point_truth.h.
     std::string model;
     Kind kind = Kind::unfit;
     std::uint32_t points = 0, border = 0;
-    std::uint32_t border_wide = 0;  ///< Of the border, where the opening is wide.
-    /// robust, thesis, the gap rule by threshold, then other libraries' where they are installed.
+    std::uint32_t border_wide = 0;  ///< Border points where the opening is wide.
+    /// robust, thesis, the gap rule by threshold, then the installed libraries.
     std::vector<BorderCount> counts;
     std::uint32_t feature = 0, undecided = 0;
-    double median_error_deg = 0.0, high_error_deg = 0.0;  ///< Of normals; the 99th percentile.
+    double median_error_deg = 0.0,
+           high_error_deg = 0.0;      ///< Of normals; high: the 99th percentile.
     std::uint32_t wrong_normals = 0;  ///< Above 60 degrees from every face at the point.
-    std::uint32_t wrong_apart = 0;    ///< Of these, where no other sheet crowds the point.
+    std::uint32_t wrong_apart = 0;    ///< Those of them without another sheet near the point.
     SilhouetteComparison silhouettes;
-    double points_per_second = 0.0;  ///< robust, one thread, the best of three.
+    double points_per_second = 0.0;  ///< robust, on one thread, the best of three runs.
 
-    /// Of a closed model: the most extra points, and those that count.
+    /// Of a closed model: the greatest number of extra points allowed, and the number that counts.
     std::uint32_t extra_allowed() const;
     std::uint32_t charged(const BorderCount& count) const;
-    /// By one of counts.
+    /// Whether the method of `count` finds the model.
     bool is_found(const BorderCount& count) const;
 };
 
-/// Each coordinate of each vertex is moved by normally distributed noise first, the same for the same mesh, of
-/// standard deviation `noise` times the mean length of the vertex's edges.
+/// Each coordinate of each vertex is moved by normally distributed noise first, the same for the same mesh,
+/// of standard deviation `noise` times the mean length of the vertex's edges.
 PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, double noise,
                                const Context& context);
-
-/// The whole suite, printed: of `models`, or where there are none of all in the folders of RIMLINE_MODELS
-/// that hold a mesh, or else of built-in shapes. With `check`, one at least has to be wide or smooth.
-ExitStatus run_bench_points(const std::vector<std::string>& models, std::uint32_t subdivide,
-                            double noise, bool check, const Context& context);
 
 }  // namespace rimline::tools

@@ -21,7 +21,7 @@ constexpr std::array<const char*, 2> k_pythons{"python3", "/usr/bin/python3"};
 constexpr std::chrono::seconds k_grace{2};
 constexpr std::chrono::milliseconds k_moment{5};
 
-// A program that is gone when this object is.
+// A running program. The destructor ends it.
 class Child {
 public:
     Child(const char* python, const char* script, int input) {
@@ -33,7 +33,7 @@ public:
         posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-        // This program's threads block the signals that are to end the other, or it may ignore them.
+        // This program's threads block the signals that end the child; the child must not inherit that.
         posix_spawnattr_t attributes;
         posix_spawnattr_init(&attributes);
         sigset_t none;
@@ -56,7 +56,7 @@ public:
     ~Child() {
         if (output_ >= 0) close(output_);
         if (id_ < 0) return;
-        kill(id_, SIGTERM);  // What it has made, a script may want to clear away.
+        kill(id_, SIGTERM);  // The script can remove its temporary files.
         const auto deadline = std::chrono::steady_clock::now() + k_grace;
         while (!has_ended() && std::chrono::steady_clock::now() < deadline)
             std::this_thread::sleep_for(k_moment);
@@ -65,7 +65,7 @@ public:
         waitpid(id_, nullptr, 0);
     }
 
-    // All that it prints, when it has ended well; nothing when it has not, or could not be started.
+    // Its whole output if it ended with status 0; nothing if it did not, or could not be started.
     std::optional<std::string> output(const Context& context) {
         if (id_ < 0) return std::nullopt;
         std::string text;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Other people's libraries are asked by scripts in Python, where Debian has them ready to import.
+// Runs Python scripts, for libraries that Debian packages for Python.
 
 #include <cstdio>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace rimline::tools {
 
-/// What a script reads from its standard input: numbers as this machine has them, in a file without a name.
+/// The standard input of a script: numbers in this machine's format, in an unnamed file.
 class ScriptInput {
 public:
     ScriptInput() : file_(std::tmpfile()) {}
@@ -22,7 +22,7 @@ public:
                    std::fwrite(values.data(), sizeof(*values.data()), values.size(), file_.get()) ==
                        values.size();
     }
-    /// Whether all that was added is there; not where the disk had no room for it.
+    /// Whether everything was written. False where the disk is full.
     bool is_complete() { return file_ && is_good_ && std::fflush(file_.get()) == 0; }
     std::FILE* file() const noexcept { return file_.get(); }
 
@@ -34,9 +34,9 @@ private:
     bool is_good_ = true;
 };
 
-/// All that the script's text prints, by the first Python in which it ends with status 0: one on the path,
-/// which may lack the system's packages, then Debian's. Nothing where there is none. Throws Error{cancelled},
-/// with the script ended.
+/// Runs the script with the first Python in which it ends with status 0: the one on the path, which may
+/// lack the system's packages, then Debian's. Returns its whole output; nothing where there is no such
+/// Python. Throws Error{cancelled} after ending the script.
 std::optional<std::string> run_python(const char* script, ScriptInput& input,
                                       const Context& context);
 

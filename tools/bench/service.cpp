@@ -47,7 +47,7 @@ Quantiles quantiles(std::vector<double> values_us) {
     return {at(0.5), at(0.99), at(0.999), values_us.back()};
 }
 
-// Evenly over the sphere, by the golden angle.
+// Directions distributed evenly over the sphere, by the golden angle.
 glm::dvec3 spread_direction(std::uint32_t i, std::uint32_t count) {
     const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
     const double z = 1.0 - (2.0 * i + 1.0) / count;
@@ -55,7 +55,7 @@ glm::dvec3 spread_direction(std::uint32_t i, std::uint32_t count) {
     return {across * std::cos(golden_angle * i), across * std::sin(golden_angle * i), z};
 }
 
-// Where the camera, number 0, or a light is at each frame.
+// The position of the camera (number 0) or a light at each frame.
 class Path {
 public:
     Path(const Mesh& mesh, std::uint32_t number, std::uint32_t count)
@@ -89,15 +89,16 @@ private:
 };
 
 struct Show {
-    std::vector<std::unique_ptr<HoughOctree>> octrees;  // A model each.
-    std::vector<Path> paths;                            // A tracker each.
+    std::vector<std::unique_ptr<HoughOctree>> octrees;  // One a model.
+    std::vector<Path> paths;                            // One a tracker.
 
     const HoughOctree& octree_of(std::size_t tracker) const {
         return *octrees[tracker % octrees.size()];
     }
 };
 
-// Follows every tracker through some frames by change sets alone; what differs first from brute force.
+// Follows every tracker through some frames by change sets alone. Returns the first difference from brute
+// force.
 std::string check(SilhouetteService& service, const std::vector<TrackerId>& ids, const Show& show,
                   const Context& context) {
     std::vector<SilhouetteSnapshot> states(ids.size());
@@ -193,7 +194,7 @@ void measure(ServiceResult& result, SilhouetteService& service, const std::vecto
     result.camera_latency = quantiles(std::move(camera_latencies_us));
 }
 
-// The trackers in turn, frame after frame, as the service's workers meet them.
+// The trackers in turn, frame after frame, in the order of the service's workers.
 double direct_move_us(const Show& show, std::uint32_t frames, const Context& context) {
     std::vector<SilhouetteTracker> trackers;
     for (std::size_t t = 0; t < show.paths.size(); ++t) {
@@ -238,7 +239,7 @@ ServiceResult bench_service(std::span<const ServiceBenchModel> models,
         }
         result.difference = check(service, ids, show, context);
         if (!result.difference.empty()) return result;
-        // Back to the start, and every buffer used once.
+        // Returns to the start and uses every buffer once.
         for (std::uint32_t frame = 0; frame < 10; ++frame) {
             PublishedChange change;
             for (std::uint32_t t = 0; t < options.trackers; ++t) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the result of `rimline bench service` is shown.
+// The result of `rimline bench service` as a table on standard output and as JSON.
 
 #include <nlohmann/json_fwd.hpp>
 

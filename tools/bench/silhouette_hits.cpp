@@ -19,7 +19,7 @@ constexpr double k_never = 2.0;  // No |n·v| is greater.
 
 using Flags = std::vector<std::uint8_t>;
 
-// With the neighbors of what is set.
+// The set entries and their neighbors.
 Flags widened(const Mesh& mesh, const Flags& flags) {
     Flags wide = flags;
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
@@ -59,17 +59,17 @@ void add(SilhouetteHits& sum, const SilhouetteHits& hits) {
     sum.near_truth += hits.near_truth;
 }
 
-// The number of the first threshold above a value; one past the last where there is none.
+// The number of the first threshold above a value; the number of thresholds if none.
 std::uint32_t first_above(double value) {
     std::uint32_t number = 0;
     while (number < k_threshold_count && !(value < threshold(number))) ++number;
     return number;
 }
 
-// All thresholds at once: each vertex counts from the first on that its value is below.
+// All thresholds at once: a vertex counts for each threshold above its value.
 std::vector<SilhouetteHits> count_thresholds(const Mesh& mesh, const std::vector<double>& values,
                                              const Flags& truth, const Flags& wide_truth) {
-    std::vector<double> least = values;  // In the ring around a vertex.
+    std::vector<double> least = values;  // The least value of a vertex and its neighbors.
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
         const auto [a, b] = mesh.edge(EdgeId{e}).vertices;
         least[index(a)] = std::min(least[index(a)], values[index(b)]);

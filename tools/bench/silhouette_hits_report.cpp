@@ -10,7 +10,7 @@ namespace rimline::tools {
 
 namespace {
 
-// What a line says: recall and precision in %, and what is near; then what both come to.
+// One line: recall and precision in %, the same of near points, and the score.
 struct Columns {
     double recall = 0.0, precision = 0.0, near_recall = 0.0, near_precision = 0.0;
     double score = 0.0, near_score = 0.0;
@@ -37,7 +37,7 @@ struct Columns {
 
 namespace {
 
-// Of umbrellas, of the model's own threshold, and of the one common to all.
+// The hits of umbrellas, of the model's best threshold, and of the common threshold.
 using Line = std::array<Columns, 3>;
 
 void print_line(const std::string& name, const Line& line, const std::string& own_threshold) {
@@ -49,7 +49,7 @@ void print_line(const std::string& name, const Line& line, const std::string& ow
     std::printf("\n");
 }
 
-// Of the lines of a kind, or of all for "".
+// The mean over the lines of a kind, or of all for "".
 void print_mean(const std::vector<ComparedModel>& models, const std::vector<Line>& lines,
                 const std::string& kind) {
     std::size_t count = 0;

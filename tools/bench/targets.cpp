@@ -3,73 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tools/bench/hough.h"
-
 namespace rimline::tools {
-
-namespace {
-
-// 0 where nothing is asked of a mesh.
-struct Goals {
-    std::uint32_t faces;
-    double extraction, extraction_aim;
-    double update, update_aim;
-    double build_ms, build_aim_ms;
-    double streamed, streamed_aim;
-    double vtk, vtk_aim;
-};
-constexpr Goals k_goals[] = {
-    {k_bunny_faces, 2.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-    {k_igea_faces, 5.0, 10.0, 10.0, 30.0, 60.0, 30.0, 1.0 / 4, 1.0 / 6, 300.0, 1000.0},
-    {k_large_faces, 15.0, 40.0, 20.0, 60.0, 1200.0, 500.0, 0.0, 0.0, 0.0, 0.0},
-};
-constexpr Goals k_general_rule{0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-constexpr double k_worst = 1.5;
-constexpr double k_worst_aim = 1.1;
-constexpr double k_bytes_a_face = 200.0;
-constexpr double k_bytes_a_face_aim = 100.0;
-
-}  // namespace
-
-std::vector<Target> targets_of(const ModelResult& result) {
-    const Goals* goals = &k_general_rule;
-    for (const Goals& g : k_goals)
-        if (g.faces == result.faces) goals = &g;
-
-    std::vector<Target> targets;
-    const auto at_least = [&](const char* what, double value, double reach, double aim) {
-        if (reach > 0.0)
-            targets.push_back({.what = what, .value = value, .reach = reach, .aim = aim});
-    };
-    const auto at_most = [&](const char* what, double value, double reach, double aim,
-                             const char* unit, bool is_time) {
-        if (reach > 0.0) targets.push_back({what, value, reach, aim, true, is_time, unit});
-    };
-    const std::vector<Times>& extraction = result.extraction.methods;
-    const std::vector<Times>& update = result.update.methods;
-    at_least("extraction, brute force over octree", ratio(extraction[1], extraction[0]),
-             goals->extraction, goals->extraction_aim);
-    // A mesh with no goal of its own for updates falls under the general rule.
-    at_least("update, brute force tracker over tracker", ratio(update[1], update[0]),
-             goals->update > 0.0 ? goals->update : k_general_rule.update, goals->update_aim);
-    if (goals != &k_general_rule) {
-        at_most("worst update, by work, over a fresh extraction", result.worst_update->work,
-                k_worst, k_worst_aim, "x", false);
-        at_most("worst update, p99.9 by clock, over a fresh extraction's",
-                result.worst_update->p999, k_worst, k_worst_aim, "x", false);
-        at_most("memory of octree and tracker", result.bytes_a_face(), k_bytes_a_face,
-                k_bytes_a_face_aim, " bytes a face", false);
-    }
-    at_most("bytes streamed a frame over all bytes",
-            static_cast<double>(result.stream.streamed) / static_cast<double>(result.stream.full),
-            goals->streamed, goals->streamed_aim, "x", false);
-    if (!result.vtk.us.empty())
-        at_least("update, VTK over tracker", quantile(result.vtk.us, 0.5) / update[0].median_us(),
-                 goals->vtk, goals->vtk_aim);
-    at_most("build of the octree", result.build_ms, goals->build_ms, goals->build_aim_ms, " ms",
-            true);
-    return targets;
-}
 
 void print_targets(std::span<const Target> targets) {
     for (const Target& target : targets) {
@@ -93,6 +27,20 @@ std::string first_missed(std::span<const Target> targets) {
     for (const Target& target : targets)
         if (!target.is_reached() && !target.is_time) return target.what;
     return {};
+}
+
+void TargetList::add(const std::string& model, std::span<const Target> targets) {
+    const std::string missed = tools::first_missed(targets);
+    if (first_missed_.empty() && !missed.empty()) first_missed_ = model + ": " + missed;
+    for (const Target& target : targets)
+        json_.push_back({{"model", model},
+                         {"target", target.what},
+                         {"value", target.value},
+                         {"reach", target.reach},
+                         {"aim", target.aim},
+                         {"less_is_better", target.less_is_better},
+                         {"is_time", target.is_time},
+                         {"reached", target.is_reached()}});
 }
 
 }  // namespace rimline::tools

@@ -18,13 +18,13 @@ std::optional<HoughPoint> dual_point(const Plane& plane, const glm::dvec3& origi
     const double distance = static_cast<double>(plane.d) - glm::dot(n, origin);
     const double size = std::abs(distance);
     if (!(size > hough.error)) return std::nullopt;
-    // hough.error is twice the distance's, so 1/distance is known to within hough.error/size of itself.
+    // hough.error is twice the error of the distance: the relative error of 1/distance is hough.error/size.
     const glm::dvec3 point = n / distance;
     return HoughPoint{point, glm::length(point) * (hough.error / size + 0x1p-50), hough.side};
 }
 
-// 1 where all planes of a box are certainly front if dO > 0, and back if dO < 0; -1 where the other way
-// round; 0 where nothing is certain.
+// 1 where all planes of a box are certainly front if dO > 0 and back if dO < 0; -1 for the opposite; 0 where
+// neither is certain.
 int side_of(const VSphere& sphere, const HoughBox& box, float reach) {
     switch (sphere.side_of(box, reach)) {
         case VSphereSide::inside: return 1;
@@ -94,7 +94,7 @@ TransformOctree::TransformOctree(const Mesh& mesh, const glm::dvec3& origin,
 void TransformOctree::bound_nodes(std::span<const HoughPoint> placed) {
     boxes_.resize(octree_.nodes.size());
     if (node_boxes_ == NodeBoxes::octants && !boxes_.empty()) include_octants(0, octree_.root);
-    for (std::size_t i = boxes_.size(); i-- > 0;) {  // Children come after their parents.
+    for (std::size_t i = boxes_.size(); i-- > 0;) {  // Children are stored after their parents.
         const OctreeNode& node = octree_.nodes[i];
         HoughBox& box = boxes_[i].box;
         if (node.is_leaf())

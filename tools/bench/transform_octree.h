@@ -1,19 +1,19 @@
 #pragma once
 
-// Full traversals (thesis 3.4.2) of one and the same octree over one transform of planes or another: what
-// Figures 3.9 and 3.10 compare, and nothing else differs.
+// Full traversals (thesis 3.4.2) of the same octree over two transforms of planes, as Figures 3.9 and 3.10
+// compare them. Nothing else differs.
 //
 // About an origin O a plane n·x = d is, with dO = d - n·O,
 //
 //     in Hough space   H = n dO / |n|²    and a silhouette point the v-sphere w|H|² = H·q,
 //     in dual space    D = n / dO         and a silhouette point the plane    D·q = w,      q = p - wO.
 //
-// They are inverse to each other in the unit sphere. A face turns when its point lies between the
-// v-spheres of two frames, or in the double wedge between their planes (Pop et al. 2001). A node is
-// skipped when its box is certainly apart from that region, turned untested when certainly contained,
-// and a leaf of one point has no box to ask, as in LiteralTracker. The box is the tightest around the
-// node's points, the thesis's PBV, or the whole octant. (silhouette/methods/dual_tree.h is the
-// dual as one would lay it out today.)
+// The two are inverse to each other in the unit sphere. A face turns when its point lies between the
+// v-spheres of two frames, or in the double wedge between their planes (Pop et al. 2001). A node is skipped
+// when its box is certainly apart from that region, and turned untested when certainly contained. A leaf of
+// one point has no box, as in LiteralTracker. The box is the tightest around the node's points, the
+// thesis's PBV, or the whole octant. (silhouette/methods/dual_tree.h is the dual method for today's
+// machines.)
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -32,13 +32,13 @@ enum class NodeBoxes : std::uint8_t { tight, octants };
 
 class TransformOctree {
 public:
-    /// `mesh` must outlive it. A face whose plane holds the origin, or may within rounding, has no dual
-    /// point and is tested at every move. O(faces * depth).
+    /// `mesh` must outlive this object. A face whose plane contains the origin, or may within rounding, has
+    /// no dual point and is tested at every move. O(faces * depth).
     TransformOctree(const Mesh& mesh, const glm::dvec3& origin, PlaneTransform transform,
                     NodeBoxes node_boxes);
 
-    /// Turns in `face_words`, which must hold the bits seen from `from`, what turns on the way to `to`.
-    /// Equal, bit for bit, to testing every face. Counts PBVs (or OBVs), face checks, contained faces.
+    /// Changes `face_words` from the bits of `from` to the bits of `to`. The result equals a test of every
+    /// face bit for bit. Counts PBVs (or OBVs), face checks and contained faces.
     LiteralCounters move(const HomogeneousPoint& from, const HomogeneousPoint& to,
                          std::span<std::uint32_t> face_words) const;
 
@@ -63,7 +63,7 @@ private:
     PlaneTransform transform_;
     NodeBoxes node_boxes_;
     PointOctree octree_;
-    std::vector<Box> boxes_;  // By node.
+    std::vector<Box> boxes_;  // One a node.
 
     // In tree order.
     std::vector<FaceId> faces_;

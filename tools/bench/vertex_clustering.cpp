@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::uint32_t k_max_cells = 1u << 16;
 
-// By vertex: the number of its cell in a grid with `cells` along the longest side.
+// One a vertex: the number of its cell in a grid with `cells` along the longest side.
 std::vector<std::uint64_t> cells_of_vertices(const Mesh& mesh, std::uint32_t cells) {
     const glm::dvec3 low(mesh.bounds().low);
     const glm::dvec3 size = glm::dvec3(mesh.bounds().high) - low;
     double longest = std::max({size.x, size.y, size.z});
-    if (longest == 0.0) longest = 1.0;  // All in one place, in one cell.
+    if (longest == 0.0) longest = 1.0;  // All vertices coincide: one cell.
     std::vector<std::uint64_t> cell_of;
     cell_of.reserve(mesh.vertex_count());
     for (const glm::vec3& position : mesh.positions()) {
@@ -54,7 +54,7 @@ MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t max_faces) {
     source.up = mesh.up();
     if (mesh.face_count() == 0) return source;
 
-    // One cell leaves nothing. Counts grow with the grid but for a few faces, which do not matter here.
+    // One cell leaves no face. The number of faces grows with the grid, up to a few faces.
     std::uint32_t fits = 1;
     std::uint32_t too_fine = k_max_cells + 1;
     while (too_fine - fits > 1) {
@@ -64,7 +64,7 @@ MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t max_faces) {
 
     const std::vector<std::uint64_t> cell_of = cells_of_vertices(mesh, fits);
     std::unordered_map<std::uint64_t, std::uint32_t> number_of_cell;
-    std::vector<std::uint32_t> number_of;  // By vertex.
+    std::vector<std::uint32_t> number_of;  // One a vertex.
     std::vector<glm::dvec3> sums;
     std::vector<double> counts;
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {

@@ -1,10 +1,10 @@
 #pragma once
 
-// A coarser version of a mesh, to see how work grows with resolution.
+// A coarser version of a mesh, to measure how work grows with resolution.
 //
-// A cubic grid is laid over the mesh, all vertices in one cell become their mean, and triangles with two
-// corners in one cell vanish (Rossignac, Borrel 1993). It keeps no topology: sheets that meet in a cell
-// grow together, at edges of more than two faces. As a measure of work it is none the worse for that.
+// All vertices in one cell of a cubic grid become their mean; triangles with two corners in one cell are
+// removed (Rossignac, Borrel 1993). The topology may change: sheets that meet in a cell are joined at edges
+// of more than two faces. This does not matter for counting work.
 
 #include <cstdint>
 
@@ -13,8 +13,8 @@
 
 namespace rimline::tools {
 
-/// The result of the finest grid, up to 2^16 cells along the longest side, that leaves no more than
-/// `max_faces`. O((vertices + faces) * 16).
+/// The result of the finest grid, of up to 2^16 cells along the longest side, with no more than `max_faces`
+/// faces. O((vertices + faces) * 16).
 MeshSource cluster_vertices(const Mesh& mesh, std::uint32_t max_faces);
 
 }  // namespace rimline::tools

@@ -57,7 +57,7 @@ private:
     const std::string& model_;
     HoughOctree octree_;
     VisibleRatioPass pass_;
-    Renderer renderer_;  // Knows meshes by their addresses: one for each.
+    Renderer renderer_;  // One a mesh: a renderer identifies meshes by address.
     PictureOptions picture_;
 };
 

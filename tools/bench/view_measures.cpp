@@ -20,11 +20,11 @@ namespace {
 
 constexpr std::uint32_t k_measure_px = 256;
 constexpr std::uint32_t k_seen_px = 1024;
-// Of the mesh's radius: what hides a face's middle by less does not hide it.
+// Share of the mesh's radius. A surface less far in front of a face's center does not hide it.
 constexpr double k_seen_tolerance = 2e-3;
 constexpr double k_apart_deg = 20.0;
 constexpr double k_middle_radius = 0.5 * (k_view_shell.inner_radius + k_view_shell.outer_radius);
-// Holds the mesh's sphere from there.
+// A field of view that contains the mesh's sphere.
 const double k_fov_deg = 2.0 * glm::degrees(std::asin(1.0 / k_middle_radius));
 
 Camera camera_at(const Mesh& mesh, const glm::dvec3& eye) {

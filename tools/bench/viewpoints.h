@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a bench looks from besides spread_viewpoints: turns around the model.
+// Viewpoints and directions of benches on turns around the model. See also spread_viewpoints.h.
 
 #include <cstdint>
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace rimline::tools {
 
-/// How far the point turns in a frame.
+/// The angle of a frame.
 constexpr double k_orbit_step_degrees = 0.5;
 
 /// A start and `frames` steps of half a degree around the model's up axis, at two radii.
 std::vector<HomogeneousPoint> half_degree_orbit(const Mesh& mesh, std::uint32_t frames);
-/// The same as directions.
+/// The same turn as directions.
 std::vector<HomogeneousPoint> half_degree_turn(const Mesh& mesh, std::uint32_t frames);
 
 }  // namespace rimline::tools

@@ -28,7 +28,7 @@ double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-// The ways of choosing that need nothing but the mesh.
+// The ways of choosing that need the mesh only.
 struct Choices {
     BestViews weighted, by_area, voted;
     ViewMeasures measures;
@@ -41,7 +41,7 @@ struct Choices {
 constexpr const char* k_measures[] = {"projected area", "viewpoint entropy",
                                       "visible silhouette length"};
 
-// Of a variant of the model only the first view counts.
+// For a variant of the model only the first view is used.
 Choices choose_all(const Mesh& mesh, const Device& device, const ViewsBenchOptions& options,
                    bool is_variant, const Context& context) {
     const HoughOctree octree(mesh);
@@ -121,8 +121,8 @@ glm::dvec3 first_direction(const Mesh& mesh, const std::vector<glm::dvec3>& eyes
     return eyes.empty() ? glm::dvec3(0.0) : glm::normalize(eyes[0] - mesh.center());
 }
 
-// By how much the first view of each way moves from the mesh to the variant, in the order of the sets; none
-// where so few faces are left that it has no extent.
+// The angles between the first views of the mesh and of the variant for each way, in the order of the sets.
+// Empty where the variant has so few faces that it has no extent.
 std::vector<double> first_moves(const Mesh& mesh, const Choices& choices, const Mesh& variant,
                                 const Device& device, const ViewsBenchOptions& options,
                                 const Context& context) {
@@ -143,7 +143,7 @@ std::vector<double> first_moves(const Mesh& mesh, const Choices& choices, const 
     return moves;
 }
 
-// Evenly over the half of all directions that light the side towards the viewer.
+// Directions distributed evenly over the half that lights the side towards the viewer.
 std::vector<glm::dvec3> random_suns(const glm::dvec3& towards_viewer, std::uint32_t count,
                                     std::mt19937& random) {
     std::vector<glm::dvec3> suns;
@@ -199,7 +199,7 @@ ViewsResult bench_views(const std::string& model, const Mesh& mesh, const Device
     result.own_candidates = choices.weighted.candidates;
     result.ms = choices.ms;
     {
-        // What the same search would draw of every sample of the lattice, view by view.
+        // The candidates that the same search would draw for every sample of the lattice, view by view.
         BestViewsOptions all;
         all.count = options.views;
         all.stride = 1;

@@ -1,7 +1,7 @@
 #pragma once
 
-// VTK's vtkPolyDataSilhouette at the same points, by vtk_silhouette.py in a Python that has VTK 9: what
-// a user of visualization libraries has instead. It tests every edge, each time.
+// VTK's vtkPolyDataSilhouette at the same points (vtk_silhouette.py), in a Python with VTK 9: the
+// alternative of users of visualization libraries. It tests every edge at every point.
 
 #include <cstdint>
 #include <span>
@@ -15,14 +15,13 @@
 namespace rimline::tools {
 
 struct VtkResult {
-    std::string skipped{};  ///< Why there are no times; empty where there are.
+    std::string skipped{};  ///< The reason why there are no times; else empty.
     std::string version;
-    std::vector<double> us;  ///< By point, of the filter's update alone, the least of the rounds.
+    std::vector<double> us;  ///< One a point: the filter's update alone, the least of the rounds.
     double mean_lines = 0.0;
 };
 
-/// `points` must be viewpoints. Takes its time: another program reads the whole mesh. Throws
-/// Error{cancelled}.
+/// `points` must be viewpoints. Slow: another program reads the whole mesh. Throws Error{cancelled}.
 VtkResult time_vtk(const Mesh& mesh, std::span<const HomogeneousPoint> points, std::uint32_t rounds,
                    const Context& context);
 

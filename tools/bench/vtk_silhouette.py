@@ -5,13 +5,13 @@ Reads a mesh and viewpoints from standard input, as little-endian numbers:
     uint64 vertices, triangles, points, rounds
     float32 x, y, z      for each vertex
     uint32  a, b, c      for each triangle
-    float64 x, y, z      for each point to look from
+    float64 x, y, z      for each viewpoint
 
-and prints one JSON object: VTK's version, and for each point the microseconds of the filter's update,
-the least of all rounds, and the number of lines that came out. A time is the clock's or the processor's,
-whichever is less, so that a busy machine does not count. The edge table, which the filter makes
-once a mesh, is not among the times; neither is anything of Python but the call. Ends with status 77 when
-VTK is not installed for this Python.
+and prints one JSON object: VTK's version, and for each point the microseconds of the filter's update (the
+least of all rounds) and the number of its output lines. A time is the lesser of the clock's and the
+processor's, so that other programs do not count. The times do not include the edge table, which the filter
+builds once a mesh, nor Python's work but the call. Ends with status 77 if VTK is not installed for this
+Python.
 """
 
 import array
@@ -23,7 +23,7 @@ try:
     from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIdTypeArray, vtkPoints, vtkVersion
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
     from vtkmodules.vtkFiltersHybrid import vtkPolyDataSilhouette
-    import vtkmodules.vtkRenderingCore  # The filter's camera, which it has even when it is not used.
+    import vtkmodules.vtkRenderingCore  # For the filter's camera, which exists even if it is not used.
 except ImportError:
     sys.exit(77)
 
@@ -43,7 +43,7 @@ viewpoints = read("d", 3 * point_count)
 
 coordinates = vtkFloatArray()
 coordinates.SetNumberOfComponents(3)
-coordinates.SetVoidArray(positions, len(positions), 1)  # Not copied; `positions` lives to the end.
+coordinates.SetVoidArray(positions, len(positions), 1)  # No copy: `positions` stays alive until the end.
 points = vtkPoints()
 points.SetData(coordinates)
 
@@ -61,7 +61,7 @@ silhouette.SetDirectionToSpecifiedOrigin()
 silhouette.SetEnableFeatureAngle(0)  # Silhouettes alone: no creases, no borders.
 silhouette.SetBorderEdges(0)
 silhouette.SetOrigin(0.0, 0.0, 0.0)
-silhouette.Update()  # Makes the edge table.
+silhouette.Update()  # Builds the edge table.
 
 times_us = [float("inf")] * point_count
 lines = [0] * point_count

@@ -1,4 +1,4 @@
-// rimline animate: a sequence of pictures along a path, with the change stream live from one to the next.
+// rimline animate: a sequence of pictures along a path. Change sets update the GPU from frame to frame.
 
 #include <algorithm>
 #include <cmath>
@@ -74,25 +74,27 @@ public:
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
-        app.add_option("-o,--output", output_, "The folder to write frame_0000.png ... into")
+        app.add_option("-o,--output", output_, "Folder for the pictures frame_0000.png ...")
             ->type_name("FOLDER")
             ->capture_default_str()
             ->group("Output");
         path_.frames = 120;
-        path_.add_to(app, "so far that the model fits");
+        path_.add_to(app, "chosen to show the whole model");
         constexpr const char* k_group = "Motion";
         light_step_option_ = add_number(app, "--light-step", light_step_degrees_, -360.0, 360.0,
-                                        "Degrees that the lights turn about the model a frame")
+                                        "Turn the lights around the model by this angle per frame, "
+                                        "in degrees")
                                  ->group(k_group);
-        app.add_flag("--light-follow", light_follow_, "The lights move with the camera")
+        app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
             ->excludes(light_step_option_)
             ->group(k_group);
-        app.add_option("--deform", deform_, "wave: one runs through the model")
+        app.add_option("--deform", deform_, "Deform the model: a wave travels through it")
             ->check(CLI::IsMember({"wave"}))
             ->group(k_group);
         wave_step_option_ = add_number(app, "--wave-step", wave_step_degrees_, -360.0, 360.0,
-                                       "Degrees that the wave runs a frame, 360 its length "
-                                       "(default: once in all frames)")
+                                       "Motion of the wave per frame in degrees; 360 is one "
+                                       "wavelength (default: 360 in all frames together)")
+                                ->default_str("")
                                 ->group(k_group);
         scene_.add_to(app);
         picture_.add_camera_to(app);
@@ -100,14 +102,14 @@ public:
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         app.footer(
-            "The camera moves along the path and looks at the model's center, or --target; with "
+            "The camera moves along the path and looks at the model's center, or at --target. With "
             "--eye it\n"
-            "stands there. Where a path names a direction, it looks from there, as far away as an "
-            "orbit.\n"
-            "Frames are written whole; what an interrupt leaves is every frame before it. "
-            "Counts are\n"
-            "those of the camera's silhouettes; of a model that deforms, they are found on the "
-            "GPU.\n\n"
+            "does not move. For a direction in the path, the camera stands in that direction, at "
+            "the distance of\n"
+            "an orbit. An interrupt leaves complete files of the frames before it. Counts are "
+            "those "
+            "of the\n"
+            "camera's silhouettes. Silhouettes of a model that deforms are computed on the GPU.\n\n"
             "Examples:\n"
             "  rimline animate igea.ply --frames 120 --step 0.5 -o frames\n"
             "  rimline animate shape:scene --eye 2,4,8 --light 3,4,2 --light-step 3 --style toon\n"
@@ -123,7 +125,7 @@ public:
         context.checkpoint();
         const DrawingDevice device(picture_);
 
-        // A mesh that deforms needs no index, and has none.
+        // A deforming mesh has no octree.
         std::optional<HoughOctree> octree;
         if (deform_.empty()) octree.emplace(build_octree(model_.model, mesh, context));
         const glm::dvec3 up = up_of(mesh, picture_);
@@ -146,25 +148,25 @@ public:
         Animation animation(std::move(first), mesh, motion);
         const std::uint32_t frame_count =
             motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
-        const Drawn drawn = about_model(model_.model, [&] {
+        const Result result = about_model(model_.model, [&] {
             Renderer renderer(device.context());
             Progress progress(context, "drawing frames");
-            return Drawn{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
-                                               sequence, progress.call()),
-                         .stream_bytes = renderer.stream_bytes(),
-                         .tracker_bytes = renderer.tracker_bytes()};
+            return Result{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
+                                                sequence, progress.call()),
+                          .stream_bytes = renderer.stream_bytes(),
+                          .tracker_bytes = renderer.tracker_bytes()};
         });
         if (context.json)
-            print_result(device, drawn);
+            print_result(device, result);
         else
-            print_summary(device, drawn.frames);
+            print_summary(device, result.frames);
         return ExitStatus::success;
     }
 
 private:
-    struct Drawn {
+    struct Result {
         std::vector<FrameReport> frames;
-        // What silhouettes took on the GPU, and trackers reserved on the CPU.
+        // GPU memory of silhouettes, and CPU memory of trackers.
         std::uint64_t stream_bytes = 0, tracker_bytes = 0;
     };
 
@@ -195,7 +197,7 @@ private:
         return motion;
     }
 
-    // From where a sphere of this radius fills the picture.
+    // The distance at which a sphere of this radius fills the picture.
     double fitting_distance(double radius) const {
         if (picture_.ortho_height) return 3.0 * radius;
         const double aspect = double(picture_.size.width) / picture_.size.height;
@@ -204,7 +206,7 @@ private:
         return k_view_margin * radius * std::sqrt(1.0 + tangent * tangent) / tangent;
     }
 
-    // As `render` would place it, with the first eye of the path.
+    // The camera that `render` would choose, at the first eye of the path.
     Camera first_camera(const Mesh& mesh, const Motion& motion) const {
         if (picture_.eye) return make_camera(mesh, model_.model, picture_);
         Camera camera{.eye = {},
@@ -212,7 +214,7 @@ private:
                       .up = up_of(mesh, picture_),
                       .fov_y_deg = picture_.fov_degrees,
                       .ortho_height = picture_.ortho_height.value_or(0.0)};
-        // Until the path leads away from the target: from the front.
+        // The front view, if no eye of the path differs from the target.
         camera.eye = camera.target + glm::dvec3(0.0, 0.0, motion.distance);
         for (const HomogeneousPoint& point : motion.eyes) {
             if (point.is_direction()) continue;
@@ -224,10 +226,10 @@ private:
         return camera;
     }
 
-    void print_result(const DrawingDevice& device, const Drawn& drawn) const {
+    void print_result(const DrawingDevice& device, const Result& result) const {
         nlohmann::ordered_json frames = nlohmann::ordered_json::array();
         Totals totals;
-        for (const FrameReport& report : drawn.frames) {
+        for (const FrameReport& report : result.frames) {
             frames.push_back(to_json(report.camera, report.shadow_edges, report.bytes_streamed,
                                      report.bytes_full, report.frame_ms));
             totals.add(report);
@@ -237,14 +239,14 @@ private:
                     totals.frame_ms);
         sums["max_us"] = totals.max_us;
         sums["max_frame_ms"] = totals.max_frame_ms;
-        sums["stream_memory_bytes"] = drawn.stream_bytes;
-        sums["tracker_memory_bytes"] = drawn.tracker_bytes;
-        nlohmann::ordered_json result{{"model", model_.model},
-                                      {"path", picture_.eye ? "still" : path_.path}};
-        result.update(device_json(&device));
-        result.update(
+        sums["stream_memory_bytes"] = result.stream_bytes;
+        sums["tracker_memory_bytes"] = result.tracker_bytes;
+        nlohmann::ordered_json json{{"model", model_.model},
+                                    {"path", picture_.eye ? "still" : path_.path}};
+        json.update(device_json(&device));
+        json.update(
             {{"frames", std::move(frames)}, {"totals", std::move(sums)}, {"output", output_}});
-        print_json(result);
+        print_json(json);
     }
 
     void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports) const {

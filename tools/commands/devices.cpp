@@ -1,4 +1,4 @@
-// rimline devices: what Vulkan devices there are, and why one was or was not chosen.
+// rimline devices: the Vulkan devices, and why each is or is not chosen.
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -21,14 +21,15 @@ class DevicesCommand final : public Command {
 public:
     std::string name() const override { return "devices"; }
     std::string summary() const override {
-        return "List the Vulkan devices, and why one is chosen";
+        return "List the Vulkan devices and why each is chosen or not";
     }
 
     void add_options(CLI::App& app) override {
-        app.add_option("--device", request_, "Whom --device would choose elsewhere")
+        app.add_option("--device", request_,
+                       "gpu, cpu, an index or a name: show which device this request chooses in "
+                       "other subcommands")
             ->type_name("DEVICE");
         app.footer(
-            "With --device, says which device that request would choose.\n\n"
             "Examples:\n"
             "  rimline devices\n"
             "  rimline devices --device gpu --json");
@@ -37,7 +38,7 @@ public:
     ExitStatus run(const Context& context) override {
         const VulkanInstance instance;
         const std::vector<DeviceFacts> devices = describe_devices(instance);
-        // Throws, naming what each device lacks, where none will do.
+        // Throws if no device is suitable. The message names what each device lacks.
         const DeviceChoice choice = choose_device(devices, request_);
         if (context.json)
             print_result(devices, choice);

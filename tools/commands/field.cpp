@@ -33,7 +33,7 @@ constexpr Color k_outside{225, 225, 225};
 
 struct Slice {
     int axis;      // 0, 1 or 2.
-    double value;  // Of that coordinate, unit coordinates.
+    double value;  // Of that coordinate, in unit coordinates.
 };
 
 Slice parse_slice(const std::string& option, const std::string& text) {
@@ -49,16 +49,16 @@ Slice parse_slice(const std::string& option, const std::string& text) {
     return {text[0] - 'x', value};
 }
 
-// The points of a slice: the two other axes run right and up.
+// The points of a slice. The two other axes point right and up.
 struct SliceGrid {
     int side;
     double extent;
-    std::vector<glm::dvec3> points;  // Rows from the top.
-    std::vector<bool> is_inside;     // Of the function's domain.
+    std::vector<glm::dvec3> points;  // Row by row from the top.
+    std::vector<bool> is_inside;     // Inside the domain of the function.
 };
 
-SliceGrid make_grid(const Slice& slice, const NamedFunction& named, int side) {
-    SliceGrid grid{side, named.greatest_radius, {}, {}};
+SliceGrid make_grid(const Slice& slice, const NamedFunction& function, int side) {
+    SliceGrid grid{side, function.max_radius, {}, {}};
     const int right = slice.axis == 0 ? 1 : 0;
     const int up = slice.axis == 2 ? 1 : 2;
     for (int row = 0; row < side; ++row)
@@ -69,33 +69,35 @@ SliceGrid make_grid(const Slice& slice, const NamedFunction& named, int side) {
             p[up] = grid.extent * (1.0 - 2.0 * (row + 0.5) / side);
             const double radius = glm::length(p);
             grid.points.push_back(p);
-            grid.is_inside.push_back(radius >= named.min_radius && radius <= named.greatest_radius);
+            grid.is_inside.push_back(radius >= function.min_radius &&
+                                     radius <= function.max_radius);
         }
     return grid;
 }
 
-// The slice, and beside it the scale from the least to the greatest value in the domain.
-Canvas draw(const SliceGrid& grid, const std::vector<double>& values, double least,
-            double greatest) {
+// The slice, and beside it the color scale from the minimum to the maximum in the domain.
+Canvas draw(const SliceGrid& grid, const std::vector<double>& values, double minimum,
+            double maximum) {
     const int scale = std::max(1, grid.side / 256);
     const int margin = 12 * scale;
     const int bar = 16 * scale;
     const int numbers = 9 * 6 * scale;
     Canvas canvas(static_cast<std::uint32_t>(grid.side + 3 * margin + bar + numbers),
                   static_cast<std::uint32_t>(grid.side + 2 * margin), k_white);
-    const double range = greatest > least ? greatest - least : 1.0;
+    const double range = maximum > minimum ? maximum - minimum : 1.0;
     for (int row = 0; row < grid.side; ++row)
         for (int column = 0; column < grid.side; ++column) {
             const auto i = static_cast<std::size_t>(row * grid.side + column);
-            canvas.set(margin + column, margin + row,
-                       grid.is_inside[i] ? even_color((values[i] - least) / range) : k_outside);
+            canvas.set(
+                margin + column, margin + row,
+                grid.is_inside[i] ? viridis_color((values[i] - minimum) / range) : k_outside);
         }
     const int left = 2 * margin + grid.side;
     for (int row = 0; row < grid.side; ++row)
-        canvas.fill(left, margin + row, bar, 1, even_color(1.0 - (row + 0.5) / grid.side));
+        canvas.fill(left, margin + row, bar, 1, viridis_color(1.0 - (row + 0.5) / grid.side));
     constexpr int k_steps = 5;
     for (int step = 0; step <= k_steps; ++step) {
-        const double value = least + range * step / k_steps;
+        const double value = minimum + range * step / k_steps;
         const int y = margin + (grid.side - 1) * (k_steps - step) / k_steps;
         canvas.fill(left + bar, y - scale / 2, 3 * scale, scale, k_black);
         const int top = std::clamp(y - Canvas::text_height(scale) / 2, margin,
@@ -110,7 +112,7 @@ class FieldCommand final : public Command {
 public:
     std::string name() const override { return "field"; }
     std::string summary() const override {
-        return "Tell or draw a tangential distance field around a model";
+        return "Evaluate or draw a tangential distance field around a model";
     }
 
     void add_options(CLI::App& app) override {
@@ -123,31 +125,32 @@ public:
             line.resize(18, ' ');
             names += "  " + line + std::string(named.what) + "\n";
         }
-        app.add_option("--function", function_, "What a plane votes, see below")
+        app.add_option("--function", function_, "Function of a plane's votes, see below")
             ->check(CLI::IsMember(choices))
             ->type_name("NAME")
             ->option_text("NAME [origins]");
-        app.add_option("--weight", weight_, "Planes count alike, or by their faces' area")
+        app.add_option("--weight", weight_, "Weight of a plane: 1, or the area of its faces")
             ->type_name("count|area")
             ->check(CLI::IsMember({"count", "area"}))
             ->capture_default_str();
         add_number(app, "--tolerance", tolerance_, 0.0, 1.0,
-                   "Of a value, as a share of the greatest there can be; 0 sums all planes");
+                   "Error of a value, relative to the greatest possible value; 0 sums all planes");
         add_points(app, "--discount", discounts_,
-                   "Points already chosen: planes vote for what is better (repeatable)");
-        add_points(app, "--at", at_, "Tell the value there (repeatable)");
+                   "Point already chosen: planes vote only for better points; repeatable");
+        add_points(app, "--at", at_, "Print the value at this point; repeatable");
         app.add_option_function<std::string>(
                "--slice",
                [this](const std::string& text) { slice_ = parse_slice("--slice", text); },
-               "Draw this plane, in units of the model's radius from its center")
+               "Draw the field in this plane, at VALUE of the model's radii from its center")
             ->type_name("AXIS=VALUE");
-        add_count(app, "--resolution", resolution_, 16, 8192, "Of the slice, pixels a side");
-        add_output(app, "-o,--output", output_, ".png", "The slice's picture");
+        add_count(app, "--resolution", resolution_, 16, 8192, "Side of the slice in pixels");
+        add_output(app, "-o,--output", output_, ".png", "PNG file for the slice");
         app.footer(
-            "The field at a point is the sum, over all planes of the model's faces, of a function\n"
-            "of the point's signed distance from the plane. Distances are in units of the model's\n"
-            "radius; --at and --discount are in the model's own coordinates. A slice shows the\n"
-            "ball or shell that the function is meant for; the two other axes run right and up.\n\n"
+            "The field at a point is a sum over all planes of the model's faces. Each plane adds "
+            "a\n"
+            "function of the point's signed distance from it. Distances are in the model's radii;\n"
+            "--at and --discount are in the model's own coordinates. A slice shows the ball or\n"
+            "shell in which the function is defined; the two other axes point right and up.\n\n"
             "Functions:\n" +
             names +
             "\nExamples:\n"
@@ -164,8 +167,8 @@ public:
 
         const Mesh mesh = model_.load_mesh(context);
         const UnitPlanes planes(mesh);
-        const NamedFunction& named = *find_named_function(function_);
-        const TangentialField field(planes, named.function,
+        const NamedFunction& function = *find_named_function(function_);
+        const TangentialField field(planes, function.function,
                                     {tolerance_, weight_ == "area" ? FieldOptions::Weight::area
                                                                    : FieldOptions::Weight::count});
         context.checkpoint();
@@ -180,11 +183,11 @@ public:
             {"planes", field.plane_count()},
             {"center", json_vector(field.frame().center)},
             {"radius", field.frame().radius},
-            {"greatest_value", field.greatest_value()},
+            {"greatest_value", field.max_value()},
             {"error_bound", votes.error_bound()},
         };
-        tell(field.frame(), votes, object);
-        if (slice_) draw_slice(named, votes, *file, object, context);
+        add_values(field.frame(), votes, object);
+        if (slice_) draw_slice(function, votes, *file, object, context);
         if (context.json)
             print_json(object);
         else
@@ -193,8 +196,8 @@ public:
     }
 
 private:
-    void tell(const UnitFrame& frame, const DiscountedField& votes,
-              nlohmann::ordered_json& object) const {
+    void add_values(const UnitFrame& frame, const DiscountedField& votes,
+                    nlohmann::ordered_json& object) const {
         std::vector<glm::dvec3> points;
         for (const glm::vec3& at : at_) points.push_back(frame.from_model(glm::dvec3(at)));
         std::vector<double> values(points.size());
@@ -202,7 +205,7 @@ private:
         object["values"] = values;
     }
 
-    // Not before everything is done: what fails leaves standard output empty.
+    // To be called last: after a failure standard output must be empty.
     void print(const nlohmann::ordered_json& object, std::size_t planes, double error_bound) const {
         std::printf("%s: %zu planes, %s; values are right to %.3g\n", model_.model.c_str(), planes,
                     function_.c_str(), error_bound);
@@ -217,31 +220,31 @@ private:
                     at[2]);
     }
 
-    void draw_slice(const NamedFunction& named, const DiscountedField& votes, OutputFile& file,
+    void draw_slice(const NamedFunction& function, const DiscountedField& votes, OutputFile& file,
                     nlohmann::ordered_json& object, const Context& context) const {
-        const SliceGrid grid = make_grid(*slice_, named, static_cast<int>(resolution_));
+        const SliceGrid grid = make_grid(*slice_, function, static_cast<int>(resolution_));
         std::vector<double> values(grid.points.size());
         Progress progress(context, "summing votes");
         votes.values(grid.points, values, progress.call());
-        double least = INFINITY;
-        double greatest = -INFINITY;
+        double minimum = INFINITY;
+        double maximum = -INFINITY;
         std::size_t best = 0;
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (!grid.is_inside[i]) continue;
-            least = std::min(least, values[i]);
-            if (values[i] > greatest) best = i;
-            greatest = std::max(greatest, values[i]);
+            minimum = std::min(minimum, values[i]);
+            if (values[i] > maximum) best = i;
+            maximum = std::max(maximum, values[i]);
         }
-        if (!(least <= greatest))
+        if (!(minimum <= maximum))
             throw Error(ErrorCode::bad_input,
                         "--slice: that plane does not meet the function's domain, which ends " +
-                            short_number(named.greatest_radius, 0.1) + " from the center");
-        write_picture(file, draw(grid, values, least, greatest));
+                            short_number(function.max_radius, 0.1) + " from the center");
+        write_picture(file, draw(grid, values, minimum, maximum));
         const glm::dvec3 at = votes.field().frame().to_model(grid.points[best]);
         object["slice"] = {{"axis", std::string(1, static_cast<char>('x' + slice_->axis))},
                            {"value", slice_->value},
-                           {"least", least},
-                           {"greatest", greatest},
+                           {"least", minimum},
+                           {"greatest", maximum},
                            {"greatest_at", json_vector(at)},
                            {"output", output_}};
     }

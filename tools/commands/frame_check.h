@@ -1,9 +1,9 @@
 #pragma once
 
-// What `--verify` compares in every frame, all against brute force:
-//   the tracker's face bits and silhouette;
-//   the slots and words of a consumer that knows the tracker only through its change sets;
-//   the flipped faces and the joined and leaving edges, against the frame before.
+// The comparison of `--verify`. In every frame it compares with brute force:
+//   the face bits and the silhouette of the tracker;
+//   the slots and words of a consumer that receives only change sets;
+//   the flipped faces and the added and removed edges, computed from this frame and the one before.
 
 #include <cstdint>
 #include <optional>
@@ -17,12 +17,12 @@ namespace rimline::tools {
 
 class FrameCheck {
 public:
-    /// Takes over the tracker's state as a consumer does before its first change set. `tracker` must
-    /// outlive it.
+    /// Copies the tracker's state, as a consumer does before its first change set. `tracker` must outlive
+    /// this object.
     explicit FrameCheck(const SilhouetteTracker& tracker);
 
-    /// Call it after every move, with what the move returned. Nothing when all is equal, else what
-    /// differs first. O(faces + edges).
+    /// Call it after every move with the change set of the move. Returns the first difference, or nothing if
+    /// all is equal. O(faces + edges).
     std::optional<std::string> difference(const ChangeSet& change);
 
 private:
@@ -32,7 +32,7 @@ private:
     // The consumer's copy.
     std::vector<EdgeId> slots_;
     std::vector<std::uint32_t> words_;
-    // The truth of the frame before.
+    // Brute-force results of the last frame.
     std::vector<std::uint32_t> true_words_;
     std::vector<EdgeId> true_edges_;
 };

@@ -1,4 +1,4 @@
-// rimline info: what is in a file.
+// rimline info: the content of a model.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace rimline::tools {
 
 namespace {
 
-// Where a model is and how large; for points alone what Mesh would say if all of them were used.
+// Position and size of a model. For a file without faces: as if all points were vertices of faces.
 struct Extent {
     std::uint32_t vertices;
     glm::dvec3 center;
@@ -74,15 +74,16 @@ void print_summary(const std::string& model, const Mesh& mesh, const Extent& ext
 class InfoCommand final : public Command {
 public:
     std::string name() const override { return "info"; }
-    std::string summary() const override { return "Tell what is in a model"; }
+    std::string summary() const override { return "Show counts, topology and size of a model"; }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         app.footer(
-            "vertices counts positions that faces use, equal ones once; in a file of points only, "
-            "every\n"
-            "distinct point. The center is that of their bounding box, the radius the greatest\n"
-            "distance from there to one of them.\n\n"
+            "`vertices` is the number of distinct positions that faces use; in a file without "
+            "faces, of all\n"
+            "distinct points. `center` is the center of their bounding box, `radius` their "
+            "greatest distance\n"
+            "from it.\n\n"
             "Examples:\n"
             "  rimline info bunny.obj\n"
             "  rimline info shape:torus:50000 --json");

@@ -1,4 +1,4 @@
-// rimline light: the directional light that shows most of what a viewpoint sees.
+// rimline light: the directional light that shows most of what is visible from a viewpoint.
 
 #include <chrono>
 #include <cstdio>
@@ -19,20 +19,21 @@ class LightCommand final : public Command {
 public:
     std::string name() const override { return "light"; }
     std::string summary() const override {
-        return "Choose the light that shows most of what is seen";
+        return "Choose the directional light that shows a view best";
     }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app);
-        add_point(app, "--eye", eye_, "Where the viewer stands")->required()->group("Camera");
+        add_point(app, "--eye", eye_, "Position of the viewer")->required()->group("Camera");
         app.footer(
-            "The faces that turn towards the viewer vote for light that grazes them, so that small "
-            "changes\n"
-            "of their slope show, and leaves none of them in the dark. The sun is a direction from "
-            "the model\n"
-            "towards the light, as --sun takes it; render --sun auto does both at once. Where all "
-            "faces turn\n"
-            "away, as of a sheet seen from behind, their backs vote.\n\n"
+            "Faces seen from the front vote for light at a grazing angle, which shows small "
+            "changes "
+            "of\n"
+            "slope, and against directions that leave them unlit. If no face is seen from the "
+            "front, as of a\n"
+            "sheet seen from behind, the back sides vote. `sun` is a direction from the model "
+            "towards the light,\n"
+            "as in --sun. render --sun auto chooses this light.\n\n"
             "Examples:\n"
             "  rimline light horse.ply --eye 2,1,2\n"
             "  rimline light shape:knot --eye 3,2,4 --json");

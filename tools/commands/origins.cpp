@@ -15,8 +15,9 @@
 
 #include "silhouette/field/origins.h"
 #include "silhouette/hough/spread_viewpoints.h"
-#include "silhouette/methods/literal/literal_forest.h"
+#include "tools/absent_part.h"
 #include "tools/command.h"
+#include "tools/commands/literal_origins.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/canvas.h"
@@ -40,54 +41,23 @@ nlohmann::ordered_json to_json(const OriginTrial& trial) {
             {"work", trial.work}};
 }
 
-// The thesis's own octrees over the same groups, and what an extraction costs them.
-struct LiteralTrial {
-    const char* culling;
-    LiteralForestStatistics statistics;
-    LiteralCounters sum;
-};
-
-std::vector<LiteralTrial> try_literally(const Mesh& mesh, std::span<const glm::dvec3> origins,
-                                        std::uint32_t viewpoints, const Context& context) {
-    std::vector<glm::dvec3> used(origins.begin(), origins.end());
-    if (used.empty()) used.push_back(mesh.center());
-    const std::vector<std::uint32_t> groups = HoughOctree(mesh, {used}).face_groups();
-    Progress progress(context, "counting the thesis's boxes");
-    const LongCall call = progress.call();
-    std::vector<LiteralTrial> trials = {{"points_and_edges", {}, {}}, {"straddling", {}, {}}};
-    for (LiteralTrial& trial : trials) {
-        const bool is_second = &trial == &trials.back();
-        const LiteralForest forest(
-            mesh, used, groups,
-            is_second ? LiteralCulling::straddling : LiteralCulling::points_and_edges);
-        trial.statistics = forest.statistics();
-        std::vector<EdgeId> edges;
-        const auto points = spread_viewpoints(mesh, viewpoints);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            call.checkpoint(0.5 * is_second + 0.5 * double(i) / double(points.size()));
-            forest.extract(points[i], edges, trial.sum);
-        }
-    }
-    return trials;
-}
-
-// Of each set of origins that was tried, by culling.
+// One a set of origins that was tried.
 using LiteralTrials = std::vector<std::vector<LiteralTrial>>;
 
-nlohmann::ordered_json to_json(std::span<const LiteralTrial> trials, std::uint32_t viewpoints) {
+nlohmann::ordered_json to_json(std::span<const LiteralTrial> trials) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const LiteralTrial& trial : trials)
         list.push_back({{"culling", trial.culling},
-                        {"tree_edges", trial.statistics.tree_edges},
-                        {"listed_edges", trial.statistics.listed_edges},
-                        {"box_checks", trial.sum.box_checks() / viewpoints},
-                        {"edge_checks", trial.sum.edge_tests / viewpoints},
-                        {"face_checks", trial.sum.face_checks / viewpoints}});
+                        {"tree_edges", trial.tree_edges},
+                        {"listed_edges", trial.listed_edges},
+                        {"box_checks", trial.box_checks},
+                        {"edge_checks", trial.edge_checks},
+                        {"face_checks", trial.face_checks}});
     return list;
 }
 
-// Microseconds of an extraction from each first few of `origins`, all in turn: the least of some rounds, on
-// one thread.
+// Microseconds of an extraction for each trial, with its first few `origins`, on one thread. The trials
+// alternate; the least time of all rounds counts.
 std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec3> origins,
                                      std::span<const OriginTrial> trials, std::uint32_t viewpoints,
                                      const Context& context) {
@@ -146,7 +116,7 @@ public:
             "box_checks\n"
             "and work are of one extraction, on average. Without -k the center alone is among "
             "what\n"
-            "is tried, and often wins: see docs/field.md.\n\n"
+            "is tried, and often wins: see docs/results/field.md.\n\n"
             "Examples:\n"
             "  rimline origins horse.ply -k 3 --up 0,0,1 -o groups.png\n"
             "  rimline origins igea.ply --json");
@@ -155,6 +125,7 @@ public:
     ExitStatus run(const Context& context) override {
         if (count_option_->count() > 0 && max_option_->count() > 0)
             throw UsageError("origins: --count and --most exclude each other");
+        if (literal_) require_methods("origins --literal");
         std::optional<OutputFile> file;
         if (!output_.empty()) file.emplace(output_, model_.model);
         const Mesh mesh = model_.load_mesh(context);
@@ -196,16 +167,16 @@ private:
                            : (is_z_up ? glm::dvec3(0.9, -0.7, 0.4) : glm::dvec3(0.9, 0.4, 0.7));
             write_picture(*file, draw_groups(octree, towards, up, 700));
         }
-        // Of what was tried, or of the origins asked for.
+        // One a trial, or of the requested origins.
         LiteralTrials literal;
         for (const OriginTrial& t : chosen.trials)
             if (literal_)
-                literal.push_back(
-                    try_literally(mesh, std::span(tried).first(t.count), viewpoints_, context));
+                literal.push_back(count_literal_work(mesh, std::span(tried).first(t.count),
+                                                     viewpoints_, context));
         std::vector<double> times_us;
         if (time_) times_us = time_extractions(mesh, tried, chosen.trials, viewpoints_, context);
         if (literal_ && literal.empty())
-            literal.push_back(try_literally(mesh, chosen.found.origins, viewpoints_, context));
+            literal.push_back(count_literal_work(mesh, chosen.found.origins, viewpoints_, context));
         report(mesh, chosen, trial, literal, times_us, search_ms, context);
         return ExitStatus::success;
     }
@@ -239,9 +210,9 @@ private:
             if (literal_)
                 for (const LiteralTrial& t : literal[chosen.best])
                     std::printf("  thesis's octrees, %s: %u edges listed; %llu boxes, %llu edges\n",
-                                t.culling, t.statistics.listed_edges,
-                                static_cast<unsigned long long>(t.sum.box_checks() / viewpoints_),
-                                static_cast<unsigned long long>(t.sum.edge_tests / viewpoints_));
+                                t.culling, t.listed_edges,
+                                static_cast<unsigned long long>(t.box_checks),
+                                static_cast<unsigned long long>(t.edge_checks));
             for (std::size_t i = 0; i < chosen.trials.size(); ++i) {
                 const OriginTrial& t = chosen.trials[i];
                 std::printf("  tried %u: %u SFO edges, %llu boxes, work %.0f", t.count,
@@ -264,14 +235,13 @@ private:
                                       {"edge_checks", trial.mean.edge_checks},
                                       {"work", trial.work},
                                       {"ms", search_ms}};
-        if (literal_) object["literal"] = to_json(literal[chosen.best], viewpoints_);
+        if (literal_) object["literal"] = to_json(literal[chosen.best]);
         if (!chosen.trials.empty()) {
             nlohmann::ordered_json trials = nlohmann::ordered_json::array();
             for (const OriginTrial& t : chosen.trials) {
                 trials.push_back(to_json(t));
                 if (time_) trials.back()["us"] = times_us[trials.size() - 1];
-                if (literal_)
-                    trials.back()["literal"] = to_json(literal[trials.size() - 1], viewpoints_);
+                if (literal_) trials.back()["literal"] = to_json(literal[trials.size() - 1]);
             }
             object["trials"] = std::move(trials);
         }

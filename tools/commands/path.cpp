@@ -1,4 +1,4 @@
-// rimline path: a closed camera path through the views that show a model best, as places and pictures.
+// rimline path: a closed camera path through the best views of a model, as positions and pictures.
 
 #include <algorithm>
 #include <cmath>
@@ -34,25 +34,25 @@ public:
         choice_.add_to(app, 2);
         plan_.add_to(app);
         output_option_ = app.add_option("-o,--output", output_,
-                                        "The folder to write frame_0000.png ... into (default: no "
+                                        "Folder for the pictures frame_0000.png ... (default: no "
                                         "pictures)")
                              ->type_name("FOLDER")
                              ->group("Output");
         style_.add_to(app);
         add_direction(app, "--up", picture_.up,
-                      "What is up in pictures (default: y, or z where the file format says so)")
+                      "Up direction of pictures (default: y, or z if the file format says so)")
             ->group("Camera");
         picture_.add_lights_to(app);
-        app.add_flag("--light-follow", light_follow_, "The lights move with the camera")
+        app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
             ->group("Light");
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         app.footer(
-            "The path is closed and smooth, passes the best views and between each two of them a "
-            "place from\n"
-            "where much is to be seen too, and keeps 1.73 of the model's radii from its center. "
-            "The camera\n"
-            "moves along it at constant speed and looks at the center.\n\n"
+            "The path is closed and smooth. It passes through the best views, and between each two "
+            "of them\n"
+            "through another good view. Its distance from the model's center is at least 1.73 of "
+            "the model's\n"
+            "radii. The camera moves at constant speed and looks at the center.\n\n"
             "Examples:\n"
             "  rimline path horse.ply --json\n"
             "  rimline path horse.ply --up 0,0,1 --frames 240 -o path --style toon --ground");
@@ -63,14 +63,15 @@ public:
         if (output_option_->count() > 0) sequence.emplace(output_, plan_.frames);
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
-        const ViewDevice drawn(model_.model, mesh, picture_, !choice_.no_ratio || sequence,
-                               context);
+        const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sequence,
+                                context);
         about_model(model_.model, [&] {
-            const ChosenViews chosen = choose_views(choice_, model_.model, mesh, drawn, 2, context);
+            const ChosenViews chosen =
+                choose_views(choice_, model_.model, mesh, device, 2, context);
             const PlannedPath planned = plan_.plan(chosen, up_of(mesh, picture_), context);
-            if (sequence) draw(*sequence, drawn, planned, context);
+            if (sequence) draw(*sequence, device, planned, context);
             if (context.json)
-                print_result(mesh, chosen, planned, drawn);
+                print_result(mesh, chosen, planned, device);
             else
                 print_path(sequence ? output_ : model_.model, chosen, planned);
         });
@@ -78,7 +79,7 @@ public:
     }
 
 private:
-    // Looks at the center from every place: so wide that all of the model is always seen.
+    // The least field of view that shows the whole model from every position on the path.
     double fitting_fov_deg(const Mesh& mesh, const PlannedPath& planned) const {
         const double aspect = double(picture_.size.width) / picture_.size.height;
         double tangent = 0.0;
@@ -94,16 +95,15 @@ private:
         return 2.0 * glm::degrees(std::atan(k_view_margin * tangent));
     }
 
-    // A frame is queued before the one before it is fetched, and written while the next is drawn.
-    void draw(FrameSequence& sequence, const ViewDevice& drawn, const PlannedPath& planned,
+    void draw(FrameSequence& sequence, const ViewDevice& device, const PlannedPath& planned,
               const Context& context) const {
-        const Mesh& mesh = drawn.octree->mesh();
+        const Mesh& mesh = device.octree->mesh();
         const Camera camera{.eye = planned.samples[0],
                             .target = mesh.center(),
                             .up = planned.ups[0],
                             .fov_y_deg = fitting_fov_deg(mesh, planned)};
         Scene first = style_.make_scene(camera, mesh, picture_);
-        first.instances.push_back({.octree = &*drawn.octree,
+        first.instances.push_back({.octree = &*device.octree,
                                    .name = model_.model,
                                    .material = style_.material(picture_),
                                    .is_solid = check_solid(mesh, context)});
@@ -119,15 +119,15 @@ private:
         motion.distance = glm::distance(camera.eye, camera.target);
         if (light_follow_) motion.lights = LightMotion::with_camera;
         Animation animation(std::move(first), mesh, std::move(motion));
-        Renderer renderer(drawn.device->context());
+        Renderer renderer(device.device->context());
         Progress progress(context, "drawing frames");
         draw_frames(animation, plan_.frames, renderer, picture_.size, sequence, progress.call());
     }
 
     void print_result(const Mesh& mesh, const ChosenViews& chosen, const PlannedPath& planned,
-                      const ViewDevice& drawn) const {
+                      const ViewDevice& device) const {
         nlohmann::ordered_json result = path_json(model_.model, mesh, chosen, planned);
-        result.update(device_json(drawn.drawn()));
+        result.update(device_json(device.device_or_null()));
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);

@@ -11,8 +11,8 @@
 
 namespace rimline::tools {
 
-PointTurn turn_around(const UmbrellaIndex& umbrellas, const glm::dvec3& up, std::uint32_t frames,
-                      double step_deg, bool verify, const Context& context) {
+PointTurn measure_turn(const UmbrellaIndex& umbrellas, const glm::dvec3& up, std::uint32_t frames,
+                       double step_deg, bool verify, const Context& context) {
     RIMLINE_CHECK(frames > 0);
     const Orbit orbit(umbrellas.center(), up, 2.0 * std::max(umbrellas.radius(), 0x1p-20));
     const double step_rad = step_deg * std::numbers::pi / 180.0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The silhouette of a cloud followed while a viewpoint goes round it: how long updates take.
+// Times of updating the silhouette of a cloud while the viewpoint moves around it.
 
 #include <cstdint>
 
@@ -12,16 +12,17 @@ namespace rimline::tools {
 struct PointTurn {
     std::uint32_t frames = 0;
     double step_deg = 0.0;
-    /// Microseconds a frame, to silhouette points and consensus edges.
+    /// Microseconds per frame, for silhouette points and consensus edges.
     double median_us = 0.0, p99_us = 0.0, worst_us = 0.0;
-    double changed_points = 0.0;  ///< That join or leave in a frame, in the mean.
-    /// Frames whose silhouette was not what finding it afresh gives. Only counted where asked for.
+    double changed_points = 0.0;  ///< Mean number of points per frame that are added or removed.
+    /// Number of frames whose silhouette differs from a new extraction. 0 unless `verify`.
     std::uint32_t differences = 0;
 };
 
-/// In the plane perpendicular to `up`, two radii from the center, from the first axis in that plane.
-/// Throws Error{cancelled}.
-PointTurn turn_around(const UmbrellaIndex& umbrellas, const glm::dvec3& up, std::uint32_t frames,
-                      double step_deg, bool verify, const Context& context);
+/// Moves around the cloud in the plane perpendicular to `up`, at two radii from the center, starting at the
+/// first axis in that plane. With `verify`, compares every frame with a new extraction. Throws
+/// Error{cancelled}.
+PointTurn measure_turn(const UmbrellaIndex& umbrellas, const glm::dvec3& up, std::uint32_t frames,
+                       double step_deg, bool verify, const Context& context);
 
 }  // namespace rimline::tools

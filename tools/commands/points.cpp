@@ -43,63 +43,72 @@ public:
 
     void add_options(CLI::App& app) override {
         cloud_.add_to(app);
-        add_exact_point(app, "--eye", eye_, "Where the viewer stands (default: chosen, with -o)")
+        add_exact_point(app, "--eye", eye_, "Position of the camera (default: chosen, with -o)")
             ->group("Camera");
-        add_exact_point(app, "--target", target_, "Where it looks (default: the cloud's center)")
+        add_exact_point(app, "--target", target_,
+                        "Point that the camera looks at (default: the cloud's center)")
             ->group("Camera");
         picture_.add_lens_to(app);
-        add_exact_point(app, "--from", from_, "Find the silhouette from this point, not the eye")
+        add_exact_point(app, "--from", from_, "Viewpoint of the silhouette (default: the eye)")
             ->group("Camera");
         add_direction(app, "--direction", direction_,
-                      "Find it from infinitely far this way, from the cloud towards the viewer")
+                      "Direction of the silhouette, from the cloud towards a viewer infinitely far "
+                      "away")
             ->group("Camera");
         add_count(app, "--turn", turn_frames_, 1, 1'000'000,
-                  "Follow the silhouette for so many frames around the cloud, and time that")
+                  "Move the viewpoint around the cloud for this number of frames, update the "
+                  "silhouette and measure the time")
             ->default_str("")
             ->group("Turn");
-        add_number(app, "--step", turn_step_deg_, -180.0, 180.0, "Degrees a frame")->group("Turn");
+        add_number(app, "--step", turn_step_deg_, -180.0, 180.0,
+                   "Angle of the turn per frame in degrees")
+            ->group("Turn");
         app.add_flag("--verify", verify_,
-                     "Compare every frame with finding it afresh; exit 3 if one differs")
+                     "Compare every frame of the turn with a new extraction; exit 3 if one differs")
             ->group("Turn");
         surface_.add_to(app);
-        add_output(app, "-o,--output", output_, ".png", "Draw the cloud, as a PNG")
+        add_output(app, "-o,--output", output_, ".png", "Draw the cloud into this PNG file")
             ->group("Output");
         app.add_option_function<std::string>(
                "--mode", [this](const std::string& text) { set_mode(text); },
-               "drawn, or compare: beside hidden points, normal thresholding and PCA's normals")
+               "drawn: one picture; compare: six pictures, see below")
             ->type_name("NAME")
             ->default_str("drawn")
             ->group("Output");
         add_output(app, "--export", export_, ".ply",
-                   "Write the points with normals, labels, weights and colors")
+                   "Write the points with normals, labels, weights and colors to this PLY file")
             ->group("Output");
-        app.add_flag("--no-lists", without_lists_, "Leave lists of points out of the JSON")
+        app.add_flag("--no-lists", without_lists_, "Omit the lists of points from the JSON")
             ->group("Output");
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         app.footer(
-            "Each point's umbrella, the triangles to its neighbors on the surface, says whether "
-            "it "
-            "is a\n"
-            "border, interior or feature point, its normal, and whether it is on the silhouette. "
-            "Where that\n"
-            "cannot be told a point is undecided, and why is counted. Points are numbered as the "
-            "file numbers\n"
-            "them, from 0; of equal ones the first stands for all, and of a model only vertices of "
-            "faces are\n"
-            "points. A weight from 0 to 1 says how sharply the surface turns at a point; `numbers` "
-            "in the JSON\n"
-            "are the points that `features` weighs. Consensus edges are on the silhouette for both "
-            "their ends.\n"
-            "With --as-points, missed and extra border points are counted against the model's own "
-            "borders.\n\n"
-            "A picture has a disc for each point, darker the sharper the surface turns, borders in "
-            "orange, points\n"
-            "that are undecided in red, and consensus edges as ink. --mode compare, from the upper "
-            "left: points that\n"
-            "no hull hides (Katz et al.), alone and as drawn; silhouette points by thresholding as "
-            "many normals\n"
-            "(Zakaria, Seidel), and ours; discs with normals of principal components, and ours.\n\n"
+            "The umbrella of a point consists of the triangles to its neighbors on the surface. It "
+            "gives the\n"
+            "point's normal, its label (border, interior or feature), and whether it is on the "
+            "silhouette. If\n"
+            "this is not certain, the point is undecided; the reasons are counted. Points are "
+            "numbered as in the\n"
+            "file, from 0. Of equal points only the first is used; of a model, only vertices of "
+            "faces. The\n"
+            "weight of a point, from 0 to 1, tells how sharply the surface bends there. In the "
+            "JSON, "
+            "`numbers`\n"
+            "are the points of the weights in `features`. A consensus edge is on the silhouette "
+            "for "
+            "both its\n"
+            "ends. With --as-points, missed and extra border points are counted against the "
+            "borders "
+            "of the model.\n\n"
+            "A picture has a disc for each point, darker where the surface bends more sharply. "
+            "Borders are\n"
+            "orange, undecided points red, consensus edges ink. --mode compare shows six pictures "
+            "row by row:\n"
+            "points that a convex hull classifies as visible (Katz et al.), and the picture as "
+            "drawn; as many\n"
+            "silhouette points by thresholding normals (Zakaria, Seidel), and ours; discs with "
+            "normals of\n"
+            "principal components, and ours.\n\n"
             "Examples:\n"
             "  rimline points scan.ply --eye 2,1,3 --json\n"
             "  rimline points bunny.obj --as-points --export labels.ply\n"
@@ -117,18 +126,18 @@ public:
         if (!export_.empty()) file.emplace(export_, cloud_.model);
         std::optional<OutputFile> drawing;
         if (!output_.empty()) drawing.emplace(output_, cloud_.model);
-        const FoundPoints found = find(context, options, drawing);
+        const CloudAnalysis analysis = analyze(context, options, drawing);
         if (file) {
-            file->write(
-                format_labels({found.cloud, found.surface, found.weights, found.silhouette}));
+            file->write(format_labels(
+                {analysis.cloud, analysis.surface, analysis.weights, analysis.silhouette}));
             file->commit();
         }
-        const PointsReport report{found, cloud_.model, export_, output_, without_lists_};
+        const PointsReport report{analysis, cloud_.model, export_, output_, without_lists_};
         if (context.json)
             print_object(report);
         else
             print_summary(report);
-        const std::uint32_t differences = found.turn ? found.turn->differences : 0;
+        const std::uint32_t differences = analysis.turn ? analysis.turn->differences : 0;
         return report_check(differences == 0
                                 ? ""
                                 : cloud_.model + ": " + std::to_string(differences) +
@@ -145,69 +154,69 @@ private:
     bool has_silhouette() const { return eye_ || from_ || direction_ || !output_.empty(); }
     bool needs_index() const { return has_silhouette() || turn_frames_ > 0; }
 
-    FoundPoints find(const Context& context, const PointSurfaceOptions& options,
-                     std::optional<OutputFile>& drawing) const {
+    CloudAnalysis analyze(const Context& context, const PointSurfaceOptions& options,
+                          std::optional<OutputFile>& drawing) const {
         PointCloud cloud = cloud_.load(context);
-        const auto named = [&](auto&& work) { return about_model(cloud_.model, work); };
+        const auto name_errors = [&](auto&& work) { return about_model(cloud_.model, work); };
         Clock::time_point start = Clock::now();
         Progress surface_progress(context, "finding umbrellas of " + cloud_.model);
-        PointSurface surface = named(
+        PointSurface surface = name_errors(
             [&] { return PointSurface(cloud.positions(), options, surface_progress.call()); });
-        FoundPoints found(std::move(cloud), std::move(surface));
-        found.umbrellas_ms = ms_since(start);
+        CloudAnalysis analysis(std::move(cloud), std::move(surface));
+        analysis.umbrellas_ms = ms_since(start);
         start = Clock::now();
         Progress feature_progress(context, "weighing features of " + cloud_.model);
-        found.weights = feature_weights(found.surface, feature_progress.call());
-        found.features_ms = ms_since(start);
-        if (needs_index()) named([&] { find_silhouette(context, found, drawing); });
-        if (!found.cloud.triangles().empty()) found.truth = compare_borders(found);
+        analysis.weights = feature_weights(analysis.surface, feature_progress.call());
+        analysis.features_ms = ms_since(start);
+        if (needs_index()) name_errors([&] { analyze_silhouette(context, analysis, drawing); });
+        if (!analysis.cloud.triangles().empty()) analysis.truth = compare_borders(analysis);
         context.checkpoint();
-        return found;
+        return analysis;
     }
 
-    void find_silhouette(const Context& context, FoundPoints& found,
-                         std::optional<OutputFile>& drawing) const {
+    void analyze_silhouette(const Context& context, CloudAnalysis& analysis,
+                            std::optional<OutputFile>& drawing) const {
         Clock::time_point start = Clock::now();
         Progress progress(context, "indexing umbrellas of " + cloud_.model);
-        const UmbrellaIndex umbrellas(found.surface, progress.call());
-        found.index_ms = ms_since(start);
+        const UmbrellaIndex umbrellas(analysis.surface, progress.call());
+        analysis.index_ms = ms_since(start);
         std::optional<HomogeneousPoint> point;
         if (direction_) point = umbrellas.direction(glm::dvec3(*direction_));
         if (from_) point = umbrellas.viewpoint(*from_);
         if (drawing) {
             context.checkpoint();
-            found.picture = draw_points({.name = cloud_.model,
-                                         .cloud = found.cloud,
-                                         .surface = found.surface,
-                                         .umbrellas = umbrellas,
-                                         .weights = found.weights,
-                                         .k = surface_.options().k,
-                                         .mode = mode_,
-                                         .eye = eye_,
-                                         .target = target_,
-                                         .silhouette_point = point,
-                                         .options = picture_},
-                                        *drawing);
-            point = found.picture->silhouette_point;
+            analysis.picture = draw_points({.name = cloud_.model,
+                                            .cloud = analysis.cloud,
+                                            .surface = analysis.surface,
+                                            .umbrellas = umbrellas,
+                                            .weights = analysis.weights,
+                                            .k = surface_.options().k,
+                                            .mode = mode_,
+                                            .eye = eye_,
+                                            .target = target_,
+                                            .silhouette_point = point,
+                                            .options = picture_},
+                                           *drawing);
+            point = analysis.picture->silhouette_point;
         }
-        if (turn_frames_ > 0) found.turn = turn(context, found, umbrellas);
-        found.is_verified = verify_;
-        found.has_silhouette = has_silhouette();
+        if (turn_frames_ > 0) analysis.turn = turn(context, analysis, umbrellas);
+        analysis.is_verified = verify_;
+        analysis.has_silhouette = has_silhouette();
         if (!has_silhouette()) return;
         if (!point) point = umbrellas.viewpoint(*eye_);
         start = Clock::now();
         const PointSilhouette silhouette(umbrellas, *point);
-        found.silhouette = silhouette.points();
-        found.consensus = silhouette.consensus_edges();
-        found.arcs = chain(found.consensus).size();
-        found.silhouette_ms = ms_since(start);
+        analysis.silhouette = silhouette.points();
+        analysis.consensus = silhouette.consensus_edges();
+        analysis.arcs = chain(analysis.consensus).size();
+        analysis.silhouette_ms = ms_since(start);
     }
 
-    PointTurn turn(const Context& context, const FoundPoints& found,
+    PointTurn turn(const Context& context, const CloudAnalysis& analysis,
                    const UmbrellaIndex& umbrellas) const {
         const glm::dvec3 up =
-            picture_.up ? glm::dvec3(*picture_.up) : direction_of(found.cloud.up());
-        return turn_around(umbrellas, up, turn_frames_, turn_step_deg_, verify_, context);
+            picture_.up ? glm::dvec3(*picture_.up) : direction_of(analysis.cloud.up());
+        return measure_turn(umbrellas, up, turn_frames_, turn_step_deg_, verify_, context);
     }
 
     CloudArgument cloud_;

@@ -11,58 +11,60 @@ namespace rimline::tools {
 
 namespace {
 
-void add_lists(const FoundPoints& found, nlohmann::ordered_json& result) {
-    result["border"] = found.numbers(PointLabel::border);
-    result["undecided"] = found.numbers(PointLabel::undecided);
+void add_lists(const CloudAnalysis& analysis, nlohmann::ordered_json& result) {
+    result["border"] = analysis.numbers(PointLabel::border);
+    result["undecided"] = analysis.numbers(PointLabel::undecided);
     nlohmann::ordered_json& silhouette = result["silhouette"] = nlohmann::ordered_json::array();
-    for (const PointId p : found.silhouette) silhouette.push_back(found.number(p));
+    for (const PointId p : analysis.silhouette) silhouette.push_back(analysis.number(p));
     nlohmann::ordered_json& edges = result["consensus_edges"] = nlohmann::ordered_json::array();
-    for (const auto& [a, b] : found.consensus) edges.push_back({found.number(a), found.number(b)});
-    result["features"] = found.weights;
-    result["numbers"] = found.cloud.file_points();
+    for (const auto& [a, b] : analysis.consensus)
+        edges.push_back({analysis.number(a), analysis.number(b)});
+    result["features"] = analysis.weights;
+    result["numbers"] = analysis.cloud.file_points();
 }
 
 }  // namespace
 
-BorderTruth compare_borders(const FoundPoints& found) {
-    const std::vector<std::uint32_t> border = found.cloud.mesh_border_points();
+BorderTruth compare_borders(const CloudAnalysis& analysis) {
+    const std::vector<std::uint32_t> border = analysis.cloud.mesh_border_points();
     BorderTruth truth{border.size(), 0, 0};
     for (const std::uint32_t p : border)
-        truth.missed += found.surface.label(PointId{p}) != PointLabel::border;
-    truth.extra = found.surface.count(PointLabel::border) + truth.missed - truth.border;
+        truth.missed += analysis.surface.label(PointId{p}) != PointLabel::border;
+    truth.extra = analysis.surface.count(PointLabel::border) + truth.missed - truth.border;
     return truth;
 }
 
 void print_object(const PointsReport& report) {
-    const FoundPoints& found = report.found;
-    const PointCloud& cloud = found.cloud;
-    const auto count = [&](PointLabel label) { return found.surface.count(label); };
+    const CloudAnalysis& analysis = report.analysis;
+    const PointCloud& cloud = analysis.cloud;
+    const auto count = [&](PointLabel label) { return analysis.surface.count(label); };
     nlohmann::ordered_json reasons = nlohmann::ordered_json::object();
-    for (const auto& [reason, points] : found.reasons()) reasons[reason] = points;
-    nlohmann::ordered_json result{{"cloud", report.cloud},
-                                  {"points", cloud.size()},
-                                  {"file_points", cloud.file_point_count()},
-                                  {"duplicates", cloud.duplicate_count()},
-                                  {"dropped", cloud.dropped_count()},
-                                  {"unused", cloud.unused_count()},
-                                  {"center", json_vector(cloud.center())},
-                                  {"radius", cloud.radius()},
-                                  {"labels",
-                                   {{"border", count(PointLabel::border)},
-                                    {"interior", count(PointLabel::interior)},
-                                    {"feature", count(PointLabel::feature)},
-                                    {"undecided", count(PointLabel::undecided)}}},
-                                  {"reasons", std::move(reasons)},
-                                  {"inconsistent_edges", found.surface.inconsistent_edge_count()},
-                                  {"silhouette_points", found.silhouette.size()},
-                                  {"consensus_edge_count", found.consensus.size()},
-                                  {"arcs", found.arcs},
-                                  {"ms", found.ms()},
-                                  {"umbrellas_ms", found.umbrellas_ms},
-                                  {"features_ms", found.features_ms},
-                                  {"index_ms", found.index_ms},
-                                  {"silhouette_ms", found.silhouette_ms}};
-    if (const std::optional<BorderTruth>& truth = found.truth) {
+    for (const auto& [reason, points] : analysis.reasons()) reasons[reason] = points;
+    nlohmann::ordered_json result{
+        {"cloud", report.cloud},
+        {"points", cloud.size()},
+        {"file_points", cloud.file_point_count()},
+        {"duplicates", cloud.duplicate_count()},
+        {"dropped", cloud.dropped_count()},
+        {"unused", cloud.unused_count()},
+        {"center", json_vector(cloud.center())},
+        {"radius", cloud.radius()},
+        {"labels",
+         {{"border", count(PointLabel::border)},
+          {"interior", count(PointLabel::interior)},
+          {"feature", count(PointLabel::feature)},
+          {"undecided", count(PointLabel::undecided)}}},
+        {"reasons", std::move(reasons)},
+        {"inconsistent_edges", analysis.surface.inconsistent_edge_count()},
+        {"silhouette_points", analysis.silhouette.size()},
+        {"consensus_edge_count", analysis.consensus.size()},
+        {"arcs", analysis.arcs},
+        {"ms", analysis.ms()},
+        {"umbrellas_ms", analysis.umbrellas_ms},
+        {"features_ms", analysis.features_ms},
+        {"index_ms", analysis.index_ms},
+        {"silhouette_ms", analysis.silhouette_ms}};
+    if (const std::optional<BorderTruth>& truth = analysis.truth) {
         const auto percent = [&](std::size_t part) -> nlohmann::ordered_json {
             if (const auto value = truth->percent(part)) return *value;
             return nullptr;
@@ -73,14 +75,14 @@ void print_object(const PointsReport& report) {
                            {"missed_percent", percent(truth->missed)},
                            {"extra_percent", percent(truth->extra)}};
     }
-    if (const std::optional<PointTurn>& turn = found.turn) {
+    if (const std::optional<PointTurn>& turn = analysis.turn) {
         result["turn"] = {{"frames", turn->frames},       {"step", turn->step_deg},
                           {"median_us", turn->median_us}, {"p99_us", turn->p99_us},
                           {"worst_us", turn->worst_us},   {"changed_points", turn->changed_points}};
-        if (found.is_verified) result["verified"] = turn->differences == 0;
+        if (analysis.is_verified) result["verified"] = turn->differences == 0;
     }
     if (!report.export_file.empty()) result["export"] = report.export_file;
-    if (const std::optional<PointsPictureReport>& picture = found.picture) {
+    if (const std::optional<PointsPictureReport>& picture = analysis.picture) {
         nlohmann::ordered_json messages = nullptr;
         if (picture->validation_messages) messages = *picture->validation_messages;
         result["output"] = report.picture_file;
@@ -89,14 +91,14 @@ void print_object(const PointsReport& report) {
         result["validation_messages"] = std::move(messages);
         result["picture_ms"] = picture->ms;
     }
-    if (!report.without_lists) add_lists(found, result);
+    if (!report.without_lists) add_lists(analysis, result);
     print_json(result);
 }
 
 void print_summary(const PointsReport& report) {
-    const FoundPoints& found = report.found;
-    const PointCloud& cloud = found.cloud;
-    const auto count = [&](PointLabel label) { return found.surface.count(label); };
+    const CloudAnalysis& analysis = report.analysis;
+    const PointCloud& cloud = analysis.cloud;
+    const auto count = [&](PointLabel label) { return analysis.surface.count(label); };
     std::printf("%s\n", report.cloud.c_str());
     std::printf("  points      %u of %u in the file", cloud.size(), cloud.file_point_count());
     const auto left_out = [](std::uint32_t points, const char* why) {
@@ -108,35 +110,35 @@ void print_summary(const PointsReport& report) {
     std::printf("\n  labels      %u border, %u interior, %u feature, %u undecided\n",
                 count(PointLabel::border), count(PointLabel::interior), count(PointLabel::feature),
                 count(PointLabel::undecided));
-    for (const auto& [reason, points] : found.reasons())
+    for (const auto& [reason, points] : analysis.reasons())
         std::printf("              %u undecided: %s\n", points, reason);
-    if (const std::optional<BorderTruth>& truth = found.truth) {
+    if (const std::optional<BorderTruth>& truth = analysis.truth) {
         std::printf("  borders     %zu true, %zu missed, %zu extra", truth->border, truth->missed,
                     truth->extra);
         if (const auto missed = truth->percent(truth->missed))
             std::printf(" (%.1f%% and %.1f%%)", *missed, *truth->percent(truth->extra));
         std::printf("\n");
     }
-    const auto sharp = std::ranges::count_if(found.weights, [](float w) { return w >= 0.5f; });
+    const auto sharp = std::ranges::count_if(analysis.weights, [](float w) { return w >= 0.5f; });
     std::printf("  features    %td points weigh a half or more\n", sharp);
-    if (found.has_silhouette)
+    if (analysis.has_silhouette)
         std::printf("  silhouette  %zu points, %zu consensus edges in %zu arcs\n",
-                    found.silhouette.size(), found.consensus.size(), found.arcs);
-    std::printf("  time        %.1f ms: umbrellas %.1f, features %.1f", found.ms(),
-                found.umbrellas_ms, found.features_ms);
-    if (found.has_silhouette)
-        std::printf(", index %.1f, silhouette %.2f", found.index_ms, found.silhouette_ms);
+                    analysis.silhouette.size(), analysis.consensus.size(), analysis.arcs);
+    std::printf("  time        %.1f ms: umbrellas %.1f, features %.1f", analysis.ms(),
+                analysis.umbrellas_ms, analysis.features_ms);
+    if (analysis.has_silhouette)
+        std::printf(", index %.1f, silhouette %.2f", analysis.index_ms, analysis.silhouette_ms);
     std::printf("\n");
-    if (const std::optional<PointTurn>& turn = found.turn) {
+    if (const std::optional<PointTurn>& turn = analysis.turn) {
         std::printf("  turn        %u frames by %g degrees: %.0f us a frame, 99%% below %.0f\n",
                     turn->frames, turn->step_deg, turn->median_us, turn->p99_us);
-        if (found.is_verified)
+        if (analysis.is_verified)
             std::printf("              %u of them differ from finding it afresh\n",
                         turn->differences);
     }
-    if (found.picture)
-        std::printf("  picture     %.1f ms on %s\n", found.picture->ms,
-                    found.picture->device.c_str());
+    if (analysis.picture)
+        std::printf("  picture     %.1f ms on %s\n", analysis.picture->ms,
+                    analysis.picture->device.c_str());
     for (const std::string& written : {report.export_file, report.picture_file})
         if (!written.empty()) std::printf("  written to  %s\n", written.c_str());
 }

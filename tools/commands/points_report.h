@@ -1,6 +1,6 @@
 #pragma once
 
-// What `rimline points` found, and how it is told: a summary, or an object for scripts.
+// The results of `rimline points`, and their output as a summary or as JSON.
 
 #include <array>
 #include <cstdint>
@@ -17,19 +17,19 @@
 
 namespace rimline::tools {
 
-/// What a mesh says of its own vertices, beside what was found without its faces.
+/// The border vertices of a mesh, compared with the border points found without its faces.
 struct BorderTruth {
     std::size_t border = 0, missed = 0, extra = 0;
 
-    /// Of the true border points, in percent; nothing where there are none.
+    /// `count` in percent of the true border points. Nothing if there are none.
     std::optional<double> percent(std::size_t count) const {
         if (border == 0) return std::nullopt;
         return 100.0 * static_cast<double>(count) / static_cast<double>(border);
     }
 };
 
-struct FoundPoints {
-    explicit FoundPoints(PointCloud points, PointSurface umbrellas)
+struct CloudAnalysis {
+    explicit CloudAnalysis(PointCloud points, PointSurface umbrellas)
         : cloud(std::move(points)), surface(std::move(umbrellas)) {}
 
     PointCloud cloud;
@@ -41,7 +41,7 @@ struct FoundPoints {
     std::optional<BorderTruth> truth;
     std::optional<PointsPictureReport> picture;
     std::optional<PointTurn> turn;
-    bool has_silhouette = false;  ///< One viewpoint's was asked for.
+    bool has_silhouette = false;  ///< The silhouette of one viewpoint was requested.
     bool is_verified = false;     ///< Every frame of the turn was compared.
     double umbrellas_ms = 0.0;
     double features_ms = 0.0;
@@ -56,7 +56,7 @@ struct FoundPoints {
             if (surface.label(PointId{p}) == label) numbers.push_back(cloud.file_point(p));
         return numbers;
     }
-    /// Of each reason that occurs, how many points are undecided by it.
+    /// Each reason that occurs, with its number of undecided points.
     std::vector<std::pair<const char*, std::uint32_t>> reasons() const {
         std::vector<std::pair<const char*, std::uint32_t>> counted;
         std::array<std::uint32_t, 256> counts{};
@@ -70,13 +70,13 @@ struct FoundPoints {
     }
 };
 
-/// The cloud's own faces against the labels.
-BorderTruth compare_borders(const FoundPoints& found);
+/// Compares the labels with the borders of the cloud's own faces.
+BorderTruth compare_borders(const CloudAnalysis& analysis);
 
 struct PointsReport {
-    const FoundPoints& found;
-    const std::string& cloud;               ///< Its name.
-    std::string export_file, picture_file;  ///< Empty where none was written.
+    const CloudAnalysis& analysis;
+    const std::string& cloud;               ///< The cloud's name.
+    std::string export_file, picture_file;  ///< Empty if not written.
     bool without_lists = false;
 };
 void print_object(const PointsReport& report);

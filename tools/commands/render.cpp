@@ -28,18 +28,18 @@ public:
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
-        add_output(app, "-o,--output", output_, ".png", "The PNG to write")->group("Output");
+        add_output(app, "-o,--output", output_, ".png", "PNG file to write")->group("Output");
         options_.add_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         app.footer(
-            "Without a model a built-in scene is drawn. Camera and light are chosen when not "
-            "given.\n"
-            "Every light adds an equal share. A camera that is chosen looks past the model's "
-            "center where\n"
-            "that fills the picture better.\n\n"
+            "Without a model, a built-in scene is drawn. Camera and light are chosen if they are "
+            "not given.\n"
+            "All lights have the same intensity. A chosen camera need not look at the model's "
+            "center exactly:\n"
+            "it is placed so that the model fills the picture.\n\n"
             "Examples:\n"
             "  rimline render\n"
             "  rimline render horse.ply --up 0,0,1 -o horse.png --style toon --ground --sun auto\n"
@@ -47,7 +47,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        OutputFile output(output_, model_.model);  // A bad path is known before the work.
+        OutputFile output(output_, model_.model);  // Reports a bad path before the work.
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();

@@ -15,8 +15,9 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/edge_convexity.h"
 #include "silhouette/mesh/mesh.h"
-#include "silhouette/methods/silhouette_method.h"
+#include "tools/absent_part.h"
 #include "tools/command.h"
+#include "tools/commands/method_choice.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/line_output.h"
@@ -31,14 +32,13 @@ struct Extraction {
     std::vector<EdgeId> edges;
     TraversalCounters counters;
     std::vector<NamedCount> own_counts;
-    double ms = 0.0;               // Without what the method builds first.
-    std::optional<double> recall;  // The share found, of methods that are not exact.
+    double ms = 0.0;               // Without the construction of the method.
+    std::optional<double> recall;  // The share of the silhouette, for methods that are not exact.
 };
 
 Extraction extract_by(const SilhouetteMethodInfo& info, const Mesh& mesh,
                       const HomogeneousPoint& point, const SilhouetteMethodOptions& options) {
-    const std::unique_ptr<SilhouetteMethod> method =
-        make_silhouette_method(info.name, mesh, options);
+    const std::unique_ptr<SilhouetteMethod> method = make_method(info, mesh, options);
     Extraction result;
     const auto start = std::chrono::steady_clock::now();
     method->extract(point, result.edges, result.counters);
@@ -69,15 +69,21 @@ std::string method_names(Belongs&& belongs) {
 
 std::string method_table() {
     std::string table;
+    std::string absent;
     for (const SilhouetteMethodInfo& info : silhouette_methods()) {
         std::string name(info.name);
+        if (!is_in_build(info)) {
+            absent += " " + name;
+            continue;
+        }
         name.resize(std::max<std::size_t>(name.size() + 1, 14), ' ');
         table += "  " + name + std::string(info.summary) + "\n";
     }
+    if (!absent.empty()) table += "Not in this build:" + absent + "\n";
     return table;
 }
 
-// An edge as the file numbers its vertices, the lesser first.
+// An edge with its vertices as the file numbers them, the lesser first.
 struct FileEdge {
     std::array<std::uint32_t, 2> vertices;
     EdgeId edge;
@@ -148,6 +154,8 @@ public:
     ExitStatus run(const Context& context) override {
         const HomogeneousPoint point = point_from_options();
         check_method_options();
+        if (!is_in_build(*method_))
+            require_methods("silhouette --method " + std::string(method_->name));
         std::optional<OutputFile> file;
         LineFormat format{};
         if (output_option_->count() > 0) {
@@ -156,7 +164,7 @@ public:
         }
 
         const Mesh mesh = model_.load_mesh(context);
-        Extraction found = about_model(model_.model, [&] {
+        Extraction extraction = about_model(model_.model, [&] {
             Progress progress(context, "building the method's structure");
             return extract_by(*method_, mesh, point,
                               {.origins = {origins_.begin(), origins_.end()},
@@ -170,19 +178,19 @@ public:
                                 ": --no-concave: the mesh is open or its faces disagree "
                                 "on the outside, where concave edges can be visible; "
                                 "leave the option out");
-            remove_concave_edges(concave_edge_bits(mesh), found.edges);
+            remove_concave_edges(concave_edge_bits(mesh), extraction.edges);
         }
         context.checkpoint();
 
-        const std::vector<FileEdge> edges = in_file_order(mesh, found.edges);
+        const std::vector<FileEdge> edges = in_file_order(mesh, extraction.edges);
         if (file) {
             file->write(format_lines(mesh, point, edges, format));
             file->commit();
         }
         if (context.json)
-            print_result(mesh, found, edges);
+            print_result(mesh, extraction, edges);
         else
-            print_summary(mesh, found);
+            print_summary(mesh, extraction);
         return ExitStatus::success;
     }
 
@@ -235,12 +243,13 @@ private:
         return tools::format_lines({mesh, point, silhouette, borders, title}, format);
     }
 
-    void print_result(const Mesh& mesh, const Extraction& found,
+    void print_result(const Mesh& mesh, const Extraction& extraction,
                       const std::vector<FileEdge>& edges) const {
-        nlohmann::ordered_json counters{{"box_checks", found.counters.box_checks},
-                                        {"face_checks", found.counters.face_checks},
-                                        {"edge_checks", found.counters.edge_checks}};
-        for (const NamedCount& own : found.own_counts) counters[std::string(own.name)] = own.count;
+        nlohmann::ordered_json counters{{"box_checks", extraction.counters.box_checks},
+                                        {"face_checks", extraction.counters.face_checks},
+                                        {"edge_checks", extraction.counters.edge_checks}};
+        for (const NamedCount& own : extraction.own_counts)
+            counters[std::string(own.name)] = own.count;
         nlohmann::ordered_json result{{"model", model_.model},
                                       {"method", method_->name},
                                       {"vertices", mesh.vertex_count()},
@@ -248,8 +257,8 @@ private:
                                       {"count", edges.size()},
                                       {"borders", mesh.edges_of_class(EdgeClass::border).size()},
                                       {"counters", std::move(counters)},
-                                      {"ms", found.ms}};
-        if (found.recall) result["recall"] = *found.recall;
+                                      {"ms", extraction.ms}};
+        if (extraction.recall) result["recall"] = *extraction.recall;
         if (!output_.empty()) result["output"] = output_;
         if (!without_edges_) {
             nlohmann::ordered_json& list = result["edges"] = nlohmann::ordered_json::array();
@@ -258,18 +267,19 @@ private:
         print_json(result);
     }
 
-    void print_summary(const Mesh& mesh, const Extraction& found) const {
-        std::printf("%zu silhouette edges of %u, and %u borders\n", found.edges.size(),
+    void print_summary(const Mesh& mesh, const Extraction& extraction) const {
+        std::printf("%zu silhouette edges of %u, and %u borders\n", extraction.edges.size(),
                     mesh.edge_count(), mesh.edges_of_class(EdgeClass::border).size());
         std::printf("  %s: %.3f ms, %llu box, %llu face and %llu edge checks\n",
-                    std::string(method_->name).c_str(), found.ms,
-                    static_cast<unsigned long long>(found.counters.box_checks),
-                    static_cast<unsigned long long>(found.counters.face_checks),
-                    static_cast<unsigned long long>(found.counters.edge_checks));
-        for (const NamedCount& own : found.own_counts)
+                    std::string(method_->name).c_str(), extraction.ms,
+                    static_cast<unsigned long long>(extraction.counters.box_checks),
+                    static_cast<unsigned long long>(extraction.counters.face_checks),
+                    static_cast<unsigned long long>(extraction.counters.edge_checks));
+        for (const NamedCount& own : extraction.own_counts)
             std::printf("  %s: %llu\n", std::string(own.name).c_str(),
                         static_cast<unsigned long long>(own.count));
-        if (found.recall) std::printf("  recall %.4f: this method is not exact\n", *found.recall);
+        if (extraction.recall)
+            std::printf("  recall %.4f: this method is not exact\n", *extraction.recall);
         if (!output_.empty()) std::printf("  written to %s\n", output_.c_str());
     }
 

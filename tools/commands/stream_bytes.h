@@ -1,7 +1,7 @@
 #pragma once
 
-// What a frame costs a consumer of change sets that holds slots and face words in its own memory: a GPU
-// behind a bus, a program behind a socket.
+// The number of bytes that a frame sends to a consumer of change sets. The consumer holds slots and face
+// words in its own memory: a GPU behind a bus, or a program behind a socket.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,9 +12,10 @@
 namespace rimline::tools {
 
 struct StreamBytes {
-    std::uint64_t streamed =
-        0;                   ///< The change set's writes, or the whole state where that is less.
-    std::uint64_t full = 0;  ///< The whole state: the edges in use and all words of face bits.
+    /// The writes of the change set, or the whole state if that is smaller.
+    std::uint64_t streamed = 0;
+    /// The whole state: the slots in use and all words of face bits.
+    std::uint64_t full = 0;
 
     StreamBytes& operator+=(const StreamBytes& other) noexcept {
         streamed += other.streamed;

@@ -1,4 +1,4 @@
-// rimline track: follows a point and tells what changed in every frame.
+// rimline track: moves a silhouette point along a path and reports the changes of every frame.
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double k_orbit_radius = 2.0;  // Of the model's; as the help says.
+constexpr double k_orbit_radius = 2.0;  // In the model's radii. The help shows this value.
 
 double microseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
@@ -75,12 +75,12 @@ nlohmann::ordered_json to_json(const Frame& frame) {
 }
 
 struct Track {
-    double build_ms = 0.0;       // The octree.
-    double extraction_us = 0.0;  // The tracker, at the first point.
+    double build_ms = 0.0;       // Of the octree.
+    double extraction_us = 0.0;  // Of the tracker at the first point.
     std::vector<Frame> frames;
     Frame totals;
     double max_us = 0.0;
-    std::string difference;  // The first one that --verify found, with its frame.
+    std::string difference;  // The first that --verify found, with its frame. Empty if none.
 };
 
 Track follow(const std::string& model, const Mesh& mesh, const std::vector<glm::vec3>& origins,
@@ -120,35 +120,38 @@ Track follow(const std::string& model, const Mesh& mesh, const std::vector<glm::
 class TrackCommand final : public Command {
 public:
     std::string name() const override { return "track"; }
-    std::string summary() const override { return "Follow a moving point, frame by frame"; }
+    std::string summary() const override {
+        return "Update the silhouette of a moving point, frame by frame";
+    }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         path_.add_to(app, "2");
         up_option_ =
             add_direction(app, "--up", up_,
-                          "The orbit's axis (default: y, or z where the file format says so)")
+                          "Axis of the orbit (default: y, or z if the file format says so)")
                 ->group("Path");
         add_points(app, "--origin", origins_,
-                   "Origin of Hough space, one or several (default: the model's center)")
+                   "Origin of Hough space; repeatable (default: the model's center)")
             ->group("Method");
         app.add_flag("--verify", verify_,
-                     "Compare every frame with brute force; exit 3 where one differs")
+                     "Compare every frame with brute force; exit 3 if one differs")
             ->group("Check");
         app.footer(
-            "Frame 0 stands at the path's first point, where the silhouette is extracted before "
-            "it, so\n"
-            "nothing changes there. us is the time of the update alone. verified is true when "
-            "--verify\n"
-            "was given and held.\n\n"
+            "The silhouette is first extracted at the first point of the path. Frame 0 is at the "
+            "same point, so\n"
+            "it has no changes. `us` is the time of the update only, in microseconds. `verified` "
+            "is "
+            "true if\n"
+            "--verify is given and no frame differs.\n\n"
             "Examples:\n"
             "  rimline track igea.ply --step 0.5 --frames 720 --verify --json\n"
             "  rimline track shape:knot:20000 --path random --seed 7 --frames 1000 --verify");
     }
 
     ExitStatus run(const Context& context) override {
-        path_.refuse(up_option_, "orbit");
-        path_.read(context);  // A bad file is known before a long load.
+        path_.require_path(up_option_, "orbit");
+        path_.read(context);  // Reports a bad file before a long load.
         const Mesh mesh = model_.load_mesh(context);
         const glm::vec3 own_up = glm::vec3(direction_of(mesh.up()));
         const std::vector<HomogeneousPoint> points =

@@ -1,4 +1,4 @@
-// rimline views: the viewpoints that together show a model best, and pictures from there.
+// rimline views: the viewpoints that together show a model best, and pictures from these.
 
 #include <algorithm>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace rimline::tools {
 
 namespace {
 
-// A contact sheet is about so wide.
+// Approximate width of a contact sheet, and the gap around its pictures, in pixels.
 constexpr std::uint32_t k_sheet_width = 1600;
 constexpr std::uint32_t k_sheet_gap = 8;
 
@@ -31,27 +31,30 @@ public:
         choice_.add_to(app, 1);
         output_option_ =
             app.add_option("-o,--output", output_,
-                           "The folder to write view_1.png ... and contact_sheet.png into "
+                           "Folder for the pictures view_1.png ... and contact_sheet.png "
                            "(default: no pictures)")
                 ->type_name("FOLDER")
                 ->group("Output");
         style_.add_to(app);
         add_direction(app, "--up", picture_.up,
-                      "What is up in pictures (default: y, or z where the file format says so)")
+                      "Up direction of pictures (default: y, or z if the file format says so)")
             ->group("Camera");
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         app.footer(
-            "Views lie 1.73 to 2 of the model's radii from its center. The first has the most "
-            "votes of the\n"
-            "faces' planes, for silhouettes and for being seen head-on, times the share of its "
-            "silhouette\n"
-            "that is visible; each next one counts only what those before it do not show. "
-            "--no-ratio needs\n"
-            "no device. Pictures are taken from the views themselves and show the whole model. "
-            "All of them\n"
-            "are written when all are drawn.\n\n"
+            "Views are 1.73 to 2 of the model's radii from its center. The planes of the faces "
+            "vote "
+            "for\n"
+            "viewpoints that see them as a silhouette or from the front. The score of a view is "
+            "its "
+            "votes times\n"
+            "the visible share of its silhouette. The first view has the highest score; for each "
+            "next one only\n"
+            "those votes count that the views before it do not have. --no-ratio needs no device. "
+            "Each picture\n"
+            "is taken from its view and shows the whole model. Files are written when all pictures "
+            "are drawn.\n\n"
             "Examples:\n"
             "  rimline views bunny.obj -k 4 -o views\n"
             "  rimline views horse.ply --up 0,0,1 -o views --style toon --sun auto --ground\n"
@@ -63,13 +66,13 @@ public:
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
-        const ViewDevice drawn(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
+        const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
         const ChosenViews chosen = about_model(model_.model, [&] {
-            return choose_views(choice_, model_.model, mesh, drawn, 1, context);
+            return choose_views(choice_, model_.model, mesh, device, 1, context);
         });
-        if (folder) draw(*folder, drawn, chosen, context);
+        if (folder) draw(*folder, device, chosen, context);
         if (context.json)
-            print_result(mesh, chosen, drawn);
+            print_result(mesh, chosen, device);
         else
             print_summary(chosen);
         return ExitStatus::success;
@@ -102,7 +105,7 @@ private:
         write_png(file, picture);
     }
 
-    // Drawn anew, so that lines are as wide as anywhere.
+    // Size of the pictures of the sheet. They are drawn, not scaled down, so that lines keep their width.
     ImageSize cell_size(std::uint32_t columns) const {
         const std::uint32_t width = std::min(picture_.size.width, k_sheet_width / columns);
         const std::uint64_t height =
@@ -110,9 +113,9 @@ private:
         return {width, std::max(1u, static_cast<std::uint32_t>(height))};
     }
 
-    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& drawn) const {
+    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device) const {
         nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
-        result.update(device_json(drawn.drawn()));
+        result.update(device_json(device.device_or_null()));
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);

@@ -1,65 +1,99 @@
-// Stands in for the subcommands that need Vulkan in a build without it: they say so, whatever they are
-// asked.
+// The commands that need Vulkan in a build without the engine. Views and paths are chosen by votes alone and
+// not drawn.
 
-#include "tools/bench/engine_request.h"
-#include "tools/bench/views_request.h"
-#include "tools/command.h"
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "tools/absent_part.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/view_choice.h"
+#include "tools/output/path_report.h"
 #include "tools/output/points_picture.h"
 
 namespace rimline::tools {
 
 namespace {
 
-class WithoutEngineCommand final : public Command {
-public:
-    WithoutEngineCommand(std::string name, std::string summary)
-        : name_(std::move(name)), summary_(std::move(summary)) {}
+constexpr const char* k_votes_footer =
+    "This rimline was built without the engine: it draws nothing, and views are chosen by votes "
+    "alone.";
 
-    std::string name() const override { return name_; }
-    std::string summary() const override { return summary_ + " (not in this build)"; }
-    void add_options(CLI::App& app) override { app.allow_extras(); }
-    ExitStatus run(const Context&) override {
-        throw Error(ErrorCode::no_device,
-                    name_ +
-                        ": this rimline was built without the engine; configure it with "
-                        "-DRIMLINE_ENGINE=ON and build again");
+class ViewsCommand final : public Command {
+public:
+    std::string name() const override { return "views"; }
+    std::string summary() const override { return "Choose the views that show a model best"; }
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        choice_.add_to(app, 1);
+        app.footer(k_votes_footer);
+    }
+    ExitStatus run(const Context& context) override {
+        const Mesh mesh = model_.load_mesh(context);
+        const ChosenViews chosen = about_model(
+            model_.model, [&] { return choice_.choose(model_.model, mesh, {}, 1, context); });
+        if (context.json) {
+            print_json(views_json(model_.model, mesh, chosen));
+        } else {
+            std::printf("%s\n", model_.model.c_str());
+            print_views(chosen);
+        }
+        return ExitStatus::success;
     }
 
 private:
-    std::string name_;
-    std::string summary_;
+    ModelArgument model_;
+    ViewChoice choice_;
+};
+
+class PathCommand final : public Command {
+public:
+    std::string name() const override { return "path"; }
+    std::string summary() const override { return "Plan a camera path through the best views"; }
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        choice_.add_to(app, 2);
+        plan_.add_to(app);
+        app.footer(k_votes_footer);
+    }
+    ExitStatus run(const Context& context) override {
+        const Mesh mesh = model_.load_mesh(context);
+        about_model(model_.model, [&] {
+            const ChosenViews chosen = choice_.choose(model_.model, mesh, {}, 2, context);
+            const PlannedPath planned = plan_.plan(chosen, direction_of(mesh.up()), context);
+            if (context.json)
+                print_json(path_json(model_.model, mesh, chosen, planned));
+            else
+                print_path(model_.model, chosen, planned);
+        });
+        return ExitStatus::success;
+    }
+
+private:
+    ModelArgument model_;
+    ViewChoice choice_;
+    PathPlan plan_;
 };
 
 }  // namespace
 
 std::unique_ptr<Command> make_render_command() {
-    return std::make_unique<WithoutEngineCommand>("render", "Draw one picture");
+    return std::make_unique<AbsentCommand>(BuildPart::engine, "render", "Draw one picture");
 }
 
 std::unique_ptr<Command> make_animate_command() {
-    return std::make_unique<WithoutEngineCommand>("animate", "Draw a sequence of pictures");
+    return std::make_unique<AbsentCommand>(BuildPart::engine, "animate",
+                                           "Draw a sequence of pictures");
 }
 
 std::unique_ptr<Command> make_devices_command() {
-    return std::make_unique<WithoutEngineCommand>("devices", "List the Vulkan devices");
+    return std::make_unique<AbsentCommand>(BuildPart::engine, "devices", "List the Vulkan devices");
 }
 
-ExitStatus run_bench_engine(const EngineBenchRequest&, const Context&) {
-    throw Error(ErrorCode::no_device,
-                "bench engine: this rimline was built without the engine; configure it with "
-                "-DRIMLINE_ENGINE=ON and build again");
-}
-
-ExitStatus run_bench_views(const ViewsBenchRequest&, const Context&) {
-    throw Error(ErrorCode::no_device,
-                "bench views: this rimline was built without the engine; configure it with "
-                "-DRIMLINE_ENGINE=ON and build again");
-}
+std::unique_ptr<Command> make_views_command() { return std::make_unique<ViewsCommand>(); }
+std::unique_ptr<Command> make_path_command() { return std::make_unique<PathCommand>(); }
 
 PointsPictureReport draw_points(const PointsPicture&, OutputFile&) {
-    throw Error(ErrorCode::no_device,
-                "points -o: this rimline was built without the engine; configure it with "
-                "-DRIMLINE_ENGINE=ON and build again");
+    throw absent_part_error("points -o", BuildPart::engine);
 }
 
 }  // namespace rimline::tools

@@ -1,28 +1,12 @@
-// Stands in for rimline view in a build without it: it says so, whatever it is asked.
+// rimline view in a build without the window.
 
-#include "tools/command.h"
+#include "tools/absent_part.h"
 
 namespace rimline::tools {
 
-namespace {
-
-class WithoutViewCommand final : public Command {
-public:
-    std::string name() const override { return "view"; }
-    std::string summary() const override {
-        return "Open a window to walk around a model in (not in this build)";
-    }
-    void add_options(CLI::App& app) override { app.allow_extras(); }
-    ExitStatus run(const Context&) override {
-        throw Error(ErrorCode::no_device,
-                    "view: this rimline was built without its window; install GLFW and Dear ImGui "
-                    "(libglfw3-dev, libimgui-dev), configure with -DRIMLINE_ENGINE=ON "
-                    "-DRIMLINE_VIEW=ON and build again");
-    }
-};
-
-}  // namespace
-
-std::unique_ptr<Command> make_view_command() { return std::make_unique<WithoutViewCommand>(); }
+std::unique_ptr<Command> make_view_command() {
+    return std::make_unique<AbsentCommand>(BuildPart::window, "view",
+                                           "Open a window to walk around a model in");
+}
 
 }  // namespace rimline::tools

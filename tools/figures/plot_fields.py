@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the figures and tables of docs/field.md from what the program says. Draws curves with gnuplot.
+"""Makes the figures and tables of docs/results/field.md from what the program says. Draws curves with gnuplot.
 
     tools/figures/plot_fields.py [PROGRAM]        models from the folders of $RIMLINE_MODELS
 
@@ -16,9 +16,9 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs" / "field.md"
-OUT = ROOT / "docs" / "field"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "results" / "field.md"
+OUT = ROOT / "docs" / "results" / "field"
 PROGRAM = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "build" / "release" / "rimline")
 
 FUNCTIONS = ["facing", "far", "near", "silhouette", "off-silhouette", "far-front", "near-front",

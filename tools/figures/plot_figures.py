@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the figures and tables of docs/hough.md: counts with the program, draws with gnuplot.
+"""Makes the figures and tables of docs/results/hough.md: counts with the program, draws with gnuplot.
 
     tools/figures/plot_figures.py                 everything, from the models in the folders of $RIMLINE_MODELS
     tools/figures/plot_figures.py --keep FOLDER   keeps the counts there, and takes those that are there already
@@ -19,9 +19,9 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "tools" / "figures"
-PAGE = ROOT / "docs" / "hough.md"
+PAGE = ROOT / "docs" / "results" / "hough.md"
 
 # Name, title, file, options of the program. A panel of the figures is one of the first six.
 MODELS = [

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the figure and the table of docs/stream.md: bytes streamed a frame beside those of the whole
+"""Makes the figure and the table of docs/results/stream.md: bytes streamed a frame beside those of the whole
 state, over the step of an orbit, as `rimline track` counts them. Draws with gnuplot.
 
     tools/figures/plot_stream.py [PROGRAM]        models from the folders of $RIMLINE_MODELS
@@ -16,8 +16,8 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs" / "stream.md"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "results" / "stream.md"
 MODELS = [("bunny", "Bunny", "stanford-bunny.obj"), ("horse", "Horse", "horse.ply"),
           ("igea", "Igea", "igea.ply")]
 STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20]
@@ -63,7 +63,7 @@ def main():
             rows = [f"{step} {100 * streamed / full}\n"
                     for step, (streamed, full) in zip(STEPS, counts[name])]
             (pathlib.Path(folder) / f"{name}.dat").write_text("".join(rows), encoding="utf-8")
-        settings = "; ".join([f"out = '{ROOT / 'docs' / 'stream' / 'bytes.png'}'",
+        settings = "; ".join([f"out = '{ROOT / 'docs' / 'results' / 'stream' / 'bytes.png'}'",
                               f"style = '{ROOT / 'tools' / 'figures' / 'style.gp'}'",
                               f"models = '{' '.join(m[0] for m in MODELS)}'",
                               f"titles = '{' '.join(m[1] for m in MODELS)}'"])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the figures and tables of docs/views.md with the program; draws the path with gnuplot.
+"""Makes the figures and tables of docs/results/views.md with the program; draws the path with gnuplot.
 
     tools/figures/plot_views.py [--program PROGRAM] [--only tables|pictures|path]
 
@@ -17,9 +17,9 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs" / "views.md"
-PICTURES = ROOT / "docs" / "views"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "results" / "views.md"
+PICTURES = ROOT / "docs" / "results" / "views"
 # Title, file, up axis.
 MODELS = [("Bunny", "stanford-bunny.obj", "0,1,0"), ("Horse", "horse.ply", "0,0,1"),
           ("Rocker arm", "rocker-arm.obj", "0,1,0"), ("Fandisk", "fandisk.obj", "0,1,0")]

@@ -12,8 +12,8 @@ namespace rimline::tools {
 
 namespace {
 
-void check_range(const glm::dvec3& place, const char* what) {
-    const glm::dvec3 reach = glm::abs(place);
+void check_range(const glm::dvec3& position, const char* what) {
+    const glm::dvec3 reach = glm::abs(position);
     if (!(std::max({reach.x, reach.y, reach.z}) <= double{k_max_coordinate}))
         throw Error(
             ErrorCode::too_large,
@@ -21,8 +21,8 @@ void check_range(const glm::dvec3& place, const char* what) {
                 " leaves the range of coordinates, which end at 2^60: scale the model down");
 }
 
-// About a unit axis, counter-clockwise as seen from its tip (Rodrigues).
-glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle_rad) {
+// v rotated about a unit axis, counterclockwise when seen from its tip (Rodrigues).
+glm::dvec3 rotated_about(const glm::dvec3& v, const glm::dvec3& axis, double angle_rad) {
     return std::cos(angle_rad) * v + std::sin(angle_rad) * glm::cross(axis, v) +
            (1.0 - std::cos(angle_rad)) * glm::dot(axis, v) * axis;
 }
@@ -56,15 +56,14 @@ void Animation::place_camera(std::uint32_t frame) {
     if (motion_.eyes.empty()) return;
     Camera& camera = scene_.camera;
     const HomogeneousPoint& point = motion_.eyes[frame];
-    const glm::dvec3 place(point.xyz());
-    camera.eye = point.is_direction()
-                     ? first_camera_.target + motion_.distance * glm::normalize(place)
-                     : place;
+    const glm::dvec3 xyz(point.xyz());
+    camera.eye =
+        point.is_direction() ? first_camera_.target + motion_.distance * glm::normalize(xyz) : xyz;
     if (!motion_.ups.empty()) camera.up = motion_.ups[frame];
     camera.target = first_camera_.target;
     const glm::dvec3 away = camera.eye - camera.target;
     const double distance = glm::length(away);
-    // Nearer than this, where it looks is rounding.
+    // At a smaller distance the view direction is rounding noise.
     if (distance > 1e-9 * motion_.distance)
         back_ = away / distance;
     else
@@ -80,7 +79,7 @@ void Animation::place_lights(std::uint32_t frame) {
     const glm::dmat3 with_camera =
         glm::transpose(camera_from_world(scene_.camera)) * camera_from_world(first_camera_);
     const auto moved = [&](const glm::dvec3& v) {
-        return turning ? turned(v, axis, angle_rad) : with_camera * v;
+        return turning ? rotated_about(v, axis, angle_rad) : with_camera * v;
     };
     const glm::dvec3 from = turning ? mesh_.center() : first_camera_.eye;
     const glm::dvec3 to = turning ? mesh_.center() : scene_.camera.eye;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What moves in an animation: the camera along points, the lights around the model or with the camera,
-// and the model itself. From the scene of the first frame follows that of any other.
+// The motion of an animation: the camera moves along points, the lights turn around the model or move with
+// the camera, and the model may deform. Computes the scene of each frame from the scene of the first.
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -14,37 +14,37 @@
 
 namespace rimline::tools {
 
-/// Width of a picture that shows all of a model, in widths of the model's bounding sphere.
+/// Width of a picture that shows a whole model, in diameters of the model's bounding sphere.
 constexpr double k_view_margin = 1.06;
 
 enum class LightMotion {
     still,
-    turning,      ///< Around the model, about the camera's up axis.
-    with_camera,  ///< As if they were fastened to it.
+    turning,      ///< Around the model's center, about the camera's up axis.
+    with_camera,  ///< Fixed relative to the camera.
 };
 
 struct Motion {
-    /// Where the camera stands in each frame; empty: where it stands in the first. From a direction
-    /// (w = 0) it looks from `distance` away.
+    /// The eye in each frame. Empty: the camera does not move. For a direction (w = 0) the eye is at
+    /// `distance` from the target.
     std::vector<HomogeneousPoint> eyes;
     double distance = 1.0;
-    std::vector<glm::dvec3> ups;  ///< What is up in each frame; empty: what is in the first.
+    std::vector<glm::dvec3> ups;  ///< The up axis in each frame. Empty: that of the first camera.
     LightMotion lights = LightMotion::still;
-    double light_step_degrees = 0.0;  ///< Of turning lights, a frame.
-    /// Of the first instance, a wave, at rest before the first frame; and how many lengths it runs a frame.
+    double light_step_degrees = 0.0;  ///< Rotation of turning lights per frame.
+    /// Deforms the first instance. It travels `wave_turns` wavelengths per frame, from its state in frame 0.
     std::optional<Wave> wave;
     double wave_turns = 0.0;
 };
 
 class Animation {
 public:
-    /// `first` has the camera and the lights as frame 0 would without motion; its first instance shows
-    /// `mesh`, which must outlive the animation.
+    /// `first` is the scene of frame 0 without motion. Its first instance shows `mesh`, which must outlive
+    /// the animation.
     Animation(Scene first, const Mesh& mesh, Motion motion);
 
-    /// The scene of a frame. Frames are asked for in order: where the camera's eye is what it looks at, it
-    /// keeps the way it looked before. Throws Error{too_large} where a camera or a light leaves the range
-    /// of coordinates.
+    /// The scene of a frame, valid until the next call. Call it in order of frames: if the eye is at the
+    /// target, the camera keeps the view direction of the frame before. Throws Error{too_large} if a camera
+    /// or a light leaves the range of coordinates.
     const Scene& at(std::uint32_t frame);
 
 private:
@@ -56,7 +56,7 @@ private:
     Motion motion_;
     Camera first_camera_;
     std::vector<Light> first_lights_;
-    glm::dvec3 back_;  // From what the camera looks at towards it, of length 1.
+    glm::dvec3 back_;  // From the target to the eye, of length 1.
 };
 
 }  // namespace rimline::tools

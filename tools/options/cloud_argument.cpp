@@ -15,7 +15,7 @@ void CloudArgument::add_to(CLI::App& app) {
                check_model_name(text);
                model = text;
            },
-           "File of points (PLY, OBJ, XYZ, PTS); with --as-points any model")
+           "File of points (PLY, OBJ, XYZ, PTS); with --as-points, any model")
         ->type_name("")
         ->required();
     add_flags_to(app);
@@ -24,20 +24,14 @@ void CloudArgument::add_to(CLI::App& app) {
 
 void CloudArgument::add_flags_to(CLI::App& app) {
     app.add_flag("--as-points", as_points,
-                 "Take the vertices of a model, and its borders as what is true of them")
+                 "Use the vertices of a model as points, and its borders as ground truth")
         ->group("Cloud");
-    app.add_flag("--drop-bad", drop_bad, "Leave out points that are not finite, and count them")
+    app.add_flag("--drop-bad", drop_bad, "Ignore points that are not finite, and count them")
         ->group("Cloud");
 }
 
 PointCloud CloudArgument::load(const Context& context) const {
-    std::optional<Progress> progress;
-    PointCloud cloud = load([&](const std::string& doing) {
-        progress.emplace(context, doing);
-        return progress->call();
-    });
-    context.checkpoint();
-    return cloud;
+    return follow_progress(context, [&](const BeginCall& begin) { return load(begin); });
 }
 
 PointCloud CloudArgument::load(const BeginCall& begin) const {

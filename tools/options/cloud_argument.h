@@ -1,6 +1,6 @@
 #pragma once
 
-// The CLOUD argument: a file of points, or with --as-points any model whose faces are dropped.
+// The CLOUD argument: a file of points, or with --as-points any model without its faces.
 
 #include <CLI/App.hpp>
 #include <cstdint>
@@ -19,12 +19,12 @@ struct CloudArgument {
     bool drop_bad = false;
 
     void add_to(CLI::App& app);
-    /// The flags alone, for a command whose argument may be either.
+    /// Adds only the flags, for a command whose argument is a model or a cloud.
     void add_flags_to(CLI::App& app);
 
-    /// Reads it, with progress. Throws Error: also for a model with faces without --as-points.
+    /// Reads the cloud and shows progress. Throws Error, also for a model with faces without --as-points.
     PointCloud load(const Context& context) const;
-    /// The same for a caller who shows progress in another way (model_argument.h).
+    /// The same with progress of another kind (progress.h).
     PointCloud load(const BeginCall& begin) const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The device that a subcommand draws on, and what it says about it afterwards.
+// The device that a subcommand draws on, and its part of the output.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,7 +11,7 @@
 namespace rimline::tools {
 
 struct DrawingDevice {
-    /// As --device and --validate say. Throws Error{no_device}.
+    /// Opens the device of --device and --validate. Throws Error{no_device}.
     explicit DrawingDevice(const PictureOptions& options)
         : instance({.validate = options.validate}), device(instance, options.device) {}
 
@@ -21,10 +21,10 @@ struct DrawingDevice {
     TestedDevice device;
 };
 
-/// `device driver validation_messages`: the last null unless layers were on, all of them where nothing
-/// was drawn, which is null here.
-nlohmann::ordered_json device_json(const DrawingDevice* drawn);
-/// A line on what layers found, where they were on.
-void print_validation(const DrawingDevice& drawn);
+/// `device driver validation_messages`. The last one is null without validation layers. All three are null
+/// if `device` is null.
+nlohmann::ordered_json device_json(const DrawingDevice* device);
+/// Prints one line with the number of validation messages. Prints nothing without validation layers.
+void print_validation(const DrawingDevice& device);
 
 }  // namespace rimline::tools

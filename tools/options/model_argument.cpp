@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::string_view k_shape_prefix = "shape:";
 constexpr std::uint32_t k_max_shape_faces = 1u << 28;
-// Where a silhouette is seen from, less than 2^-60 counts as zero.
+// Components of viewpoints below 2^-60 count as zero (homogeneous_point.h).
 constexpr double k_min_radius = 0x1p-50;
-constexpr const char* k_take_fewer = "; take fewer faces or fewer steps of --subdivide";
+constexpr const char* k_advice_too_large = "; take fewer faces or fewer steps of --subdivide";
 
 std::string shape_names() {
     std::string names;
@@ -31,10 +31,10 @@ std::string shape_names() {
 
 struct ShapeName {
     std::string_view name;
-    std::uint32_t faces;  // 0: the shape's own default.
+    std::uint32_t faces;  // 0: the default of the shape.
 };
 
-// Nothing when `text` is a file's name.
+// Nothing if `text` is a file name.
 std::optional<ShapeName> parse_shape(std::string_view text) {
     if (!text.starts_with(k_shape_prefix)) return std::nullopt;
     const std::string_view rest = text.substr(k_shape_prefix.size());
@@ -87,13 +87,9 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context) {
-    std::optional<Progress> progress;
-    MeshSource source = load_model(model, subdivide, requirement, [&](const std::string& doing) {
-        progress.emplace(context, doing);
-        return progress->call();
+    return follow_progress(context, [&](const BeginCall& begin) {
+        return load_model(model, subdivide, requirement, begin);
     });
-    context.checkpoint();
-    return source;
 }
 
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context) {
@@ -110,7 +106,7 @@ Mesh make_mesh(const std::string& model, const MeshSource& source, const Context
     });
 }
 
-void check_room_around(const std::string& model, const Mesh& mesh) {
+void check_viewing_range(const std::string& model, const Mesh& mesh) {
     const glm::dvec3 reach = glm::abs(mesh.center()) + 3.0 * mesh.radius();
     if (std::max({reach.x, reach.y, reach.z}) > double{k_max_coordinate})
         throw Error(ErrorCode::too_large, model +
@@ -119,7 +115,7 @@ void check_room_around(const std::string& model, const Mesh& mesh) {
 }
 
 void check_has_extent(const std::string& model, const Mesh& mesh) {
-    check_room_around(model, mesh);
+    check_viewing_range(model, mesh);
     if (mesh.radius() == 0.0)
         throw Error(ErrorCode::bad_input,
                     model + ": its radius is 0: take a model whose vertices are not all one point");
@@ -131,11 +127,11 @@ void throw_about_model(const std::string& model) {
     } catch (const Error& e) {
         const std::string message = e.what();
         if (e.code() == ErrorCode::cancelled || message.starts_with(model + ":")) throw;
-        const char* what_to_do = e.code() == ErrorCode::too_large ? k_take_fewer : "";
-        throw Error(e.code(), model + ": " + message + what_to_do);
+        const char* advice = e.code() == ErrorCode::too_large ? k_advice_too_large : "";
+        throw Error(e.code(), model + ": " + message + advice);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::too_large,
-                    model + ": there is not enough memory for it" + k_take_fewer);
+                    model + ": there is not enough memory for it" + k_advice_too_large);
     }
 }
 
@@ -154,7 +150,7 @@ void ModelArgument::add_to(CLI::App& app, Presence presence) {
 
 CLI::Option* add_subdivide(CLI::App& app, std::uint32_t& steps) {
     return add_count(app, "--subdivide", steps, 0, 14,
-                     "Refine the model this many times by Loop subdivision, four faces for one");
+                     "Number of Loop subdivisions of the model; each makes four faces of one");
 }
 
 }  // namespace rimline::tools

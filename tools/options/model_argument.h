@@ -4,7 +4,6 @@
 
 #include <CLI/App.hpp>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,45 +11,44 @@
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/mesh/mesh_source.h"
 #include "tools/command.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
-/// How a help text names what MODEL may be.
+/// The help text of MODEL.
 std::string model_description();
 
-/// Whether it is no file's name.
+/// Whether `model` begins with "shape:".
 bool is_built_in_shape(const std::string& model);
 
-/// Throws CLI::ValidationError when `text` is empty, or begins with "shape:" and is no built-in shape.
-/// Whether a file is there shows when it is loaded.
+/// Throws CLI::ValidationError if `text` is empty, or if it begins with "shape:" and names no built-in
+/// shape. Does not check whether a file exists.
 void check_model_name(const std::string& text);
 
-/// Reads or makes a model, with progress. Throws Error.
+/// Reads a file or makes a built-in shape, and shows progress. Throws Error.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context);
 
-/// The same for a caller who shows progress in another way: before each part of the work, `begin` is
-/// told what it is ("reading bunny.obj") and returns how to follow and stop it.
-using BeginCall = std::function<LongCall(const std::string& doing)>;
+/// The same with progress of another kind: `begin` is called before each part of the work.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const BeginCall& begin);
 
-/// The same, of faces, as a mesh.
+/// load_model() and make_mesh(). The model must have faces.
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context);
-/// The mesh of what load_model() gave. Throws Error: also where it is smaller than 2^-50.
+/// The mesh of a source that load_model() returned. Throws Error, also for a mesh smaller than 2^-50.
 Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context);
 
-/// Throws Error{too_large} where three radii around its center the mesh leaves the coordinates that it may be
-/// seen from.
-void check_room_around(const std::string& model, const Mesh& mesh);
-/// The same, and Error{bad_input} where all vertices are one point: no camera stands around it.
+/// Throws Error{too_large} if viewpoints at three radii from the mesh's center exceed the range of
+/// coordinates.
+void check_viewing_range(const std::string& model, const Mesh& mesh);
+/// The same, and throws Error{bad_input} if all vertices are one point.
 void check_has_extent(const std::string& model, const Mesh& mesh);
 
-/// Within a catch block: throws on what was caught, an Error that does not begin with the model's name,
-/// or memory that ran out, as an Error that does.
+/// To be called in a catch block: rethrows the exception. An Error without the model's name, and a failed
+/// allocation, become an Error that begins with the name.
 [[noreturn]] void throw_about_model(const std::string& model);
 
-/// What `work` returns. Its errors name the model, which the library's own calls do not know.
+/// Returns work(). Its errors name the model, which the calls of the library do not know.
 template <typename Work>
 auto about_model(const std::string& model, Work&& work) {
     try {
@@ -61,7 +59,7 @@ auto about_model(const std::string& model, Work&& work) {
 }
 
 struct ModelArgument {
-    std::string model;  ///< Empty when it was optional and not given.
+    std::string model;  ///< Empty if it is optional and not given.
     std::uint32_t subdivide = 0;
 
     enum class Presence { required, optional };
@@ -76,7 +74,7 @@ struct ModelArgument {
     }
 };
 
-/// --subdivide alone, for commands that take several models.
+/// Adds only --subdivide, for commands that take several models.
 CLI::Option* add_subdivide(CLI::App& app, std::uint32_t& steps);
 
 }  // namespace rimline::tools

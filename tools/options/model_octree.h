@@ -1,6 +1,6 @@
 #pragma once
 
-// What is asked of a model before it is drawn or searched, with progress.
+// Preparation of a model for drawing and searching, with progress.
 
 #include <string>
 
@@ -9,13 +9,14 @@
 
 namespace rimline::tools {
 
-/// As is_solid(), for who draws many frames of it: silhouette/mesh/solid.h.
+/// is_solid() with progress (silhouette/mesh/solid.h). Its cost pays off for many frames of one model.
 bool check_solid(const Mesh& mesh, const Context& context);
 
-/// Errors name the model.
+/// Builds the octree. `mesh` must outlive it. Errors name the model.
 HoughOctree build_octree(const std::string& model, const Mesh& mesh, const Context& context,
                          const HoughOctreeOptions& options = {});
 HoughOctree build_octree(const std::string&, Mesh&&, const Context&,
-                         const HoughOctreeOptions& = {}) = delete;  // It would be gone.
+                         const HoughOctreeOptions& = {}) =
+    delete;  // A temporary mesh would dangle.
 
 }  // namespace rimline::tools

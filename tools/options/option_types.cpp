@@ -25,10 +25,10 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(first, text.find_last_not_of(k_blanks) - first + 1);
 }
 
-// All of `text` is one number, finite in its type.
+// The number if all of `text` is one finite number of this type.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
-    // std::from_chars knows no leading plus.
+    // std::from_chars accepts no leading plus.
     if constexpr (std::is_floating_point_v<Number>)
         if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     Number value{};
@@ -51,7 +51,7 @@ std::string plain(double value) {
     return text.data();
 }
 
-// An option read by `read` from its text.
+// An option whose text is parsed by `read`.
 CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& type,
                       const std::string& description,
                       const std::function<void(const std::string&)>& read) {
@@ -69,18 +69,18 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name, const std::s
             },
             description)
         ->type_name(type)
-        // Else an option would take a following MODEL for another value of its own.
+        // Otherwise the option would take a following MODEL as another value.
         ->allow_extra_args(false);
 }
 
-// `ending` has small letters.
+// `ending` must be in lower case.
 bool ends_in(std::string_view text, std::string_view ending) {
     return text.size() >= ending.size() &&
            std::ranges::equal(text.substr(text.size() - ending.size()), ending, {},
                               [](char c) { return std::tolower(static_cast<unsigned char>(c)); });
 }
 
-// Links in /dev too: what standard output is redirected to, the shell has named.
+// Includes links in /dev: the shell, not the user's argument, named the target of /dev/stdout.
 bool is_device_or_pipe(const std::string& file_name) {
     std::error_code ignored;
     if (file_name.starts_with("/dev/") && fs::is_symlink(file_name, ignored)) return true;

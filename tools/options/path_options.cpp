@@ -11,27 +11,29 @@ namespace rimline::tools {
 void PathOptions::add_to(CLI::App& app, const std::string& radius_default) {
     constexpr const char* k_group = "Path";
     path_option_ = app.add_option("--path", path,
-                                  "orbit, random, or a file of points, x y z or x y z w a line")
+                                  "orbit, random, or a file with one point per line: x y z, or x y "
+                                  "z w with w = 0 for a direction")
                        ->type_name("PATH")
                        ->capture_default_str()
                        ->group(k_group);
     frames_option_ = add_count(app, "--frames", frames, 1, 10'000'000,
-                               "Number of frames; of a file the first so many, by default all")
+                               "Number of frames; of a file, its first points (default: all)")
                          ->group(k_group);
     orbit_options_ = {
         add_number(app, "--radius", radius, 0.0, 1e9,
-                   "Of the orbit, in the model's radii (default: " + radius_default + ")"),
-        add_number(app, "--step", step_degrees, -360.0, 360.0,
-                   "Degrees a frame on the orbit (default: a whole turn in all frames)")};
+                   "Radius of the orbit in the model's radii (default: " + radius_default + ")"),
+        add_number(
+            app, "--step", step_degrees, -360.0, 360.0,
+            "Angle of the orbit per frame in degrees (default: 360 in all frames together)")};
     for (CLI::Option* option : orbit_options_) option->group(k_group);
     seed_option_ =
-        add_count(app, "--seed", seed, 0, 0xffffffffu, "Of the random path")->group(k_group);
+        add_count(app, "--seed", seed, 0, 0xffffffffu, "Seed of the random path")->group(k_group);
 }
 
-void PathOptions::refuse(const CLI::Option* option, const std::string& owner) const {
-    if (option->count() > 0 && path != owner)
-        throw UsageError(option->get_name() + ": belongs to --path " + owner + ", not to --path " +
-                         path);
+void PathOptions::require_path(const CLI::Option* option, const std::string& required_path) const {
+    if (option->count() > 0 && path != required_path)
+        throw UsageError(option->get_name() + ": belongs to --path " + required_path +
+                         ", not to --path " + path);
 }
 
 bool PathOptions::is_moving() const {
@@ -43,8 +45,8 @@ bool PathOptions::is_moving() const {
 void PathOptions::read(const Context& context) {
     if (path.empty())
         throw UsageError("--path: expected orbit, random or a file of points, not ''");
-    for (const CLI::Option* option : orbit_options_) refuse(option, "orbit");
-    refuse(seed_option_, "random");
+    for (const CLI::Option* option : orbit_options_) require_path(option, "orbit");
+    require_path(seed_option_, "random");
     if (!is_file()) return;
     Progress progress(context, "reading " + path);
     file_points_ = read_path(path, progress.call());

@@ -1,7 +1,7 @@
 #pragma once
 
-// The options that say along which points something moves, one a frame: --path, --frames, --radius,
-// --step and --seed. `track` follows them; `animate` looks from them.
+// The options that define a path, one point per frame: --path, --frames, --radius, --step and --seed.
+// `track` moves the silhouette point along it, `animate` the camera.
 
 #include <CLI/App.hpp>
 #include <cstdint>
@@ -17,27 +17,27 @@
 namespace rimline::tools {
 
 struct PathOptions {
-    std::string path = "orbit";  ///< orbit, random or a file.
+    std::string path = "orbit";  ///< orbit, random or a file name.
     std::uint32_t frames = 360;
-    /// Of an orbit, in the model's radii; not given, the command chooses.
+    /// Radius of an orbit in the model's radii. Not set: the command's default.
     std::optional<double> radius;
     std::optional<double> step_degrees;
     std::uint32_t seed = 1;
 
-    /// `radius_default` tells the help what an orbit's radius is where it is not given.
+    /// `radius_default` describes the default radius of an orbit in the help.
     void add_to(CLI::App& app, const std::string& radius_default);
 
-    /// Reads the points of a file; nothing for other paths. Call it before a long load, so that a bad file
-    /// or an option that the path would not heed is known at once. Throws UsageError, and what read_path()
-    /// does.
+    /// Checks the options, and reads the points if the path is a file. Call it before a long load, so that a
+    /// bad file or an option that does not belong to the path is reported at once. Throws UsageError, and
+    /// what read_path() throws.
     void read(const Context& context);
-    /// The points, `frames` of them unless a file says otherwise.
+    /// The points: `frames` of them, or those of the file.
     std::vector<HomogeneousPoint> points(const Mesh& mesh, glm::vec3 up,
                                          double default_radius) const;
 
-    /// For options of the command's own that belong to a path. Throws UsageError.
-    void refuse(const CLI::Option* option, const std::string& owner) const;
-    /// Whether an option says how to move, the number of frames aside.
+    /// Throws UsageError if `option` is given and the path is not `required_path`.
+    void require_path(const CLI::Option* option, const std::string& required_path) const;
+    /// Whether an option of the path is given. --frames does not count.
     bool is_moving() const;
 
 private:

@@ -6,56 +6,59 @@ namespace rimline::tools {
 
 void PictureOptions::add_camera_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_point(app, "--eye", eye, "Where the camera stands (default: chosen)")->group(k_group);
-    add_point(app, "--target", target, "Where it looks (default: the model's center)")
+    add_point(app, "--eye", eye, "Position of the camera (default: chosen to show the model)")
+        ->group(k_group);
+    add_point(app, "--target", target,
+              "Point that the camera looks at (default: the model's center)")
         ->group(k_group);
     add_lens_to(app);
 }
 
 void PictureOptions::add_lens_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_direction(app, "--up", up, "What is up (default: y, or z where the file format says so)")
+    add_direction(app, "--up", up, "Up direction (default: y, or z if the file format says so)")
         ->group(k_group);
     CLI::Option* fov =
         add_number(app, "--fov", fov_degrees, 1.0, 170.0, "Vertical field of view in degrees")
             ->group(k_group);
     add_number(app, "--ortho", ortho_height, 0x1p-40, double{k_max_coordinate},
-               "Orthographic instead, this high in the model's units")
+               "Orthographic view of this height in the model's units")
         ->excludes(fov)
         ->group(k_group);
 }
 
 void PictureOptions::add_lights_to(CLI::App& app) {
     constexpr const char* k_group = "Light";
-    add_points(app, "--light", lights, "A point light; repeatable (default: chosen)")
+    add_points(app, "--light", lights, "Position of a point light; repeatable (default: chosen)")
         ->group(k_group);
-    add_directions_or_auto(app, "--sun", suns, has_chosen_sun,
-                           "A directional light, towards it; repeatable. auto: the one that shows "
-                           "most of what the camera sees")
+    add_directions_or_auto(
+        app, "--sun", suns, has_chosen_sun,
+        "Direction from the model towards a directional light; repeatable. auto: "
+        "the light that shows most of what the camera sees")
         ->group(k_group);
 }
 
 void PictureOptions::add_image_to(CLI::App& app) {
     constexpr const char* k_group = "Image";
     add_image_size(app, "--size", size, "Width and height in pixels")->group(k_group);
-    add_color(app, "--background", background,
-              "Color behind everything; the style's own if not given")
+    add_color(app, "--background", background, "Background color (default: the style's own)")
         ->group(k_group);
-    // A command with a path has a seed already.
+    // Commands with a path have --seed already.
     if (!app.get_option_no_throw("--seed"))
-        add_count(app, "--seed", seed, 0, 0xffffffffu, "Seed of all that is random")
+        add_count(app, "--seed", seed, 0, 0xffffffffu, "Seed of all random numbers")
             ->group(k_group);
 }
 
 void PictureOptions::add_machine_to(CLI::App& app) {
     constexpr const char* k_group = "Machine";
-    app.add_option("--device", device,
-                   "gpu, cpu, an index or a name (default: a discrete GPU if there is one, else "
-                   "whatever exists)")
+    app.add_option(
+           "--device", device,
+           "gpu, cpu, an index or a name (default: a discrete GPU if there is one, else any "
+           "device)")
         ->type_name("DEVICE")
         ->group(k_group);
     app.add_flag("--validate", validate,
-                 "Turn on the validation layers; exit 1 where they are missing")
+                 "Turn on the Vulkan validation layers; exit 1 if they are missing")
         ->group(k_group);
 }
 

@@ -8,7 +8,7 @@ namespace rimline::tools {
 
 namespace {
 
-// From where the built-in scene looks best.
+// View direction of the built-in scene.
 constexpr glm::dvec3 k_scene_view(0.22, 0.45, 1.0);
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-// From the options of a picture to what is drawn, so that the same options give the same picture in
-// every subcommand.
+// Converts the options of a picture into a camera and a scene, so that the same options give the same
+// picture in every subcommand.
 
 #include <string>
 
@@ -12,27 +12,27 @@
 
 namespace rimline::tools {
 
-/// What is drawn where no model is named.
+/// The model if none is given.
 constexpr const char* k_default_model = "shape:scene";
 
-/// Of a ground, in the model's radii: where it has faded out, and where it ends.
+/// Extent of a ground in the model's radii: it has faded out at the first and ends at the second.
 constexpr double k_ground_fade = 7.0;
 constexpr double k_ground_end = 8.0;
 
 glm::vec3 linear_from_srgb(const Color& color);
-/// Of channels in [0, 1].
+/// Channels are in [0, 1].
 glm::vec3 linear_from_srgb(const glm::vec3& srgb);
 glm::vec3 srgb_from_linear(const glm::vec3& linear);
 
-/// --up, or what the format says.
+/// --up, or the up axis of the file format.
 glm::dvec3 up_of(const Subject& subject, const PictureOptions& options);
 
-/// The camera of the options; where they leave it open, one that shows the whole model. `model` is its
-/// name: the built-in scene has a view of its own. Throws UsageError where eye and target coincide.
+/// The camera of the options. Without --eye, one that shows the whole model. `model` is the model's name:
+/// the built-in scene has its own view direction. Throws UsageError if eye and target coincide.
 Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
 
-/// An instance of make_ground(mesh, up, k_ground_end * radius), indexed by `octree`, that catches shadows
-/// in the style and the palette of `scene`.
+/// An instance of the mesh make_ground(mesh, up, k_ground_end * radius), of which `octree` is the octree. It
+/// receives shadows in the style and the palette of `scene`.
 SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree);
 
 }  // namespace rimline::tools

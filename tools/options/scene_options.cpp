@@ -17,32 +17,37 @@ namespace rimline::tools {
 void SceneOptions::add_to(CLI::App& app) {
     constexpr const char* k_group = "Style";
     app.add_option("--style", style,
-                   "ink, toon, blueprint, hatch (pen strokes), or mask (where light arrives)")
+                   "Drawing style; hatch: pen strokes, mask: white where light arrives")
         ->check(CLI::IsMember({"ink", "toon", "blueprint", "hatch", "mask"}))
         ->capture_default_str()
         ->group(k_group);
-    add_color(app, "--color", color, "Of surfaces (default: the style's own)")->group(k_group);
-    add_color(app, "--line-color", line_color, "Of lines (default: the style's own)")
+    add_color(app, "--color", color, "Color of surfaces (default: the style's own)")
         ->group(k_group);
-    app.add_option("--lines", lines, "Silhouettes and borders: on or off")
+    add_color(app, "--line-color", line_color, "Color of lines (default: the style's own)")
+        ->group(k_group);
+    app.add_option("--lines", lines, "Draw silhouettes and borders")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str()
         ->group(k_group);
-    add_number(app, "--line-width", line_width, 0.1, 100.0, "In pixels (default: the style's own)")
+    add_number(app, "--line-width", line_width, 0.1, 100.0,
+               "Line width in pixels (default: the style's own)")
         ->group(k_group);
     add_number(app, "--crease", crease_degrees, 10.0, 180.0,
-               "Edges that bend by so many degrees are lines too (default: 40 in blueprint)")
+               "Draw edges that bend by at least this angle in degrees (default: 40 in blueprint, "
+               "none in other styles)")
         ->group(k_group);
     app.add_flag("--hidden", hidden, "Draw hidden lines too, dashed and fainter")->group(k_group);
     app.add_option("--shadows", shadows,
-                   "Volumes by depth fail, by depth pass where that is shown to be right, by the "
-                   "cheaper\n(auto), or off; the picture is the same")
+                   "Method of shadow volumes: depth fail, depth pass (only if that is proved to be "
+                   "right), or the cheaper of both (auto). All give the same picture. off: no "
+                   "shadows")
         ->check(CLI::IsMember({"auto", "fail", "pass", "off"}))
         ->capture_default_str()
         ->group(k_group);
-    app.add_flag("--ground", ground,
-                 "A ground that catches the shadow; a sun of --sun auto stands at least 15 degrees "
-                 "above it")
+    app.add_flag(
+           "--ground", ground,
+           "Draw a ground that receives shadows. --sun auto is then at least 15 degrees above "
+           "it")
         ->group(k_group);
 }
 
@@ -99,8 +104,8 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
         if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye)) {
             const glm::dvec3 up = up_of(mesh, picture);
             const glm::dvec3 lit = ground ? above_ground(sun->direction, up) : sun->direction;
-            // Rounded as --sun is read, so that what `light` prints gives the same picture, but for a low one
-            // over a ground.
+            // Rounded to float as --sun is, so that the direction printed by `light` gives the same picture.
+            // A low sun over a ground is the exception.
             scene.lights.push_back({.vector = glm::dvec3(glm::vec3(lit)), .directional = true});
         }
     if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));
@@ -121,7 +126,7 @@ SceneInstance Ground::instance(const Scene& scene) const {
 
 void check_scene_reach(const std::string& model, const Mesh& mesh, std::span<const glm::dvec3> eyes,
                        bool ground) {
-    // A ground is square.
+    // The ground is a square: its corners are farther away than its sides.
     const double radius = (ground ? 1.5 * k_ground_end : 1.0) * mesh.radius();
     glm::dvec3 reach = glm::abs(mesh.center()) + radius;
     for (const glm::dvec3& eye : eyes) reach = glm::max(reach, glm::abs(eye));

@@ -1,7 +1,7 @@
 #pragma once
 
-// The options that say what is drawn and how, beside camera, lights and image, and the scene that follows
-// from all of them.
+// The options of style, lines, shadows and ground, and the scene that follows from these and from the
+// options of camera, lights and image.
 
 #include <CLI/App.hpp>
 #include <glm/vec3.hpp>
@@ -17,12 +17,11 @@ namespace rimline::tools {
 
 struct SceneOptions {
     std::string style = "ink";
-    std::optional<Color>
-        color;  ///< Of surfaces. This and that of lines: the style's own if not given.
+    // Values that are not set are the style's own.
+    std::optional<Color> color;  ///< Of surfaces.
     std::optional<Color> line_color;
     std::string lines = "on";
-    std::optional<double>
-        line_width;  ///< In pixels. This and creases: the style's own if not given.
+    std::optional<double> line_width;  ///< In pixels.
     std::optional<double> crease_degrees;
     bool hidden = false;
     std::string shadows = "auto";
@@ -30,10 +29,10 @@ struct SceneOptions {
 
     void add_to(CLI::App& app);
 
-    /// A scene in this style, seen from `camera`, with the lights of `picture`: no instances yet. `mesh` is
-    /// what a sun is chosen for.
+    /// A scene in this style with this camera, the lights of `picture` and no instances. --sun auto is
+    /// computed for `mesh`.
     Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
-    /// Of the model.
+    /// The material of the model.
     Material material(const PictureOptions& picture) const;
 
 private:
@@ -41,13 +40,14 @@ private:
     glm::vec3 background(const PictureOptions& picture) const;
 };
 
-/// The direction of a sun, and where that is lower than 15 degrees above a ground, or below it, the nearest
-/// that is not.
+/// The direction of a sun if it is at least 15 degrees above the ground; else the nearest direction that is.
 glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up);
 
-/// A ground under a mesh, so low that it holds `drop` more below; keeps what its instance refers to.
+/// A ground under a mesh. Owns the mesh and the octree of its instance.
 class Ground {
 public:
+    /// The ground lies just below the lowest vertex, and `drop` lower, as space for a mesh that deforms.
+    /// `mesh` must outlive this object.
     Ground(const Mesh& mesh, const glm::dvec3& up, double drop);
     Ground(const Ground&) = delete;
     Ground& operator=(const Ground&) = delete;
@@ -61,8 +61,7 @@ private:
     HoughOctree octree_;
 };
 
-/// Throws Error{too_large} where the eyes, the model or its ground lie beyond the coordinates that
-/// silhouettes are found in.
+/// Throws Error{too_large} if the eyes, the model or its ground exceed the range of coordinates.
 void check_scene_reach(const std::string& model, const Mesh& mesh, std::span<const glm::dvec3> eyes,
                        bool ground);
 

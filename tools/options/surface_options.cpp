@@ -15,7 +15,7 @@ constexpr double k_radians = std::numbers::pi / 180.0;
 
 void SurfaceOptions::add_to(CLI::App& app) {
     const char* group = "Umbrellas";
-    add_count(app, "-k", k_, 4, 32, "Nearest neighbors looked at")->group(group);
+    add_count(app, "-k", k_, 4, 32, "Number of nearest neighbors of a point")->group(group);
     app.add_option_function<std::string>(
            "--method",
            [this](const std::string& text) {
@@ -24,24 +24,26 @@ void SurfaceOptions::add_to(CLI::App& app) {
                                               "expected robust or thesis, not '" + text + "'");
                method_ = text;
            },
-           "robust, or thesis: as chapter 5 has it")
+           "robust, or thesis: the method of chapter 5 of the thesis")
         ->type_name("NAME")
         ->default_str("robust")
         ->group(group);
     add_number(app, "--gap-ratio", gap_ratio_, 1.001, 1000.0,
-               "robust: a gap's circumradius over its corners' scale (2.75)")
+               "robust: smallest circumradius of a gap, in scales of its corners (default: 2.75)")
         ->group(group);
     add_number(app, "--omega", omega_, 0.001, 89.999,
-               "thesis: degrees between a neighbor and the plane (30)")
+               "thesis: largest angle between a neighbor and the plane, in degrees (default: 30)")
         ->group(group);
     add_number(app, "--omega-t", omega_t_, 0.0, 89.999,
-               "thesis: degrees of the marginal band about omega (a third of it)")
+               "thesis: half width of the marginal band around omega, in degrees (default: "
+               "omega / 3)")
         ->group(group);
     add_number(app, "--phi", phi_, 0.001, 180.0,
-               "thesis: degrees of the widest sector that is no gap (180 less omega)")
+               "thesis: widest sector that is not a gap, in degrees (default: 180 - omega)")
         ->group(group);
     add_number(app, "--gamma", gamma_, 1.001, 1000.0,
-               "thesis: a gap's circumradius over the Gabriel triangle's (2)")
+               "thesis: smallest circumradius of a gap, in circumradii of the Gabriel triangle "
+               "(default: 2)")
         ->group(group);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How umbrellas are found, on the command line. Angles are in degrees there.
+// The options of finding umbrellas. Angles are in degrees on the command line.
 
 #include <CLI/App.hpp>
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace rimline::tools {
 class SurfaceOptions {
 public:
     void add_to(CLI::App& app);
-    /// Throws UsageError for an option of the method that was not chosen.
+    /// Throws UsageError for an option that belongs to the other method.
     PointSurfaceOptions options() const;
 
 private:
     std::uint32_t k_ = PointSurfaceOptions{}.k;
-    std::string method_;  // Empty: the one that the other options belong to.
+    std::string method_;  // Empty: the method that the given options belong to.
     std::optional<double> gap_ratio_;
     std::optional<double> omega_, omega_t_, phi_;  // Degrees.
     std::optional<double> gamma_;

@@ -18,7 +18,7 @@ namespace rimline::tools {
 
 namespace {
 
-// The standard's distributions differ between libraries; its generators do not.
+// Distributions of the C++ standard differ between libraries; its generators do not.
 class Random {
 public:
     explicit Random(std::uint32_t seed) : generator_(seed) {}
@@ -45,7 +45,7 @@ HomogeneousPoint viewpoint_in_range(const glm::dvec3& p) {
 
 bool is_zero(const HomogeneousPoint& point) { return point.xyz() == glm::vec3(0.0f); }
 
-// The numbers of the scanner's line, which blanks, a comma or both keep apart.
+// Parses the scanner's present line: numbers separated by blanks, a comma or both.
 HomogeneousPoint parse_line(TextScanner& scanner) {
     constexpr std::array<const char*, 4> k_names{"x", "y", "z", "w"};
     std::array<float, 4> numbers{0.0f, 0.0f, 0.0f, 1.0f};
@@ -125,7 +125,7 @@ std::vector<HomogeneousPoint> random_path(const Mesh& mesh, std::uint32_t seed,
                 points.push_back(direction);
                 continue;
             }
-            case 8: break;  // Stands still.
+            case 8: break;  // No motion.
             default: at += r * std::pow(10.0, random.in(-6.0, -1.0)) * random.in_cube();
         }
         points.push_back(viewpoint_in_range(at));
@@ -136,7 +136,7 @@ std::vector<HomogeneousPoint> random_path(const Mesh& mesh, std::uint32_t seed,
 std::vector<HomogeneousPoint> read_path(const std::string& file_name, const LongCall& call) {
     try {
         SourceFile file = read_source_file(file_name, call);
-        // The mark some spreadsheets put before UTF-8 text.
+        // Skip a byte order mark.
         if (file.bytes.starts_with("\xef\xbb\xbf")) file.bytes.erase(0, 3);
         TextScanner scanner(file.name, file.bytes, {.comment = '#'});
         std::vector<HomogeneousPoint> points;

@@ -11,30 +11,30 @@
 
 namespace rimline::tools {
 
-void ViewChoice::add_to(CLI::App& app, std::uint32_t least) {
-    add_count(app, "-k", count, least, 64, "How many views")->group("Views");
+void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
+    add_count(app, "-k", count, min_count, 64, "Number of views")->group("Views");
     app.add_flag("--by-area", by_area,
-                 "Votes weigh as faces' areas, where faces are of very different size")
+                 "Weight votes by the areas of faces, for faces of very different sizes")
         ->group("Views");
     app.add_flag("--no-ratio", no_ratio,
-                 "Votes alone: do not draw candidates to see how much of their silhouettes is "
-                 "visible")
+                 "Use votes only: do not draw candidates to measure the visible share of their "
+                 "silhouettes")
         ->group("Views");
 }
 
 ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
-                               const VisibleRatios& ratios, std::uint32_t least,
+                               const VisibleRatios& ratios, std::uint32_t min_count,
                                const Context& context) const {
     const auto start = std::chrono::steady_clock::now();
     Progress progress(context, "choosing views");
-    FieldOptions weighed;
-    if (by_area) weighed.weight = FieldOptions::Weight::area;
-    TangentialField field = make_view_field(mesh, weighed);
+    FieldOptions field_options;
+    if (by_area) field_options.weight = FieldOptions::Weight::area;
+    TangentialField field = make_view_field(mesh, field_options);
     BestViewsOptions options;
     options.count = count;
     options.visible_ratios = ratios;
     BestViews best = find_best_views(field, options, progress.call());
-    if (best.views.size() < least)
+    if (best.views.size() < min_count)
         throw Error(ErrorCode::bad_input,
                     model + ": " +
                         (best.views.empty()
@@ -44,7 +44,7 @@ ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
     return {
         .field = std::move(field),
         .best = std::move(best),
-        .asked = count,
+        .requested_count = count,
         .is_inside_out = is_inside_out(mesh),
         .is_weighted = bool(ratios),
         .ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -69,7 +69,7 @@ nlohmann::ordered_json views_json(const std::string& model, const Mesh& mesh,
     const glm::dvec3 center = mesh.center();
     return {{"model", model},
             {"views", to_json(chosen)},
-            {"asked", chosen.asked},
+            {"asked", chosen.requested_count},
             {"center", {center.x, center.y, center.z}},
             {"radius", mesh.radius()},
             {"inside_out", chosen.is_inside_out},
@@ -85,9 +85,9 @@ void print_views(const ChosenViews& chosen) {
         if (chosen.is_weighted) std::printf(", %.0f%% visible", 100.0 * view.visible_ratio);
         std::printf("\n");
     }
-    if (chosen.best.views.size() < chosen.asked)
+    if (chosen.best.views.size() < chosen.requested_count)
         std::printf("  fewer       %zu of %u: no other view shows more\n", chosen.best.views.size(),
-                    chosen.asked);
+                    chosen.requested_count);
     if (chosen.is_inside_out)
         std::printf("  winding     inside out: faces are taken the other way round\n");
     if (chosen.is_weighted)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Choosing the best views of a model: what `views` and `path` share, with a device and without.
+// Choosing the best views of a model, for `views` and `path`, with a device and without.
 
 #include <CLI/App.hpp>
 #include <cstdint>
@@ -13,35 +13,36 @@
 
 namespace rimline::tools {
 
-/// The views of a mesh, and the field they are peaks of.
+/// The best views of a mesh, and the field of which they are peaks.
 struct ChosenViews {
     TangentialField field;
     BestViews best;
-    std::uint32_t asked;  ///< How many views were.
-    bool is_inside_out;   ///< The model's faces are; they were taken the other way round.
-    bool is_weighted;     ///< By visible ratios.
-    double ms;            ///< Field and views; not reading the model, not opening a device.
+    std::uint32_t requested_count;
+    bool is_inside_out;  ///< The faces of the model are inside out; the field uses them reversed.
+    bool is_weighted;    ///< The votes are weighted by visible ratios.
+    double ms;           ///< Field and views, without loading the model and opening a device.
 };
 
 struct ViewChoice {
     std::uint32_t count = 4;
-    bool by_area = false;   ///< Planes' votes weigh as their faces' areas.
-    bool no_ratio = false;  ///< Votes alone; as always in a build without the engine.
+    bool by_area = false;   ///< Weights the votes of planes by the areas of their faces.
+    bool no_ratio = false;  ///< Votes only, as always in a build without the engine.
 
-    void add_to(CLI::App& app, std::uint32_t least);
+    /// `min_count` is the least value of -k.
+    void add_to(CLI::App& app, std::uint32_t min_count);
 
-    /// With progress. `ratios` may be empty. Throws Error{bad_input} naming the model where fewer than
-    /// `least` views are distinct: without a face that has a plane there is none.
+    /// Chooses the views and shows progress. `ratios` may be empty. Throws Error{bad_input} naming the model
+    /// if there are fewer than `min_count` distinct views. A model without a proper face has none.
     ChosenViews choose(const std::string& model, const Mesh& mesh, const VisibleRatios& ratios,
-                       std::uint32_t least, const Context& context) const;
+                       std::uint32_t min_count, const Context& context) const;
 };
 
-/// `eye score votes visible_ratio` of each; the ratio is null where nobody drew it.
+/// A list of `eye score votes visible_ratio`. The ratio is null if it was not measured.
 nlohmann::ordered_json to_json(const ChosenViews& chosen);
-/// The same as `views`, with `asked center radius inside_out renders candidates ms`.
+/// An object of that list as `views`, and `asked center radius inside_out renders candidates ms`.
 nlohmann::ordered_json views_json(const std::string& model, const Mesh& mesh,
                                   const ChosenViews& chosen);
-/// A line for each view, and what there is to say.
+/// Prints one line per view, and a summary.
 void print_views(const ChosenViews& chosen);
 
 }  // namespace rimline::tools

@@ -1,6 +1,6 @@
 #pragma once
 
-// A picture to draw plots into: rectangles, discs and numbers, without a GPU.
+// A picture for plots, drawn on the CPU: rectangles, discs and numbers.
 
 #include <cstdint>
 #include <string>
@@ -19,11 +19,11 @@ public:
     int width() const noexcept { return static_cast<int>(picture_.width); }
     int height() const noexcept { return static_cast<int>(picture_.height); }
 
-    // What lies outside is left out. Rows from the top.
+    // Coordinates are in pixels from the upper left corner. Parts outside the picture are clipped.
     void set(int x, int y, Color color);
     void fill(int left, int top, int width, int height, Color color);
     void disc(double x, double y, double radius, Color color);
-    /// Letters of 5x7 dots, each `scale` pixels wide: digits, + - . and e; others are blank.
+    /// Characters of 5x7 dots; a dot is `scale` pixels wide. Digits, + - . and e; all others are blank.
     void write(int left, int top, std::string_view text, Color color, int scale);
     static int text_width(std::string_view text, int scale) noexcept {
         return static_cast<int>(text.size()) * 6 * scale - scale;
@@ -36,10 +36,10 @@ private:
     Picture picture_;
 };
 
-/// A number in [0, 1] as a color whose lightness rises evenly with it (viridis). NaN is as 0.
-Color even_color(double share);
+/// The viridis color of a number in [0, 1]; its lightness increases evenly. NaN counts as 0.
+Color viridis_color(double share);
 
-/// With so many digits that steps of `step` show.
+/// A number with as many digits as distinguish steps of `step`.
 std::string short_number(double value, double step);
 
 /// Writes and commits a PNG. Throws Error{io}.

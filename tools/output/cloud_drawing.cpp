@@ -1,11 +1,11 @@
 #include "tools/output/cloud_drawing.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "engine/clouds/disc_pieces.h"
 #include "engine/clouds/disc_radii.h"
+#include "silhouette/points/border_edges.h"
 #include "tools/output/label_output.h"
 
 namespace rimline::tools {
@@ -13,7 +13,7 @@ namespace rimline::tools {
 namespace {
 
 constexpr PointColor k_feature{44, 62, 112};
-// A line is moved towards the camera by so many radii of the discs at its ends.
+// Lines are moved towards the camera by this many radii of the discs at their ends.
 constexpr double k_lift = 1.5;
 
 PointColor mixed(const PointColor& a, const PointColor& b, float share) {
@@ -71,7 +71,7 @@ PointColor CloudDrawing::own_color(std::uint32_t point) const {
 
 gpu::SplatRecord CloudDrawing::disc(std::uint32_t point, const glm::dvec3& normal,
                                     const PointColor& color, bool is_shaded) const {
-    return {.position = glm::vec3(place(point)),
+    return {.position = glm::vec3(position(point)),
             .radius = static_cast<float>(radii_[point]),
             .normal = glm::vec3(normal),
             .color = packed(color, is_shaded),
@@ -100,7 +100,8 @@ SplatCloud CloudDrawing::drawn(const std::optional<PointColor>& clay, float line
                                                  : mixed(own, k_feature, weights_[p]),
                   drawn.splats);
     }
-    drawn.strokes = strokes(border_edges(), label_color(PointLabel::border), line_width_px);
+    drawn.strokes =
+        strokes(border_edges(*surface_), label_color(PointLabel::border), line_width_px);
     return drawn;
 }
 
@@ -110,34 +111,12 @@ std::vector<gpu::StrokeRecord> CloudDrawing::strokes(std::span<const PointEdge> 
     std::vector<gpu::StrokeRecord> strokes;
     strokes.reserve(edges.size());
     for (const auto& [a, b] : edges)
-        strokes.push_back({.from = glm::vec3(place(index(a))),
+        strokes.push_back({.from = glm::vec3(position(index(a))),
                            .radius = 0.5f * line_width_px,
-                           .to = glm::vec3(place(index(b))),
+                           .to = glm::vec3(position(index(b))),
                            .color = packed(color),
                            .lifts = glm::vec2(lift(index(a)), lift(index(b)))});
     return strokes;
-}
-
-// Edges at gaps that both their points have.
-std::vector<PointEdge> CloudDrawing::border_edges() const {
-    std::vector<PointEdge> directed;
-    for (std::uint32_t p = 0; p < surface_->size(); ++p) {
-        if (surface_->label(PointId{p}) != PointLabel::border) continue;
-        const auto range = surface_->umbrellas_of(PointId{p});
-        for (std::uint32_t u = range.first; u < range.last; ++u) {
-            const Umbrella umbrella = surface_->umbrella(UmbrellaId{u});
-            const std::size_t size = umbrella.ring.size();
-            for (std::size_t j = 0; j < size; ++j)
-                if (umbrella.is_gap(j) != umbrella.is_gap((j + size - 1) % size))
-                    directed.push_back({PointId{p}, umbrella.ring[j]});
-        }
-    }
-    std::ranges::sort(directed);
-    std::vector<PointEdge> edges;
-    for (const PointEdge& edge : directed)
-        if (edge[0] < edge[1] && std::ranges::binary_search(directed, PointEdge{edge[1], edge[0]}))
-            edges.push_back(edge);
-    return edges;
 }
 
 }  // namespace rimline::tools

@@ -1,8 +1,8 @@
 #pragma once
 
-// What a point cloud and what was found about it look like: discs that hide one another, darker the more a
-// point weighs; borders in a color of their own; edges as ink. In the coordinates of its UmbrellaIndex,
-// the same from wherever it is seen.
+// The picture of a point cloud with its umbrellas: opaque discs, darker with a higher feature weight;
+// borders in their own color; edges as ink lines. All is in the coordinates of the UmbrellaIndex and
+// independent of the camera.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -20,65 +20,64 @@
 
 namespace rimline::tools {
 
-/// Of lines, in pixels, where nobody says otherwise.
+/// Default width of lines.
 constexpr float k_cloud_line_width_px = 2.5f;
 constexpr PointColor k_cloud_ink{24, 24, 28};
-/// Of points without a color of their own.
+/// Color of points without their own color.
 constexpr PointColor k_cloud_clay{222, 219, 211};
 constexpr Color k_cloud_paper{248, 244, 236};
 
-/// A disc's or a line's color, as records have it; `is_shaded` for discs that the camera lights.
+/// The color of a disc or a line as in its GPU record. `is_shaded`: the disc is lit from the camera.
 std::uint32_t packed(const PointColor& color, bool is_shaded = false);
 
-/// The points that have umbrellas, to look at.
+/// The points that have umbrellas, as the subject of a camera.
 Subject subject_of(const UmbrellaIndex& umbrellas, UpAxis up);
 
-/// The camera of the options, brought there from the cloud's own coordinates; `eye` and `target` take the
-/// place of theirs. Throws Error where no point has an umbrella, UsageError as make_camera() does.
+/// The camera of the options, converted from the cloud's coordinates to those of `umbrellas`. `eye` and
+/// `target` replace those of the options. Throws Error if no point has an umbrella, and UsageError as
+/// make_camera().
 Camera make_cloud_camera(const UmbrellaIndex& umbrellas, UpAxis up, const std::string& name,
                          const std::optional<glm::dvec3>& eye,
                          const std::optional<glm::dvec3>& target, PictureOptions options);
 
-/// The silhouette point of who looks through `camera`.
+/// The eye of `camera`, or its direction if it is orthographic.
 HomogeneousPoint silhouette_point_of(const Camera& camera);
 
 class CloudDrawing {
 public:
-    /// All of them must outlive it. O(points).
+    /// All arguments must outlive this object. O(points).
     CloudDrawing(const PointCloud& cloud, const PointSurface& surface,
                  const UmbrellaIndex& umbrellas, std::span<const float> weights);
 
-    /// Discs, with features and what is undecided in their colors, and borders; `clay` takes the place of
-    /// the points' own colors. O(points).
+    /// The discs of all points and the lines of the borders. Features and undecided points have their own
+    /// colors. `clay` replaces the colors of the points. O(points).
     SplatCloud drawn(const std::optional<PointColor>& clay = {},
                      float line_width_px = k_cloud_line_width_px) const;
-    /// Edges between points as lines.
+    /// Lines along edges between points.
     std::vector<gpu::StrokeRecord> strokes(std::span<const PointEdge> edges,
                                            const PointColor& color,
                                            float line_width_px = k_cloud_line_width_px) const;
 
-    // The parts.
-    glm::dvec3 place(std::uint32_t point) const {
+    // Parts of the drawing.
+    glm::dvec3 position(std::uint32_t point) const {
         return glm::dvec3(umbrellas_->to_index(surface_->positions()[point]));
     }
     double radius(std::uint32_t point) const { return radii_[point]; }
-    /// So far a line's end is moved towards the camera.
+    /// Distance by which the end of a line is moved towards the camera.
     double lift(std::uint32_t point) const;
     PointColor own_color(std::uint32_t point) const;
     gpu::SplatRecord disc(std::uint32_t point, const glm::dvec3& normal, const PointColor& color,
                           bool is_shaded = true) const;
-    /// As many as faces meet in it, cut where the others begin.
+    /// One disc for each surface sheet that meets in the point. Discs are cut along their intersection.
     void add_discs(std::uint32_t point, const PointColor& color,
                    std::vector<gpu::SplatRecord>& splats) const;
 
 private:
-    std::vector<PointEdge> border_edges() const;
-
     const PointCloud* cloud_;
     const PointSurface* surface_;
     const UmbrellaIndex* umbrellas_;
     std::span<const float> weights_;
-    std::vector<double> radii_;  // Of discs, in the index's units.
+    std::vector<double> radii_;  // Of discs, in units of the index.
 };
 
 }  // namespace rimline::tools

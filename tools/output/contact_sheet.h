@@ -1,6 +1,6 @@
 #pragma once
 
-// Pictures of one size side by side: row by row, in reading order, with a gap around each.
+// A grid of pictures of the same size, row by row from the upper left, with a gap around each.
 
 #include <cstdint>
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace rimline::tools {
 
-/// How many columns suit so many pictures: rows are as long as columns or one longer. 0 for none.
+/// The number of columns of a nearly square grid: the ceiling of the square root. 0 for no pictures.
 std::uint32_t contact_sheet_columns(std::size_t pictures);
 
-/// One picture or more, all of the same size (RIMLINE_CHECK). What holds no picture has the color.
+/// At least one picture, all of the same size (RIMLINE_CHECK). Gaps and empty cells have this color.
 Picture make_contact_sheet(std::span<const Picture> pictures, std::uint32_t columns,
                            std::uint32_t gap, const Color& color);
 

@@ -46,16 +46,16 @@ std::vector<FrameReport> draw_frames(Animation& animation, std::uint32_t frame_c
                                      const LongCall& call) {
     std::vector<FrameReport> reports;
     reports.reserve(frame_count);
-    const auto take_one = [&] {
+    const auto finish_one = [&] {
         sequence.write(renderer.finish());
         reports.push_back(renderer.report());
     };
     for (std::uint32_t frame = 0; frame < frame_count; ++frame) {
         call.checkpoint(double(frame) / frame_count);
         renderer.submit(animation.at(frame), size.width, size.height);
-        if (frame > 0) take_one();
+        if (frame > 0) finish_one();
     }
-    if (frame_count > 0) take_one();
+    if (frame_count > 0) finish_one();
     sequence.finish();
     return reports;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-// The pictures of an animation, as frame_0000.png, frame_0001.png, ... in a folder.
+// The pictures of an animation as frame_0000.png, frame_0001.png, ... in a folder.
 //
-// Each is encoded and written on a thread of its own while the next is drawn, and appears whole or not
-// at all (output_file.h): whatever ends the program, the frames that are there are finished ones.
+// Each is encoded and written on another thread while the next one is drawn. A file appears complete or not
+// at all (output_file.h): if the program is interrupted, the folder holds only complete frames.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,22 +20,22 @@ namespace rimline::tools {
 
 class FrameSequence {
 public:
-    /// Makes the folder where it is missing; the folder it lies in must be there. Numbers have four digits,
-    /// or as many as the last of `frame_count` needs. Throws Error{io} naming the folder.
+    /// Creates the folder if it is missing; its parent folder must exist. File numbers have four digits, or
+    /// as many as the last of `frame_count` needs. Throws Error{io} naming the folder.
     FrameSequence(std::filesystem::path folder, std::uint32_t frame_count);
-    /// Waits for what is being written. A folder that was made and is still empty goes again.
+    /// Waits for the last write. Removes the folder if it was created here and is empty.
     ~FrameSequence();
     FrameSequence(const FrameSequence&) = delete;
     FrameSequence& operator=(const FrameSequence&) = delete;
 
-    /// Begins to write the next frame, when the one before is written. Throws Error{io} naming the file
-    /// that could not be written: this or the one before.
+    /// Waits for the write before, then starts to write the next frame. Throws Error{io} naming the file
+    /// that could not be written; that may be the frame before.
     void write(Picture picture);
-    /// Waits for the last frame. Throws likewise.
+    /// Waits for the last write. Throws as write().
     void finish();
 
     const std::filesystem::path& folder() const noexcept { return folder_.path(); }
-    /// An earlier frame's file is replaced; those of a longer sequence stay.
+    /// The file of a frame. An existing file is replaced; further files of a longer sequence stay.
     std::filesystem::path file(std::uint32_t frame) const;
 
 private:
@@ -45,8 +45,8 @@ private:
     std::future<void> writing_;
 };
 
-/// Draws the frames of an animation from its first on, and writes them: one is queued before the one
-/// before it is fetched, and written while the next is drawn. Returns what each took.
+/// Draws and writes all frames of an animation. Each frame is submitted before the frame before it is read
+/// back, and written while the next one is drawn. Returns one report per frame.
 std::vector<FrameReport> draw_frames(Animation& animation, std::uint32_t frame_count,
                                      Renderer& renderer, ImageSize size, FrameSequence& sequence,
                                      const LongCall& call);

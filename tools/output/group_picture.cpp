@@ -17,7 +17,7 @@ namespace {
 constexpr Color k_white{255, 255, 255};
 constexpr Color k_black{25, 25, 25};
 
-// Right, up and towards the viewer.
+// The axes of the view: right, up and towards the viewer.
 struct View {
     glm::dvec3 right, up, towards;
     View(const glm::dvec3& direction, const glm::dvec3& up_axis)
@@ -40,7 +40,7 @@ Color shaded(Color color, double light) {
     return {channel(color.red), channel(color.green), channel(color.blue)};
 }
 
-// A square of the canvas that shows [-extent, extent]², the nearest on top.
+// A square of the canvas that shows [-extent, extent]², with a depth buffer.
 class Panel {
 public:
     Panel(Canvas& canvas, int left, int side, double extent)
@@ -76,7 +76,7 @@ public:
         if (x >= 0 && y >= 0 && x < side_ && y < side_) set(x, y, p.z, color);
     }
 
-    // Always on top.
+    // Ignores the depth buffer.
     void marker(const glm::dvec3& at, Color color) {
         const glm::dvec3 p = to_pixels(at);
         canvas_.disc(left_ + p.x, p.y, 0.018 * side_, k_black);
@@ -109,7 +109,7 @@ private:
 }  // namespace
 
 Color group_color(std::size_t group) {
-    // Okabe and Ito's, which people with color blindness tell apart too.
+    // The palette of Okabe and Ito, which people with color blindness can distinguish.
     constexpr std::array<Color, 8> k_colors = {{{230, 159, 0},
                                                 {86, 180, 233},
                                                 {0, 158, 115},
@@ -130,7 +130,7 @@ Canvas draw_groups(const HoughOctree& octree, const glm::dvec3& towards_viewer,
     const std::vector<std::uint32_t> groups = octree.face_groups();
     const auto to_unit = [&](const glm::dvec3& p) { return (p - mesh.center()) / radius; };
 
-    // Origins and Hough points, most of them, show.
+    // The left square shows all origins, the right one all Hough points.
     double model_extent = 1.05;
     for (const glm::dvec3& origin : octree.origins())
         model_extent = std::max(model_extent, 1.1 * glm::length(to_unit(origin)));
@@ -155,7 +155,7 @@ Canvas draw_groups(const HoughOctree& octree, const glm::dvec3& towards_viewer,
         std::array<glm::dvec3, 3> corners;
         for (std::size_t i = 0; i < 3; ++i)
             corners[i] = view(to_unit(glm::dvec3(mesh.positions()[index(mesh.triangles()[f][i])])));
-        // Both sides of open meshes show.
+        // Open meshes show both sides of their faces.
         const double light =
             0.35 + 0.75 * std::max(0.0, std::abs(glm::dot(normal, glm::dvec3(0.3, 0.4, 0.87))));
         model.triangle(corners, shaded(group_color(group), light));

@@ -1,7 +1,7 @@
 #pragma once
 
-// Figure 4.5: a model's faces colored by the origin they belong to, the origins as markers, and beside it
-// the Hough points of each group relative to its own origin, in the same view.
+// Figure 4.5 of the thesis. Left: the faces of a model, colored by the origin that they belong to, and the
+// origins as markers. Right: the Hough points of each group relative to its origin, in the same view.
 
 #include <glm/vec3.hpp>
 
@@ -10,10 +10,10 @@
 
 namespace rimline::tools {
 
-/// Of group i; after eight they come again.
+/// Colors repeat after eight groups.
 Color group_color(std::size_t group);
 
-/// Two squares of `side` pixels, seen along `towards_viewer` (not zero) with `up` upwards.
+/// Two squares of `side` pixels, viewed from the direction `towards_viewer` (not zero). `up` points upwards.
 Canvas draw_groups(const HoughOctree& octree, const glm::dvec3& towards_viewer,
                    const glm::dvec3& up, int side);
 

@@ -14,7 +14,7 @@ namespace rimline::tools {
 
 namespace {
 
-// Qhull's state, which holds pointers into itself.
+// The state of Qhull. It holds pointers into itself, so it cannot be moved.
 class Hull {
 public:
     Hull() : messages_(std::fopen("/dev/null", "w")) {
@@ -29,7 +29,7 @@ public:
     Hull(const Hull&) = delete;
     Hull& operator=(const Hull&) = delete;
 
-    // Numbers of the points on it; nothing where they span no volume.
+    // The indices of the points on the hull, in ascending order. Empty if the points span no volume.
     std::vector<std::uint32_t> vertices(std::vector<glm::dvec3>& points) {
         char command[] = "qhull Qt Pp";
         const int status = qh_new_qhull(&state_, 3, static_cast<int>(points.size()), &points[0].x,
@@ -39,7 +39,7 @@ public:
             throw Error(ErrorCode::too_large, "qhull finds no hull of the points (status " +
                                                   std::to_string(status) + ")");
         std::vector<std::uint32_t> numbers;
-        qhT* qh = &state_;  // The name that qhull's macros know.
+        qhT* qh = &state_;  // The macros of Qhull require this name.
         vertexT* vertex = nullptr;
         FORALLvertices numbers.push_back(static_cast<std::uint32_t>(qh_pointid(qh, vertex->point)));
         std::ranges::sort(numbers);
@@ -74,10 +74,10 @@ std::vector<std::uint32_t> visible_points(std::span<const glm::dvec3> positions,
     }
     flipped.emplace_back(0.0);
     Hull hull;
-    std::vector<std::uint32_t> seen = hull.vertices(flipped);
-    if (seen.empty()) return all;
-    if (seen.back() == positions.size()) seen.pop_back();  // The viewpoint.
-    return seen;
+    std::vector<std::uint32_t> visible = hull.vertices(flipped);
+    if (visible.empty()) return all;
+    if (visible.back() == positions.size()) visible.pop_back();  // The viewpoint.
+    return visible;
 }
 
 }  // namespace rimline::tools

@@ -1,10 +1,11 @@
 #pragma once
 
-// Which points of a cloud are seen from a viewpoint, without a surface: Katz, Tal and Basri, "Direct
-// visibility of point sets" (2007).
+// The points of a cloud that are visible from a viewpoint, computed without a surface: Katz, Tal and Basri,
+// "Direct visibility of point sets" (2007).
 //
-// Every point is flipped outward through a sphere around the viewpoint, p -> p + 2 (R - |p|) p / |p|, so
-// that near points come to lie far out. What is then on the convex hull of all and the viewpoint is seen.
+// Each point is reflected at a sphere of radius R around the viewpoint, p -> p + 2 (R - |p|) p / |p|, so
+// that near points become the farthest. The points on the convex hull of the result and the viewpoint are
+// visible.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -13,9 +14,9 @@
 
 namespace rimline::tools {
 
-/// The points seen, ascending. `sphere` is R in distances of the farthest point, above 1: the larger, the
-/// more is seen. All of them where there are fewer than four, or the hull is flat.
-/// Throws Error{too_large} where the hull cannot be found.
+/// The visible points, in ascending order. `sphere` is R divided by the distance of the farthest point,
+/// above 1: with a larger sphere more points are visible. Returns all points if there are fewer than four or
+/// if the hull is flat. Throws Error{too_large} if the hull cannot be computed.
 std::vector<std::uint32_t> visible_points(std::span<const glm::dvec3> positions,
                                           const glm::dvec3& viewpoint, double sphere = 100.0);
 

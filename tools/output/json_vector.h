@@ -1,6 +1,6 @@
 #pragma once
 
-// Vectors in JSON output: lists of three numbers.
+// Vectors in JSON output are lists of three numbers.
 
 #include <array>
 #include <glm/vec3.hpp>

@@ -1,19 +1,19 @@
 #pragma once
 
-// A point cloud with what was found about each point, as a PLY file that any viewer of clouds opens:
+// A point cloud with the results for each point, as a PLY file that any point cloud viewer can open:
 //
-//   double x y z             as the file has them
-//   float nx ny nz           of the umbrella, turned as the file's own where it has normals; 0 where there
-//                            is none
-//   uchar red green blue     the file's own, or by label: orange border, gray interior, blue feature, red
+//   double x y z             the coordinates of the file
+//   float nx ny nz           normal of the umbrella, on the side of the file's normal if it has one; 0
+//                            without umbrella
+//   uchar red green blue     color of the file, or by label: orange border, gray interior, blue feature, red
 //                            undecided
 //   uchar label              0 border, 1 interior, 2 feature, 3 undecided
-//   uchar reason             why it is undecided: UndecidedReason
-//   float weight             of features, in [0, 1]
-//   uchar silhouette         1 on the silhouette
-//   uint number              the point's in the file
+//   uchar reason             why the point is undecided: UndecidedReason
+//   float weight             feature weight, in [0, 1]
+//   uchar silhouette         1 if on the silhouette
+//   uint number              number of the point in the file
 //
-// binary_little_endian, points in the file's order.
+// The format is binary_little_endian; points are in the order of the file.
 
 #include <span>
 #include <string>
@@ -26,17 +26,17 @@ namespace rimline::tools {
 struct LabeledPoints {
     const PointCloud& cloud;
     const PointSurface& surface;
-    std::span<const float> weights;       ///< One a point.
-    std::span<const PointId> silhouette;  ///< Ascending.
+    std::span<const float> weights;       ///< One per point.
+    std::span<const PointId> silhouette;  ///< In ascending order.
 };
 
-/// The whole file.
+/// The content of the file.
 std::string format_labels(const LabeledPoints& points);
 
-/// What stands for a label in pictures and files.
+/// The color of a label in pictures and files.
 PointColor label_color(PointLabel label);
 
-/// The normal of a point, turned as the file's own; zero where there is none.
+/// The normal of a point, on the side of the file's normal. Zero if there is no normal.
 glm::dvec3 oriented_normal(const PointCloud& cloud, const PointSurface& surface, PointId point);
 
 }  // namespace rimline::tools

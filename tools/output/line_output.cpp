@@ -14,7 +14,7 @@ namespace rimline::tools {
 
 namespace {
 
-// Appends the shortest text that reads back as the same number.
+// Appends the shortest text that is parsed to the same number.
 template <typename Number>
 void append_number(std::string& text, Number value) {
     std::array<char, 32> buffer;
@@ -32,7 +32,7 @@ void append_all(std::string& text, const Pieces&... pieces) {
     (append(text, pieces), ...);
 }
 
-// The edges' own vertices, numbered in the order in which the mesh has them.
+// The vertices of the edges, numbered in the order of the mesh.
 struct UsedVertices {
     std::vector<VertexId> vertices;
     std::vector<std::uint32_t> number;  // By mesh vertex.
@@ -52,7 +52,8 @@ UsedVertices used_vertices(const Lines& lines) {
     return used;
 }
 
-// A front face, then a back one where there are both; k_no_face for the second of a border.
+// A front face and a back face if the edge has both; else its first two faces. The second face of a border
+// edge is k_no_face.
 std::array<FaceId, 2> face_pair(const Lines& lines, EdgeId edge) {
     const std::span<const FaceId> faces = lines.mesh.faces_of(edge);
     const auto front = [&](FaceId f) { return is_front(lines.mesh.plane(f), lines.point); };
@@ -69,7 +70,7 @@ std::string face_list(const Lines& lines, EdgeId edge) {
     return text;
 }
 
-// Calls visit(edge, is_border) for each edge in the order of the file.
+// Calls visit(edge, is_border) for each edge, in the order of the file.
 template <typename Visit>
 void for_each_edge(const Lines& lines, Visit&& visit) {
     for (const EdgeId edge : lines.silhouette) visit(edge, false);
@@ -138,26 +139,26 @@ std::string escaped_for_xml(std::string_view plain) {
 }
 
 std::string format_svg(const Lines& lines) {
-    struct Drawn {
+    struct SvgLine {
         EdgeId edge;
         bool is_border;
         PictureLine line;
     };
     const LineProjection projection(lines.mesh, lines.point);
-    std::vector<Drawn> drawn;
+    std::vector<SvgLine> svg_lines;
     PictureFrame frame;
     for_each_edge(lines, [&](EdgeId edge, bool is_border) {
         const auto [a, b] = lines.mesh.edge(edge).vertices;
         const auto line =
             projection.project(lines.mesh.positions()[index(a)], lines.mesh.positions()[index(b)]);
         if (!line) return;
-        drawn.push_back({edge, is_border, *line});
+        svg_lines.push_back({edge, is_border, *line});
         frame.include(*line);
     });
     const PictureFit fit = frame.fit();
 
     std::string text;
-    // Two decimals of a thousandth of the picture's longer side are finer than any print.
+    // Two decimals: the longer side has 1000 units, so this is finer than any print.
     const auto append_fixed = [&](double value) {
         std::array<char, 32> buffer;
         const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -173,13 +174,13 @@ std::string format_svg(const Lines& lines) {
                "</title>\n<g id=\"silhouette\" fill=\"none\" stroke=\"#111\" stroke-width=\"1.5\" "
                "stroke-linecap=\"round\">\n");
     bool in_borders = false;
-    for (const Drawn& d : drawn) {
-        if (d.is_border && !in_borders)
+    for (const SvgLine& svg_line : svg_lines) {
+        if (svg_line.is_border && !in_borders)
             text +=
                 "</g>\n<g id=\"borders\" fill=\"none\" stroke=\"#777\" stroke-width=\"1\" "
                 "stroke-linecap=\"round\">\n";
-        in_borders = d.is_border;
-        const PictureLine line = fit.to_view(d.line);
+        in_borders = svg_line.is_border;
+        const PictureLine line = fit.to_view(svg_line.line);
         text += "<line x1=\"";
         append_fixed(line.a.x);
         text += "\" y1=\"";
@@ -188,7 +189,7 @@ std::string format_svg(const Lines& lines) {
         append_fixed(line.b.x);
         text += "\" y2=\"";
         append_fixed(line.b.y);
-        append_all(text, "\" data-faces=\"", face_list(lines, d.edge), "\"/>\n");
+        append_all(text, "\" data-faces=\"", face_list(lines, svg_line.edge), "\"/>\n");
     }
     text += "</g>\n</svg>\n";
     return text;

@@ -20,7 +20,7 @@ LineProjection::LineProjection(const Mesh& mesh, const HomogeneousPoint& point)
     : eye_(point.is_direction() ? mesh.center() : glm::dvec3(point.xyz())),
       is_perspective_(!point.is_direction()) {
     forward_ = is_perspective_ ? mesh.center() - eye_ : -glm::dvec3(point.xyz());
-    // From the center itself every way is as good.
+    // At the center itself any direction will do.
     forward_ = glm::length(forward_) > 0.0 ? glm::normalize(forward_) : glm::dvec3(0.0, 0.0, -1.0);
     glm::dvec3 up = direction_of(mesh.up());
     if (glm::length(glm::cross(forward_, up)) < 1e-6)
@@ -39,7 +39,7 @@ std::optional<PictureLine> LineProjection::project(const glm::vec3& a, const glm
     const glm::dvec3 to = to_camera(b);
     if (!is_perspective_) return PictureLine{glm::dvec2(from), glm::dvec2(to)};
 
-    // The pyramid |x| <= t z, |y| <= t z: each side is inside where its value is not negative.
+    // The pyramid |x| <= t z, |y| <= t z. A point is inside if all four values of its sides are at least 0.
     constexpr double t = k_max_tangent;
     const auto sides = [](const glm::dvec3& p) {
         return std::array{t * p.z - p.x, t * p.z + p.x, t * p.z - p.y, t * p.z + p.y};
@@ -57,17 +57,17 @@ std::optional<PictureLine> LineProjection::project(const glm::vec3& a, const glm
     if (first >= last) return std::nullopt;
     const glm::dvec3 p = from + first * (to - from);
     const glm::dvec3 q = from + last * (to - from);
-    // At the apex the pyramid has no width: an edge that ends in the viewpoint is seen end on.
+    // The pyramid has no width at its apex: an edge that ends in the viewpoint is projected to a point.
     if (!(p.z > 0.0) || !(q.z > 0.0)) return std::nullopt;
     const PictureLine line{glm::dvec2(p) / p.z, glm::dvec2(q) / q.z};
     return PictureLine{glm::clamp(line.a, -t, t), glm::clamp(line.b, -t, t)};
 }
 
 PictureLine PictureFit::to_view(const PictureLine& line) const noexcept {
-    const auto place = [&](const glm::dvec2& p) {
+    const auto mapped = [&](const glm::dvec2& p) {
         return glm::dvec2(margin + scale * (p.x - low.x), height - margin - scale * (p.y - low.y));
     };
-    return {place(line.a), place(line.b)};
+    return {mapped(line.a), mapped(line.b)};
 }
 
 void PictureFrame::include(const PictureLine& line) noexcept {

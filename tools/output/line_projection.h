@@ -1,11 +1,11 @@
 #pragma once
 
-// Lines of space onto a picture, and the picture onto a view box.
+// Projects line segments onto a picture, and maps the picture to a view box.
 //
-// A viewpoint looks at the model's center in perspective; a direction looks against itself without. What
-// a perspective camera cannot show is cut away: behind it, and farther than 75 degrees off its axis,
-// where a line that passes beside the viewpoint would make the picture larger than any bound. Picture
-// coordinates are y up, in tangents of the angle or in the model's units; the view's are y down.
+// A viewpoint gives a perspective projection towards the model's center, a direction an orthographic one. A
+// perspective projection clips segments behind the viewpoint and more than 75 degrees off the axis: a line
+// that passes beside the viewpoint would otherwise make the picture unboundedly large. Picture coordinates
+// have y upwards, in tangents of the angle or in the model's units; the view box has y downwards.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -23,10 +23,10 @@ struct PictureLine {
 
 class LineProjection {
 public:
-    /// Up is the mesh's own, or another axis when it looks along that.
+    /// Up is the mesh's up axis, or another axis if the view is parallel to it.
     LineProjection(const Mesh& mesh, const HomogeneousPoint& point);
 
-    /// The part of the line that the picture shows, or nothing.
+    /// The projection of the part that is not clipped, if any.
     std::optional<PictureLine> project(const glm::vec3& a, const glm::vec3& b) const;
 
 private:
@@ -36,18 +36,18 @@ private:
     bool is_perspective_;
 };
 
-/// How a picture lies in a view box from (0, 0) to (width, height).
+/// The map from a picture to a view box from (0, 0) to (width, height).
 struct PictureFit {
-    glm::dvec2 low;  // Of the picture.
+    glm::dvec2 low;  // Lower left corner of the picture.
     double scale, margin, width, height;
     PictureLine to_view(const PictureLine& line) const noexcept;
 };
 
-/// Grows with each line that the picture holds.
+/// The bounding box of the picture's lines.
 class PictureFrame {
 public:
     void include(const PictureLine& line) noexcept;
-    /// The longer side becomes 1000 units, with a margin; an empty picture a square.
+    /// The longer side of the view box has 1000 units, margins included. An empty picture gives a square.
     PictureFit fit() const noexcept;
 
 private:

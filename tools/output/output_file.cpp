@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// All that have a temporary, and that temporary's coming and going.
+// Guards the list of files that have a temporary file, and the creation and removal of these.
 std::mutex g_mutex;
 OutputFile* g_first = nullptr;
 
@@ -36,7 +36,7 @@ OutputFile::OutputFile(fs::path path, const fs::path& model)
         throw Error(ErrorCode::io,
                     path_.string() + ": cannot write: it is a folder; name a file in it");
     if (exists && !S_ISREG(existing.st_mode)) {
-        // By its own name: what /dev/stdout links to may have none.
+        // Open the link, not its target: the target of /dev/stdout may have no name.
         descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0) fail("cannot write", errno);
         return;
@@ -53,7 +53,7 @@ OutputFile::OutputFile(fs::path path, const fs::path& model)
                                        folder.string() + "; create it first");
     if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
     const std::lock_guard lock(g_mutex);
-    // Not mkstemp: its files are private whatever the user's mask says.
+    // mkstemp would ignore the user's umask: its files are always private.
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
         std::string name(".");
         name.append(target_.filename().string()).append(".").append(std::to_string(getpid()));
@@ -90,7 +90,7 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::commit() {
-    // Some file systems report a full disk only here.
+    // Some file systems report a full disk only in close().
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (close(descriptor) != 0 && errno != EINTR) fail("cannot write", errno);
@@ -100,8 +100,8 @@ void OutputFile::commit() {
     temporary_.clear();
 }
 
-void OutputFile::fail(const std::string& doing, int error_number) const {
-    throw Error(ErrorCode::io, path_.string() + ": " + doing + ": " +
+void OutputFile::fail(const std::string& problem, int error_number) const {
+    throw Error(ErrorCode::io, path_.string() + ": " + problem + ": " +
                                    std::generic_category().message(error_number));
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-// An output file that appears whole or not at all.
+// An output file that appears complete or not at all.
 //
-// The bytes go to a temporary file in the target's folder; commit() renames it over the target, which
-// the system does in one step. Whatever ends the writing before that, an exception included, leaves the
-// old file as it was and no temporary. (Against a failing program, not against a failing power supply:
-// nothing is forced to the disk.)
+// The bytes go to a temporary file in the target's folder. commit() renames it to the target, which is
+// atomic. If writing ends before that, also by an exception, the old file is unchanged and the temporary
+// file is removed. This protects against failures of the program, not of the power supply: there is no
+// fsync.
 
 #include <filesystem>
 #include <string>
@@ -15,39 +15,39 @@ namespace rimline::tools {
 
 class OutputFile {
 public:
-    /// Open it before the work whose result it takes, so that a bad path is known at once. Throws
-    /// Error{io} naming `path` when its folder is missing, it is a folder or it may not be written, and
-    /// UsageError when it is the file `model`, which is to be read. A symbolic link is followed, to where
-    /// nothing is yet too; a device or pipe is written to directly.
+    /// Create it before the work, so that a bad path is reported at once. Follows symbolic links, also to
+    /// files that do not exist. Writes to a device or pipe directly. Throws Error{io} naming `path` if its
+    /// folder is missing, if it is a folder, or if it cannot be written. Throws UsageError if it is the file
+    /// `model`, which is an input.
     explicit OutputFile(std::filesystem::path path, const std::filesystem::path& model = {});
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Appends bytes, as they are. Throws Error{io}.
+    /// Appends bytes unchanged. Throws Error{io}.
     void write(std::string_view bytes);
-    /// Puts the file in its place. Call it once, after the last write. Throws Error{io}.
+    /// Renames the temporary file to the target. Call it once, after the last write. Throws Error{io}.
     void commit();
 
     const std::filesystem::path& path() const noexcept { return path_; }
 
 private:
     friend void remove_temporary_files() noexcept;
-    [[noreturn]] void fail(const std::string& doing, int error_number) const;
+    [[noreturn]] void fail(const std::string& problem, int error_number) const;
     void close_descriptor() noexcept;
 
-    std::filesystem::path path_;       // As the caller named it.
-    std::filesystem::path target_;     // Links resolved.
-    std::filesystem::path temporary_;  // Empty when written directly, and after commit().
+    std::filesystem::path path_;       // The name that the caller gave.
+    std::filesystem::path target_;     // The same with links resolved.
+    std::filesystem::path temporary_;  // Empty if written directly, and after commit().
     int descriptor_ = -1;
-    OutputFile* next_ = nullptr;  // In the list of those that have a temporary.
+    OutputFile* next_ = nullptr;  // Next in the list of files that have a temporary file.
 };
 
-/// Whether both are names of one file, and it is there.
+/// Whether both name the same existing file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Removes the temporaries of all files not yet committed: for a thread that ends the program while
-/// others run, so that no destructor does.
+/// Removes the temporary files that are not yet committed. For a thread that ends the program while other
+/// threads run, because their destructors are then not called.
 void remove_temporary_files() noexcept;
 
 }  // namespace rimline::tools

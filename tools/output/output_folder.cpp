@@ -26,7 +26,7 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
 
 OutputFolder::~OutputFolder() {
     std::error_code ignored;
-    if (is_own_) fs::remove(path_, ignored);  // Does nothing where there are files.
+    if (is_own_) fs::remove(path_, ignored);  // Fails if the folder is not empty.
 }
 
 }  // namespace rimline::tools

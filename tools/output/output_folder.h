@@ -1,7 +1,7 @@
 #pragma once
 
-// A folder for several output files. It is made where it is missing, and goes again if it is left empty,
-// so that what fails or is interrupted before its first file leaves nothing.
+// A folder for several output files. It is created if it is missing, and removed again if it stays empty: a
+// failure before the first file leaves nothing behind.
 
 #include <filesystem>
 
@@ -9,8 +9,8 @@ namespace rimline::tools {
 
 class OutputFolder {
 public:
-    /// Makes the folder where it is missing; the folder it lies in must be there. `what` is to be written:
-    /// "frames". Throws Error{io} naming the folder.
+    /// Creates the folder if it is missing; its parent folder must exist. `what` names the content in
+    /// messages: "frames". Throws Error{io} naming the folder.
     OutputFolder(std::filesystem::path path, const char* what);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
@@ -20,7 +20,7 @@ public:
 
 private:
     std::filesystem::path path_;
-    bool is_own_ = false;  // It was made here.
+    bool is_own_ = false;  // It was created here.
 };
 
 }  // namespace rimline::tools

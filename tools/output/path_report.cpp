@@ -15,8 +15,9 @@ namespace rimline::tools {
 
 namespace {
 
-// Of the whole path, to see that it keeps its distance.
+// Samples of the whole path for min_distance.
 constexpr int k_distance_samples = 20'000;
+// Least number of eyes along the path for which up axes are computed.
 constexpr std::uint32_t k_min_ups = 1440;
 
 using Json = nlohmann::ordered_json;
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 void PathPlan::add_to(CLI::App& app) {
     add_count(app, "--frames", frames, 1, 1'000'000,
-              "Number of places on the path, equally far apart")
+              "Number of equally spaced camera positions on the path")
         ->group("Path");
 }
 
@@ -42,7 +43,7 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
     CameraPath path(center, places);
     std::vector<glm::dvec3> samples;
     for (std::uint32_t i = 0; i < frames; ++i) samples.push_back(path.position(double(i) / frames));
-    // The same cameras whatever the number of frames: eyes are close enough in any case.
+    // Up axes are computed for at least k_min_ups eyes, so that they hardly depend on the number of frames.
     const std::uint32_t each = (k_min_ups + frames - 1) / frames;
     std::vector<glm::dvec3> eyes;
     for (std::uint32_t i = 0; i < frames * each; ++i)
@@ -91,7 +92,7 @@ Json path_json(const std::string& model, const Mesh& mesh, const ChosenViews& ch
             {"min_distance", planned.min_distance},
             {"length", planned.path.length()},
             {"views", to_json(chosen)},
-            {"asked", chosen.asked},
+            {"asked", chosen.requested_count},
             {"center", json_vector(mesh.center())},
             {"radius", mesh.radius()},
             {"inside_out", chosen.is_inside_out},

@@ -1,7 +1,6 @@
 #pragma once
 
-// Planning a camera path through chosen views, and what there is to say of it: what `path` does with a
-// device and without.
+// Planning a camera path through chosen views, and its report, for `path` with a device and without.
 
 #include <CLI/App.hpp>
 #include <cstdint>
@@ -19,22 +18,22 @@ namespace rimline::tools {
 struct PlannedPath {
     std::vector<TourNode> nodes;
     CameraPath path;
-    std::vector<glm::dvec3> samples;  ///< At the same distance along the path, the first at a view.
-    std::vector<glm::dvec3> ups;      ///< Of a camera at each sample (steady_ups.h).
-    std::vector<double> sample_votes;  ///< Of the first field.
-    double min_distance;  ///< From the mesh's center, of all the path as densely sampled.
-    double ms;            ///< Nodes and path, without choosing views.
+    std::vector<glm::dvec3> samples;   ///< Equally spaced along the path; the first is a view.
+    std::vector<glm::dvec3> ups;       ///< Up axis of the camera at each sample (steady_ups.h).
+    std::vector<double> sample_votes;  ///< Field value at each sample, before any discount.
+    double min_distance;  ///< Of the whole path from the mesh's center, densely sampled.
+    double ms;            ///< Nodes and path, without choosing the views.
 };
 
 struct PathPlan {
     std::uint32_t frames = 120;
 
     void add_to(CLI::App& app);
-    /// Of two views or more.
+    /// Needs at least two views.
     PlannedPath plan(const ChosenViews& chosen, const glm::dvec3& up, const Context& context) const;
 };
 
-/// `nodes samples ups min_distance ms` and what belongs to them.
+/// `nodes samples ups min_distance ms` and further keys of nodes, samples and views.
 nlohmann::ordered_json path_json(const std::string& model, const Mesh& mesh,
                                  const ChosenViews& chosen, const PlannedPath& planned);
 void print_path(const std::string& title, const ChosenViews& chosen, const PlannedPath& planned);

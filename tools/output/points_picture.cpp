@@ -17,9 +17,9 @@ namespace rimline::tools {
 
 namespace {
 
-// Of points that are drawn by themselves, in radii of the discs that would close the surface.
-constexpr float k_dot = 0.35f;
-constexpr float k_mark = 0.5f;
+// Radii of single points and of silhouette points, in radii of the discs that cover the surface.
+constexpr float k_dot_radius = 0.35f;
+constexpr float k_mark_radius = 0.5f;
 
 class PointsDrawing {
 public:
@@ -38,7 +38,7 @@ public:
     }
 
     const HomogeneousPoint& silhouette_point() const { return point_; }
-    /// Of a cloud that drawn() or compared() gave.
+    /// The scene of a cloud that drawn() or compared() returned. `cloud` must outlive it.
     SplatScene scene_of(const SplatCloud& cloud) const {
         SplatScene scene = scene_;
         scene.cloud = &cloud;
@@ -74,15 +74,15 @@ private:
         return cloud;
     }
 
-    // The points that the hull says are seen, and nothing of the surface.
+    // The points that the convex hull classifies as visible, without the surface.
     SplatCloud dots() const {
         SplatCloud cloud;
-        std::vector<glm::dvec3> places;
+        std::vector<glm::dvec3> positions;
         for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
-            places.push_back(drawing_.place(p));
-        for (const std::uint32_t p : visible_points(places, scene_.camera.eye)) {
+            positions.push_back(drawing_.position(p));
+        for (const std::uint32_t p : visible_points(positions, scene_.camera.eye)) {
             cloud.splats.push_back(drawing_.disc(p, glm::dvec3(0.0), k_cloud_ink, false));
-            cloud.splats.back().radius *= k_dot;
+            cloud.splats.back().radius *= k_dot_radius;
         }
         return cloud;
     }
@@ -92,20 +92,22 @@ private:
         for (const PointId point : points) {
             const std::uint32_t p = index(point);
             gpu::SplatRecord dot = drawing_.disc(p, glm::dvec3(0.0), k_cloud_ink, false);
-            dot.radius *= k_mark;
+            dot.radius *= k_mark_radius;
             dot.position = glm::vec3(lifted(p));
             cloud.splats.push_back(dot);
         }
         return cloud;
     }
 
-    // The points whose normals are nearest to perpendicular to the view, as many as the silhouette has.
+    // As many points as the silhouette has: those whose normals are closest to perpendicular to the view
+    // ray.
     std::vector<PointId> thresholded() const {
         std::vector<std::pair<double, PointId>> order;
         for (std::uint32_t p = 0; p < picture_.surface.size(); ++p) {
             const glm::dvec3 normal = picture_.surface.normal(PointId{p});
             if (normal == glm::dvec3(0.0)) continue;
-            const glm::dvec3 to = glm::dvec3(point_.xyz()) - double{point_.w} * drawing_.place(p);
+            const glm::dvec3 to =
+                glm::dvec3(point_.xyz()) - double{point_.w} * drawing_.position(p);
             order.emplace_back(std::abs(glm::dot(normal, glm::normalize(to))), PointId{p});
         }
         const std::size_t count = std::min(silhouette_.size(), order.size());
@@ -116,15 +118,15 @@ private:
         return points;
     }
 
-    // As lines' ends are.
+    // The position moved towards the camera, as the ends of lines are.
     glm::dvec3 lifted(std::uint32_t p) const {
         const Camera& camera = scene_.camera;
-        const glm::dvec3 place = drawing_.place(p);
+        const glm::dvec3 position = drawing_.position(p);
         const glm::dvec3 back =
-            camera.is_orthographic() ? camera.eye - camera.target : camera.eye - place;
+            camera.is_orthographic() ? camera.eye - camera.target : camera.eye - position;
         const double length = glm::length(back);
         const double lift = std::min(drawing_.lift(p), 0.5 * length);
-        return length > 0.0 ? place + back * (lift / length) : place;
+        return length > 0.0 ? position + back * (lift / length) : position;
     }
 
     const PointsPicture& picture_;

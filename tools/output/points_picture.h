@@ -1,12 +1,12 @@
 #pragma once
 
-// Pictures of a point cloud and what was found about it.
+// Pictures of a point cloud and its results.
 //
-//   drawn     discs, darker the more a point weighs; borders in a color of their own; the silhouette's
-//             consensus edges as ink
-//   compare   six pictures: points that are not hidden alone, the same with silhouettes and features;
-//             silhouette points by thresholding normals (Zakaria and Seidel 2004), as many as ours, and ours;
-//             discs with normals of principal components and with ours
+//   drawn     discs, darker with a higher feature weight; borders in their own color; consensus edges of the
+//             silhouette as ink
+//   compare   six pictures: visible points only, and the picture `drawn`; silhouette points by thresholding
+//             normals (Zakaria and Seidel 2004), as many as ours, and ours; discs with normals of principal
+//             components, and with ours
 
 #include <optional>
 #include <span>
@@ -23,29 +23,29 @@ namespace rimline::tools {
 enum class PointsMode { drawn, compare };
 
 struct PointsPicture {
-    const std::string& name;  ///< Of the cloud, for messages.
+    const std::string& name;  ///< The cloud's name, for messages.
     const PointCloud& cloud;
     const PointSurface& surface;
     const UmbrellaIndex& umbrellas;
     std::span<const float> weights;
-    std::uint32_t k;  ///< Neighbors for the comparison's normals.
+    std::uint32_t k;  ///< Number of neighbors for normals of principal components.
     PointsMode mode;
-    /// Where the camera stands and looks, in the cloud's own coordinates; chosen where not given.
+    /// Of the camera, in the cloud's coordinates. Not set: chosen.
     std::optional<glm::dvec3> eye, target;
-    /// Of umbrellas; the camera's where not given.
+    /// In the coordinates of `umbrellas`. Not set: that of the camera.
     std::optional<HomogeneousPoint> silhouette_point;
-    /// For the rest of the camera, the image and the machine.
+    /// The other options of camera, image and machine.
     const PictureOptions& options;
 };
 
 struct PointsPictureReport {
-    HomogeneousPoint silhouette_point;  ///< Whose silhouette was drawn.
+    HomogeneousPoint silhouette_point;  ///< Of the silhouette that was drawn.
     std::string device, driver;
     std::optional<std::uint32_t> validation_messages;
-    double ms = 0.0;  ///< Of the drawing alone.
+    double ms = 0.0;  ///< Drawing only.
 };
 
-/// Draws and writes it. Throws Error.
+/// Draws the picture and writes the file. Throws Error.
 PointsPictureReport draw_points(const PointsPicture& picture, OutputFile& file);
 
 }  // namespace rimline::tools

@@ -42,22 +42,23 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
         call.checkpoint(double(pictures.size()) / double(eyes.size()));
         Camera camera{.eye = eye, .target = mesh.center(), .up = up};
         camera = zoom_camera(camera, mesh, double(size.width) / size.height);
-        Scene drawn = scene.style.make_scene(camera, mesh, scene.picture);
-        drawn.instances.push_back({.octree = &scene.octree,
-                                   .name = scene.model,
-                                   .material = scene.style.material(scene.picture)});
-        if (ground) drawn.instances.push_back(ground->instance(drawn));
-        pictures.push_back(renderer.render(drawn, size.width, size.height));
+        Scene picture_scene = scene.style.make_scene(camera, mesh, scene.picture);
+        picture_scene.instances.push_back({.octree = &scene.octree,
+                                           .name = scene.model,
+                                           .material = scene.style.material(scene.picture)});
+        if (ground) picture_scene.instances.push_back(ground->instance(picture_scene));
+        pictures.push_back(renderer.render(picture_scene, size.width, size.height));
     }
     return pictures;
 }
 
 ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
-                         const ViewDevice& drawn, std::uint32_t least, const Context& context) {
-    check_room_around(model, mesh);
-    if (choice.no_ratio) return choice.choose(model, mesh, {}, least, context);
-    VisibleRatioPass pass(drawn.device->context(), *drawn.octree, {}, context.stop);
-    return choice.choose(model, mesh, visible_ratios_of(pass, context), least, context);
+                         const ViewDevice& view_device, std::uint32_t min_count,
+                         const Context& context) {
+    check_viewing_range(model, mesh);
+    if (choice.no_ratio) return choice.choose(model, mesh, {}, min_count, context);
+    VisibleRatioPass pass(view_device.device->context(), *view_device.octree, {}, context.stop);
+    return choice.choose(model, mesh, visible_ratios_of(pass, context), min_count, context);
 }
 
 }  // namespace rimline::tools

@@ -1,6 +1,6 @@
 #pragma once
 
-// Best views on a device: how much of their silhouettes is visible, and their pictures.
+// Best views on a device: the visible ratios of their silhouettes, and their pictures.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -23,26 +23,27 @@
 
 namespace rimline::tools {
 
-/// Draws with `pass`, which must outlive it, until Ctrl-C.
+/// Measures with `pass`, which must outlive the function. Ctrl-C cancels it.
 VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context);
 
-/// What `views` and `path` draw with, where they draw: without ratios and pictures they need no device.
+/// The device and the octree of `views` and `path`. Without ratios and pictures these need no device.
 struct ViewDevice {
-    /// `mesh` must outlive it. Empty unless something `draws`.
+    /// Both members are empty unless `draws`. `mesh` must outlive this object.
     ViewDevice(const std::string& model, const Mesh& mesh, const PictureOptions& options,
                bool draws, const Context& context);
 
-    const DrawingDevice* drawn() const noexcept { return device ? &*device : nullptr; }
+    const DrawingDevice* device_or_null() const noexcept { return device ? &*device : nullptr; }
 
     std::optional<DrawingDevice> device;
     std::optional<HoughOctree> octree;
 };
 
-/// By `choice`: weighted by ratios that are drawn, or by votes alone.
+/// Chooses views. Votes are weighted by visible ratios unless choice.no_ratio.
 ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
-                         const ViewDevice& drawn, std::uint32_t least, const Context& context);
+                         const ViewDevice& view_device, std::uint32_t min_count,
+                         const Context& context);
 
-/// What a view is drawn with; all of it must outlive the pictures.
+/// The model and the options of pictures of views.
 struct ViewScene {
     const std::string& model;
     const HoughOctree& octree;
@@ -50,8 +51,8 @@ struct ViewScene {
     const PictureOptions& picture;
 };
 
-/// One picture for each eye, taken from there: the whole model, its up axis upright. `sun auto` is chosen
-/// for each. Throws what renderers throw, and Error{too_large} for a model that reaches too far.
+/// One picture per eye. Each shows the whole model with its up axis upwards. --sun auto is computed for each
+/// eye. Throws what Renderer throws, and Error{too_large} if the model exceeds the range of coordinates.
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                 std::span<const glm::dvec3> eyes, ImageSize size,
                                 const Context& context);

@@ -1,38 +1,31 @@
-# What `cmake --install` puts down beside the program: the libraries that were built, their headers
+# What `cmake --install` copies beside the program: the libraries that were built, their public headers
 # under include/rimline/, and the package that find_package(Rimline) reads. Included last, when all
 # targets are known.
 include(CMakePackageConfigHelpers)
+include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
 
 set(rimline_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Rimline)
 
-install(TARGETS rimline_silhouette EXPORT RimlineTargets)
-# Not the headers that only the library's own sources share.
-install(DIRECTORY silhouette DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
-    FILES_MATCHING PATTERN "*.h"
-    REGEX "/shapes/(circle|shape_makers|tube)\\.h$" EXCLUDE
-    REGEX "/formats/(byte_scanner|file_format|gltf_[a-z]+|obj_scan|ply_body|ply_header|readers|source_file|text_scanner|tinygltf)\\.h$"
-        EXCLUDE
-    REGEX "/hough/(block_kernels|octree_order|reserved_bytes|v_sphere)\\.h$" EXCLUDE
-    REGEX "/field/(field_kernels|field_sums|many_values|plane_clusters)\\.h$" EXCLUDE
-    REGEX "/points/(border_tracing|each_point|fan|neighbor_lists|neighborhood|point_order|robust_umbrellas|star_choice|supplement|thesis_fan|thesis_umbrellas)\\.h$" EXCLUDE
-    REGEX "/squeezed_lanes-inl\\.h$" EXCLUDE
-    
-    REGEX "/hough/service/latest_value\\.h$" EXCLUDE
-    REGEX "/hough/baselines/(alias_table|brute_force_methods|cone_tree|dual_tree|edge_[a-z]+|followed_silhouette|gauss_map|instruction_set|octree_methods|packed_tree|plane_[a-z]+|quadric_tree|randomised|scaled_direction)\\.h$"
-        EXCLUDE)
+# rimline_install(TARGET HEADERS...): installs a library with these headers, named from the root.
+function(rimline_install target)
+    list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE headers)
+    target_sources(${target}
+        PUBLIC FILE_SET public_headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+    install(TARGETS ${target} EXPORT RimlineTargets
+        FILE_SET public_headers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline)
+endfunction()
+
+rimline_install(rimline_silhouette ${rimline_silhouette_headers})
 set(RIMLINE_HAS_ENGINE OFF)
 if(TARGET rimline_engine)
     set(RIMLINE_HAS_ENGINE ON)
-    install(TARGETS rimline_engine EXPORT RimlineTargets)
-    # The engine's headers name the layouts they share with the shaders.
-    install(DIRECTORY engine shaders DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rimline
-        FILES_MATCHING PATTERN "*.h")
+    rimline_install(rimline_engine ${rimline_engine_headers})
 endif()
 
 install(EXPORT RimlineTargets NAMESPACE rimline:: DESTINATION ${rimline_package_folder})
 configure_package_config_file(tools/package/RimlineConfig.cmake.in ${PROJECT_BINARY_DIR}/RimlineConfig.cmake
     INSTALL_DESTINATION ${rimline_package_folder})
-# Nothing is promised between 0.x versions.
+# 0.x versions are compatible only within a minor version.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/RimlineConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/RimlineConfig.cmake ${PROJECT_BINARY_DIR}/RimlineConfigVersion.cmake

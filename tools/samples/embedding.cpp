@@ -1,6 +1,6 @@
-// Rimline inside a renderer that exists, whose instance, device, queue, image and command buffer plain
-// Vulkan has made (foreign_renderer.h). Rimline records a frame among the renderer's own commands, and a
-// compute shader of the renderer's reads the silhouette that Rimline keeps on the GPU. Exit 0 if that was
+// Rimline inside an existing renderer, which creates instance, device, queue, image and command buffer with
+// plain Vulkan (foreign_renderer.h). Rimline records a frame into the renderer's command buffer. A compute
+// shader of the renderer then reads the silhouette that Rimline keeps on the GPU. Exit 0 if the shader reads
 // the right one.
 
 #include <bit>
@@ -23,7 +23,7 @@ namespace {
 
 using namespace rimline;
 
-// What the renderer's own shader reads (sample_count.comp).
+// The push constants of the renderer's shader (sample_count.comp).
 struct Constants {
     VkDeviceAddress slots, face_words, arguments, result;
     std::uint32_t word_count, padding;
@@ -33,7 +33,7 @@ struct Counted {
     bool operator==(const Counted&) const = default;
 };
 
-// What it should have read.
+// The expected result.
 Counted expected_from(const Mesh& mesh, const HomogeneousPoint& point) {
     Counted counted{};
     for (const EdgeId edge : brute_force_silhouette(mesh, point)) {
@@ -81,7 +81,7 @@ void run() {
         vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
                            &constants);
         vkCmdDispatch(commands, 4, 1, 1);
-        foreign.end_frame();  // Submits, and waits until the host can read.
+        foreign.end_frame();  // Submits, and waits for the result.
         Counted counted{};
         std::memcpy(&counted, result.mapped(), sizeof counted);
         const HomogeneousPoint& point = renderer.silhouette(0, std::nullopt)->point();

@@ -1,7 +1,7 @@
 #pragma once
 
-// The renderer that Rimline is put into by embedding.cpp: the least of one, in plain Vulkan, one frame
-// after the other. Rimline has no part in it.
+// The existing renderer of embedding.cpp: a minimal one in plain Vulkan, with one frame at a time. It does
+// not use Rimline.
 
 #include <vulkan/vulkan.h>
 
@@ -48,7 +48,7 @@ struct ForeignRenderer {
         return commands_;
     }
 
-    /// Submits, and waits until the host can read what shaders wrote.
+    /// Submits, and waits until the host can read the results of shaders.
     void end_frame() {
         const VkMemoryBarrier to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                       .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
@@ -74,7 +74,7 @@ private:
         std::uint32_t one = 1;
         require(vkEnumeratePhysicalDevices(instance, &one, &physical_device));
         if (one == 0) throw std::runtime_error("there is no Vulkan device");
-        // What judge_device() asks for; judge it where the machine is not known.
+        // The features that judge_device() requires. Call it if the device is not known to have them.
         VkPhysicalDeviceVulkan13Features v13{
             .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
             .synchronization2 = VK_TRUE,
@@ -90,7 +90,7 @@ private:
         const float priority = 1.0f;
         const VkDeviceQueueCreateInfo queue_info{
             .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-            .queueCount = 1,  // Family 0 draws and computes on every desktop driver.
+            .queueCount = 1,  // Family 0 supports graphics and compute on every desktop driver.
             .pQueuePriorities = &priority};
         const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                       .pNext = &v12,

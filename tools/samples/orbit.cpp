@@ -1,8 +1,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/rimline.h"
 
 int main() {
     const rimline::Mesh mesh(rimline::make_built_in_shape("knot", 20'000));

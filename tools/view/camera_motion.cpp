@@ -10,29 +10,29 @@ namespace rimline::tools {
 
 namespace {
 
-// v turned around the unit vector `axis`, counter-clockwise seen from its tip (Rodrigues).
-glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle_rad) {
+// v rotated about the unit vector `axis`, counterclockwise when seen from its tip (Rodrigues).
+glm::dvec3 rotated_about(const glm::dvec3& v, const glm::dvec3& axis, double angle_rad) {
     const double c = std::cos(angle_rad);
     return c * v + std::sin(angle_rad) * glm::cross(axis, v) + (1.0 - c) * glm::dot(axis, v) * axis;
 }
 
-// The angle of a unit vector over the horizon.
+// The angle of a unit vector above the horizon, in radians.
 double elevation_of(const glm::dvec3& v, const glm::dvec3& up) {
     return std::asin(std::clamp(glm::dot(v, up), -1.0, 1.0));
 }
 
-// A unit vector turned to the right and upwards, its elevation within the limits.
-glm::dvec3 turned_level(const glm::dvec3& v, const glm::dvec3& up, const glm::dvec3& right,
-                        const glm::dvec2& turn_rad) {
-    const double most = glm::radians(k_max_elevation_deg);
+// A unit vector rotated to the right and upwards. The elevation is clamped.
+glm::dvec3 rotated_level(const glm::dvec3& v, const glm::dvec3& up, const glm::dvec3& right,
+                         const glm::dvec2& turn_rad) {
+    const double limit = glm::radians(k_max_elevation_deg);
     const double before = elevation_of(v, up);
-    const double after = std::clamp(before + turn_rad.y, -most, most);
-    // Towards up is counter-clockwise around v x up, which is v's right.
-    const glm::dvec3 raised = turned(v, right, after - before);
-    return glm::normalize(turned(raised, up, turn_rad.x));
+    const double after = std::clamp(before + turn_rad.y, -limit, limit);
+    // A rotation towards up is counterclockwise about v x up, which is `right`.
+    const glm::dvec3 raised = rotated_about(v, right, after - before);
+    return glm::normalize(rotated_about(raised, up, turn_rad.x));
 }
 
-// Perpendicular to `v` and `up`; any such where they are parallel, as camera_from_world() chooses it.
+// Perpendicular to `v` and up. If they are parallel: the right that camera_from_world() chooses.
 glm::dvec3 right_of(const Camera& camera, const glm::dvec3& v) {
     const glm::dvec3 up = glm::normalize(camera.up);
     const glm::dvec3 side = glm::cross(v, up);
@@ -53,35 +53,35 @@ void orbit(Camera& camera, const glm::dvec2& turn_rad) {
     const glm::dvec3 back = camera.eye - camera.target;
     const double distance = glm::length(back);
     const glm::dvec3 direction = back / distance;
-    camera.eye = camera.target + distance * turned_level(direction, glm::normalize(camera.up),
-                                                         right_of(camera, direction), turn_rad);
+    camera.eye = camera.target + distance * rotated_level(direction, glm::normalize(camera.up),
+                                                          right_of(camera, direction), turn_rad);
 }
 
 void pan(Camera& camera, const glm::dvec2& shift) {
-    const glm::dmat3 axes = glm::transpose(camera_from_world(camera));  // Columns: the axes.
+    const glm::dmat3 axes = glm::transpose(camera_from_world(camera));  // Columns are the axes.
     const glm::dvec3 move = -view_height(camera) * (shift.x * axes[0] + shift.y * axes[1]);
     camera.eye += move;
     camera.target += move;
 }
 
-void zoom(Camera& camera, double factor, double least, double most) {
+void zoom(Camera& camera, double factor, double low, double high) {
     if (camera.is_orthographic()) {
-        camera.ortho_height = std::clamp(camera.ortho_height * factor, least, most);
+        camera.ortho_height = std::clamp(camera.ortho_height * factor, low, high);
         return;
     }
     const glm::dvec3 back = camera.eye - camera.target;
     const double distance = glm::length(back);
-    camera.eye = camera.target + back * (std::clamp(distance * factor, least, most) / distance);
+    camera.eye = camera.target + back * (std::clamp(distance * factor, low, high) / distance);
 }
 
-void look_around(Camera& camera, const glm::dvec2& turn_rad) {
+void turn_view(Camera& camera, const glm::dvec2& turn_rad) {
     const glm::dvec3 ahead = camera.target - camera.eye;
     const double distance = glm::length(ahead);
     const glm::dvec3 direction = ahead / distance;
-    // To the right is clockwise seen from above.
-    camera.target = camera.eye + distance * turned_level(direction, glm::normalize(camera.up),
-                                                         right_of(camera, direction),
-                                                         {-turn_rad.x, turn_rad.y});
+    // A turn to the right is clockwise when seen from above.
+    camera.target = camera.eye + distance * rotated_level(direction, glm::normalize(camera.up),
+                                                          right_of(camera, direction),
+                                                          {-turn_rad.x, turn_rad.y});
 }
 
 void fly(Camera& camera, const glm::dvec3& step) {

@@ -1,10 +1,10 @@
 #pragma once
 
-// How a hand moves a camera: around its target, along the picture, nearer, or flying freely. All of it
-// is arithmetic on a Camera, without a window.
+// Camera control by mouse and keys: orbit, pan, zoom, turning the view, flying. Pure arithmetic on a Camera,
+// without a window.
 //
-// The horizon stays level: turning is around the up axis and over the top, and stops short of the poles,
-// where up would mean nothing.
+// The horizon stays level. Turning changes the azimuth around the up axis and the elevation above the
+// horizon; the elevation stops short of the poles, where up is undefined.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -13,31 +13,31 @@
 
 namespace rimline::tools {
 
-/// No view is steeper than this against the horizon.
+/// Limit of the elevation of the view, up and down.
 constexpr double k_max_elevation_deg = 89.0;
 
-/// Turns the eye around the target: x to the right around the up axis, y upwards. In radians.
+/// Turns the eye around the target: x to the right around the up axis, y upwards, in radians.
 void orbit(Camera& camera, const glm::dvec2& turn_rad);
 
-/// Moves eye and target so that what lies as far away as the target moves by `shift` on the screen: to
-/// the right and upwards, in heights of the picture.
+/// Translates eye and target so that points at the target's distance move by `shift` on the screen: x to the
+/// right, y upwards, in heights of the picture.
 void pan(Camera& camera, const glm::dvec2& shift);
 
-/// Brings the target nearer (factor below 1) or farther; orthographic views grow and shrink instead.
-/// The distance, or the height, stays within [least, most].
-void zoom(Camera& camera, double factor, double least, double most);
+/// Multiplies the distance from target to eye by `factor`; of an orthographic camera, the height of the
+/// view. The result is clamped to [low, high].
+void zoom(Camera& camera, double factor, double low, double high);
 
-/// Turns the view around the eye: x to the right, y upwards. In radians.
-void look_around(Camera& camera, const glm::dvec2& turn_rad);
+/// Turns the view around the eye: x to the right, y upwards, in radians.
+void turn_view(Camera& camera, const glm::dvec2& turn_rad);
 
-/// Moves eye and target by `step` along the view's right, the up axis, and the view itself. An
-/// orthographic camera moves as well, though moving along its view shows nothing.
+/// Translates eye and target by `step`: x along the view's right, y along the up axis, z along the view.
+/// With an orthographic camera, z changes nothing in the picture.
 void fly(Camera& camera, const glm::dvec3& step);
 
-/// Changes what is up, keeping eye and target. Where the view is too steep then, it is tilted.
+/// Sets the up axis and keeps eye and target. Tilts the view if it exceeds the maximum elevation.
 void set_up(Camera& camera, const glm::dvec3& up);
 
-/// How high the picture is at the target, in the units of the world.
+/// Height of the picture at the target, in world units.
 double view_height(const Camera& camera);
 
 }  // namespace rimline::tools

@@ -20,42 +20,43 @@ PointColor srgb_bytes(const glm::vec3& linear) {
 
 }  // namespace
 
-CloudDocument::CloudDocument(const CloudArgument& cloud, const BeginCall& begin)
-    : name_(cloud.model),
-      cloud_(cloud.load(begin)),
-      surface_(about_model(
-          name_, [&] { return PointSurface(cloud_.positions(), {}, begin("finding umbrellas")); })),
+CloudDocument::CloudDocument(const CloudArgument& argument, const BeginCall& begin)
+    : DocumentBase(argument.model),
+      cloud_(argument.load(begin)),
+      surface_(make_part(
+          begin, "finding umbrellas",
+          [&](const LongCall& call) { return PointSurface(cloud_.positions(), {}, call); })),
       weights_(feature_weights(surface_, begin("weighing features"))),
-      umbrellas_(
-          about_model(name_, [&] { return UmbrellaIndex(surface_, begin("indexing umbrellas")); })),
+      umbrellas_(make_part(begin, "indexing umbrellas",
+                           [&](const LongCall& call) { return UmbrellaIndex(surface_, call); })),
       drawing_(cloud_, surface_, umbrellas_, weights_) {
     if (umbrellas_.positions().empty())
         throw Error(ErrorCode::bad_input,
-                    name_ + ": no point has an umbrella; there is nothing to draw");
+                    name() + ": no point has an umbrella; there is nothing to draw");
 }
 
-const SplatCloud& CloudDocument::drawn(const std::optional<glm::vec3>& color, float line_width_px) {
-    if (drawn_width_px_ == line_width_px && drawn_color_ == color) return drawn_;
-    const std::uint64_t revision = drawn_.revision + 1;
-    std::optional<PointColor> clay;
-    if (color) clay = srgb_bytes(*color);
-    drawn_ = drawing_.drawn(clay, line_width_px);
-    drawn_.revision = revision;
-    drawn_color_ = color;
-    drawn_width_px_ = line_width_px;
-    return drawn_;
+const SplatCloud& CloudDocument::splats(const std::optional<glm::vec3>& color,
+                                        float line_width_px) {
+    if (splat_line_width_px_ == line_width_px && splat_color_ == color) return splats_;
+    const std::uint64_t revision = splats_.revision + 1;
+    std::optional<PointColor> surface_color;
+    if (color) surface_color = srgb_bytes(*color);
+    splats_ = drawing_.drawn(surface_color, line_width_px);
+    splats_.revision = revision;
+    splat_color_ = color;
+    splat_line_width_px_ = line_width_px;
+    return splats_;
 }
 
-std::vector<gpu::StrokeRecord> CloudDocument::follow(const HomogeneousPoint& point,
-                                                     const std::optional<glm::vec3>& ink,
-                                                     float line_width_px) {
+std::vector<gpu::StrokeRecord> CloudDocument::silhouette_strokes(
+    const HomogeneousPoint& point, const std::optional<glm::vec3>& ink, float line_width_px) {
     if (!silhouette_ || silhouette_->point() != point) {
         const auto start = std::chrono::steady_clock::now();
         report_ = {};
         if (silhouette_) {
             const PointSilhouette::Change change = silhouette_->move_to(point);
-            report_.joined = static_cast<std::uint32_t>(change.added.size());
-            report_.left = static_cast<std::uint32_t>(change.removed.size());
+            report_.added = static_cast<std::uint32_t>(change.added.size());
+            report_.removed = static_cast<std::uint32_t>(change.removed.size());
             report_.counters = change.counters;
         } else {
             silhouette_.emplace(umbrellas_, point);

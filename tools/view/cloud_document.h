@@ -1,7 +1,7 @@
 #pragma once
 
-// A point cloud as the window shows it: what was found about it, what is drawn of it, and its silhouette,
-// which follows the viewer.
+// A point cloud that the window shows: its umbrellas and features, its picture, and its silhouette, which
+// follows the viewer.
 
 #include <cstdint>
 #include <optional>
@@ -10,52 +10,50 @@
 
 #include "tools/options/cloud_argument.h"
 #include "tools/output/cloud_drawing.h"
+#include "tools/view/document_base.h"
 
 namespace rimline::tools {
 
-/// Of the silhouette's last move.
+/// Describes the last move of the silhouette.
 struct CloudReport {
     std::uint32_t silhouette_points = 0;
     std::uint32_t consensus_edges = 0;
-    std::uint32_t joined = 0, left = 0;  ///< Points.
+    std::uint32_t added = 0, removed = 0;  ///< Points.
     TraversalCounters counters;
     double move_ms = 0.0;
 };
 
-/// Stays where it is: a renderer knows what is drawn by its address.
-class CloudDocument {
+/// Cannot be copied or moved: a renderer refers to splats() by its address.
+class CloudDocument final : public DocumentBase {
 public:
-    /// Takes as long as reading, umbrellas and index do; `begin` is told of the parts (model_argument.h).
-    /// Throws Error naming the cloud, also where no point has an umbrella.
-    CloudDocument(const CloudArgument& cloud, const BeginCall& begin);
-    CloudDocument(const CloudDocument&) = delete;
-    CloudDocument& operator=(const CloudDocument&) = delete;
+    /// Loads the cloud, finds its umbrellas and builds their index. `begin` is called before each part of
+    /// the work (progress.h). Throws Error naming the cloud, also if no point has an umbrella.
+    CloudDocument(const CloudArgument& argument, const BeginCall& begin);
 
-    const std::string& name() const noexcept { return name_; }
+    Subject subject() const override { return subject_of(umbrellas_, cloud_.up()); }
     const PointCloud& cloud() const noexcept { return cloud_; }
     const PointSurface& surface() const noexcept { return surface_; }
-    /// All that is shown is in its coordinates.
+    /// Everything that is shown is in its coordinates.
     const UmbrellaIndex& umbrellas() const noexcept { return umbrellas_; }
-    Subject subject() const { return subject_of(umbrellas_, cloud_.up()); }
 
-    /// What stays, with the points' own colors or one for all. Made again where that or the width has
-    /// changed: O(points).
-    const SplatCloud& drawn(const std::optional<glm::vec3>& color, float line_width_px);
-    /// The consensus edges seen from `point`, as lines. Moves the silhouette there.
-    std::vector<gpu::StrokeRecord> follow(const HomogeneousPoint& point,
-                                          const std::optional<glm::vec3>& ink, float line_width_px);
+    /// The discs and border lines, which do not depend on the viewer. `color` is linear; without it the
+    /// points keep their own colors. Rebuilt if an argument differs from the last call: O(points).
+    const SplatCloud& splats(const std::optional<glm::vec3>& color, float line_width_px);
+    /// Moves the silhouette to `point`. Returns its consensus edges as lines; `ink` is linear.
+    std::vector<gpu::StrokeRecord> silhouette_strokes(const HomogeneousPoint& point,
+                                                      const std::optional<glm::vec3>& ink,
+                                                      float line_width_px);
     const CloudReport& report() const noexcept { return report_; }
 
 private:
-    std::string name_;
     PointCloud cloud_;
     PointSurface surface_;
     std::vector<float> weights_;
     UmbrellaIndex umbrellas_;
     CloudDrawing drawing_;
-    SplatCloud drawn_;
-    std::optional<glm::vec3> drawn_color_;
-    float drawn_width_px_ = 0.0f;  // None: nothing is drawn yet.
+    SplatCloud splats_;
+    std::optional<glm::vec3> splat_color_;
+    float splat_line_width_px_ = 0.0f;  // 0 until splats_ is built.
     std::optional<PointSilhouette> silhouette_;
     CloudReport report_;
 };

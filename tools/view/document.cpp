@@ -4,15 +4,15 @@
 
 namespace rimline::tools {
 
-Document open_named(const CloudArgument& named, const BeginCall& begin) {
-    if (!named.as_points && !named.drop_bad) {
+Document open_document(const CloudArgument& argument, const BeginCall& begin) {
+    if (!argument.as_points && !argument.drop_bad) {
         MeshSource source =
-            load_model(named.model, named.subdivide, FaceRequirement::faces_or_points, begin);
+            load_model(argument.model, argument.subdivide, FaceRequirement::faces_or_points, begin);
         if (!source.triangles.empty())
-            return std::make_unique<ModelDocument>(named.model, source, begin);
-        // Read again below, with all that it says of points.
+            return std::make_unique<ModelDocument>(argument.model, source, begin);
+        // Read again below, with the attributes of its points.
     }
-    return std::make_unique<CloudDocument>(named, begin);
+    return std::make_unique<CloudDocument>(argument, begin);
 }
 
 }  // namespace rimline::tools

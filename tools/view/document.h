@@ -1,6 +1,6 @@
 #pragma once
 
-// What the window shows: a model, or a cloud.
+// What the window shows: a model or a cloud.
 
 #include <memory>
 #include <string>
@@ -12,25 +12,32 @@ namespace rimline::tools {
 
 class Document {
 public:
+    /// Empty.
     Document() = default;
     Document(std::unique_ptr<ModelDocument> model) : model_(std::move(model)) {}
     Document(std::unique_ptr<CloudDocument> cloud) : cloud_(std::move(cloud)) {}
 
-    /// One of the two, the other null; both are before anything is shown.
+    /// At most one of the two is not null. Both are null in an empty document.
     ModelDocument* model() const noexcept { return model_.get(); }
     CloudDocument* cloud() const noexcept { return cloud_.get(); }
     explicit operator bool() const noexcept { return model_ || cloud_; }
 
-    const std::string& name() const noexcept { return model_ ? model_->name() : cloud_->name(); }
-    Subject subject() const { return model_ ? Subject(model_->mesh()) : cloud_->subject(); }
+    /// Not for an empty document.
+    const std::string& name() const noexcept { return content().name(); }
+    Subject subject() const { return content().subject(); }
 
 private:
+    const DocumentBase& content() const noexcept {
+        if (model_) return *model_;
+        return *cloud_;
+    }
+
     std::unique_ptr<ModelDocument> model_;
     std::unique_ptr<CloudDocument> cloud_;
 };
 
-/// Opens the file or shape: as a cloud where that is asked for, where bad points are to be dropped, or where
-/// it has no faces; else as a model. Throws what their constructors throw.
-Document open_named(const CloudArgument& named, const BeginCall& begin);
+/// Opens a file or a built-in shape. The result is a cloud if `argument` has as_points or drop_bad, or if
+/// the file has no faces; else a model. Throws what the constructors of both throw.
+Document open_document(const CloudArgument& argument, const BeginCall& begin);
 
 }  // namespace rimline::tools

@@ -16,15 +16,15 @@ HoughInspection::HoughInspection(const ModelDocument& model)
     for (std::uint32_t position = 0; position < positions; position += stride) {
         const FaceId face = octree.face_at(position).face;
         if (face == k_no_face) continue;
-        const glm::dvec3 place =
+        const glm::dvec3 hough_position =
             hough_point(model.mesh().plane(face), octree.origins()[0]).position / unit_;
-        points_.push_back({.place = glm::vec3(place)});
+        points_.push_back({.position = glm::vec3(hough_position)});
     }
 }
 
 void HoughInspection::update(const ModelDocument& model, const HomogeneousPoint& point) {
-    if (seen_from_ == point) return;
-    seen_from_ = point;
+    if (silhouette_point_ == point) return;
+    silhouette_point_ = point;
     const glm::dvec3 origin = model.octree().origins()[0];
     is_plane_ = point.is_direction();
     const glm::dvec3 from(point.xyz());
@@ -32,12 +32,12 @@ void HoughInspection::update(const ModelDocument& model, const HomogeneousPoint&
     pole_ = glm::vec3(pole);
     const double w = is_plane_ ? 0.0 : 1.0;
     for (Point& shown : points_) {
-        const glm::dvec3 h(shown.place);
+        const glm::dvec3 h(shown.position);
         shown.inside = w * glm::dot(h, h) - glm::dot(h, pole) < 0.0;
     }
 
     const BoxTree& tree = model.face_tree();
-    boxes_ = walk_boxes(tree, BoxQuery(point, origin, tree.greatest_reach()));
+    boxes_ = walk_boxes(tree, BoxQuery(point, origin, tree.max_reach()));
     blocks_ = {.all = tree.block_count()};
     for (WalkedBox& box : boxes_) {
         box.center /= float(unit_);
@@ -45,7 +45,7 @@ void HoughInspection::update(const ModelDocument& model, const HomogeneousPoint&
         if (!box.is_end()) continue;
         (box.side == WalkedBox::Side::inside    ? blocks_.inside
          : box.side == WalkedBox::Side::outside ? blocks_.outside
-                                                : blocks_.looked_at) += box.block_count;
+                                                : blocks_.tested) += box.block_count;
     }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// Hough space to look at: the points of the faces, the v-sphere of the silhouette point, and the boxes of
-// the index that it visits (silhouette/hough/hough_octree.h). Lengths are in the model's radii, so that
-// every model's points lie within the unit sphere around the origin.
+// Hough space prepared for display: the Hough points of the faces, the v-sphere of the silhouette point, and
+// the boxes of the octree that a query visits (silhouette/hough/hough_octree.h). Lengths are in the model's
+// radii, so the points of every model lie within the unit sphere around the origin.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -16,35 +16,36 @@ namespace rimline::tools {
 
 class HoughInspection {
 public:
-    /// More points than this are not shown: so many of them, spread evenly over the octree's order.
+    /// Of more points than this a subset is shown, spread evenly over the order of the octree.
     static constexpr std::uint32_t k_max_points = 6000;
 
     struct Point {
-        glm::vec3 place;
-        bool inside = false;  ///< Of the v-sphere.
+        glm::vec3 position;
+        bool inside = false;  ///< Inside the v-sphere.
     };
 
-    /// Takes the points of `model`, which is not needed afterwards but by update(). O(faces shown).
+    /// Copies the points of `model`. O(faces shown).
     explicit HoughInspection(const ModelDocument& model);
 
-    /// Looks from `point`. Does nothing where that is the point of the last time. O(boxes visited +
-    /// points shown).
+    /// Sets the silhouette point. `model` is the model that was given to the constructor. Does nothing if
+    /// `point` has not changed. O(boxes visited + points shown).
     void update(const ModelDocument& model, const HomogeneousPoint& point);
 
     const std::vector<Point>& points() const noexcept { return points_; }
-    std::uint32_t point_count() const noexcept { return point_count_; }  ///< With those not shown.
-    /// All that are visited, in the model's radii as well.
+    /// Of all points, shown or not.
+    std::uint32_t point_count() const noexcept { return point_count_; }
+    /// All boxes that the query visits, in the model's radii.
     const std::vector<WalkedBox>& boxes() const noexcept { return boxes_; }
-    /// The pole q of the v-sphere opposite the origin; for directions, the normal of the plane that the
-    /// v-sphere is then.
+    /// The pole q of the v-sphere opposite the origin. For a direction the v-sphere is a plane, and this is
+    /// its normal.
     const glm::vec3& pole() const noexcept { return pole_; }
     bool is_plane() const noexcept { return is_plane_; }
 
     struct Blocks {
         std::uint32_t all = 0;
-        std::uint32_t inside = 0;     ///< Settled by a box of theirs or above.
-        std::uint32_t outside = 0;    ///< The same.
-        std::uint32_t looked_at = 0;  ///< Face by face.
+        std::uint32_t inside = 0;   ///< Certainly inside the v-sphere, by a box of theirs or above.
+        std::uint32_t outside = 0;  ///< Certainly outside, likewise.
+        std::uint32_t tested = 0;   ///< Neither: tested face by face.
     };
     const Blocks& blocks() const noexcept { return blocks_; }
 
@@ -56,7 +57,7 @@ private:
     glm::vec3 pole_{0.0f};
     bool is_plane_ = false;
     Blocks blocks_;
-    std::optional<HomogeneousPoint> seen_from_;
+    std::optional<HomogeneousPoint> silhouette_point_;
 };
 
 }  // namespace rimline::tools

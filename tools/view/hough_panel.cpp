@@ -18,7 +18,7 @@ namespace {
 
 constexpr ImU32 k_inside = IM_COL32(38, 98, 168, 255);
 constexpr ImU32 k_outside = IM_COL32(118, 118, 122, 255);
-constexpr ImU32 k_looked_at = IM_COL32(206, 74, 24, 255);
+constexpr ImU32 k_tested = IM_COL32(206, 74, 24, 255);
 constexpr ImU32 k_paper = IM_COL32(253, 251, 246, 255);
 constexpr ImU32 k_sphere = IM_COL32(30, 34, 46, 90);
 constexpr ImU32 k_ink = IM_COL32(30, 34, 46, 255);
@@ -27,27 +27,27 @@ ImU32 with_alpha(ImU32 color, std::uint32_t alpha) {
     return (color & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
 }
 
-// Draws in Hough space, inside a rectangle of the panel.
+// Draws positions of Hough space inside a rectangle of the panel.
 class Space {
 public:
     Space(ImDrawList& list, const Camera& camera, ImVec2 low, ImVec2 size)
         : list_(list), view_(camera, {size.x, size.y}), low_(low) {}
 
-    std::optional<ImVec2> place(const glm::dvec3& p) const {
+    std::optional<ImVec2> project(const glm::dvec3& p) const {
         const std::optional<glm::dvec2> pixel = view_.pixel_of(p);
-        // What is near the eye's own plane is seen nowhere near the panel.
+        // Points near the eye's plane are projected far outside the panel.
         if (!pixel || std::abs(pixel->x) > 1e5 || std::abs(pixel->y) > 1e5) return std::nullopt;
         return ImVec2(low_.x + float(pixel->x), low_.y + float(pixel->y));
     }
 
     void line(const glm::dvec3& a, const glm::dvec3& b, ImU32 color, float width) const {
-        const auto from = place(a);
-        const auto to = place(b);
+        const auto from = project(a);
+        const auto to = project(b);
         if (from && to) list_.AddLine(*from, *to, color, width);
     }
 
     void dot(const glm::dvec3& p, ImU32 color, float half) const {
-        if (const auto at = place(p))
+        if (const auto at = project(p))
             list_.AddRectFilled({at->x - half, at->y - half}, {at->x + half, at->y + half}, color);
     }
 
@@ -69,7 +69,7 @@ public:
         for (std::size_t i = 0; i < 8; ++i) {
             const glm::dvec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1,
                                   (i & 4) != 0 ? 1 : -1);
-            corners[i] = place(glm::dvec3(box.center) + sign * glm::dvec3(box.extent));
+            corners[i] = project(glm::dvec3(box.center) + sign * glm::dvec3(box.extent));
             if (!corners[i]) return;
         }
         for (std::size_t i = 0; i < 8; ++i)
@@ -153,13 +153,13 @@ void HoughPanel::draw(const HoughInspection& inspection, float x, float y, float
     std::snprintf(text, sizeof text, "outside %u", blocks.outside);
     legend(k_outside, text);
     ImGui::SameLine();
-    std::snprintf(text, sizeof text, "looked at %u of %u blocks", blocks.looked_at, blocks.all);
-    legend(k_looked_at, text);
+    std::snprintf(text, sizeof text, "looked at %u of %u blocks", blocks.tested, blocks.all);
+    legend(k_tested, text);
     ImGui::Checkbox("points", &shows_points_);
     ImGui::SameLine();
     ImGui::Checkbox("v-sphere", &shows_sphere_);
     ImGui::SameLine();
-    ImGui::Checkbox("looked at", &shows_looked_at_);
+    ImGui::Checkbox("looked at", &shows_tested_);
     ImGui::SameLine();
     ImGui::Checkbox("settled", &shows_settled_);
 
@@ -177,32 +177,32 @@ void HoughPanel::draw(const HoughInspection& inspection, float x, float y, float
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled(low, high, k_paper, 3.0f);
         list.PushClipRect(low, high, true);
-        // Thousands of short lines: smoothing each would cost more than it shows.
+        // There are thousands of short lines: antialiasing costs more than it improves.
         const ImDrawListFlags before = list.Flags;
         list.Flags &= ~(ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill);
         const Space space(list, camera_, low, size);
-        // The more boxes there are, the paler each, so that points are seen through them.
-        const std::uint32_t veil =
-            std::clamp(40'000u / std::max(inspection.blocks().looked_at, 1u), 36u, 150u);
+        // Many boxes are drawn with a lower opacity, so that the points stay visible.
+        const std::uint32_t box_alpha =
+            std::clamp(40'000u / std::max(inspection.blocks().tested, 1u), 36u, 150u);
         for (const WalkedBox& box : inspection.boxes()) {
             if (!box.is_end()) continue;
-            const bool looked_at = box.side == WalkedBox::Side::straddles;
-            if (looked_at ? !shows_looked_at_ : !shows_settled_) continue;
-            const ImU32 color = looked_at                             ? k_looked_at
+            const bool tested = box.side == WalkedBox::Side::straddles;
+            if (tested ? !shows_tested_ : !shows_settled_) continue;
+            const ImU32 color = tested                                ? k_tested
                                 : box.side == WalkedBox::Side::inside ? k_inside
                                                                       : k_outside;
-            space.box(box, with_alpha(color, looked_at ? veil : 60u));
+            space.box(box, with_alpha(color, tested ? box_alpha : 60u));
         }
         if (shows_points_)
             for (const HoughInspection::Point& point : inspection.points())
-                space.dot(glm::dvec3(point.place), point.inside ? k_inside : k_outside, 1.2f);
+                space.dot(glm::dvec3(point.position), point.inside ? k_inside : k_outside, 1.2f);
         list.Flags = before;
         if (shows_sphere_) draw_v_sphere(space, inspection);
         space.dot({}, k_ink, 2.5f);
-        if (const auto origin = space.place({}))
+        if (const auto origin = space.project({}))
             list.AddText({origin->x + 6.0f, origin->y - 6.0f}, k_ink, "O");
         if (!inspection.is_plane())
-            if (const auto pole = space.place(glm::dvec3(inspection.pole())))
+            if (const auto pole = space.project(glm::dvec3(inspection.pole())))
                 list.AddText({pole->x + 6.0f, pole->y - 6.0f}, k_ink, "q");
         list.PopClipRect();
     }

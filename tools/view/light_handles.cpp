@@ -7,15 +7,16 @@ namespace rimline::tools {
 
 namespace {
 
-// From the eye to `place`, of length 1.
-glm::dvec3 sight(const ScreenView& view, const glm::dvec3& place) {
+// From the eye to `position`, of length 1.
+glm::dvec3 ray_direction(const ScreenView& view, const glm::dvec3& position) {
     if (view.camera().is_orthographic()) return view.view_direction();
-    return glm::normalize(place - view.camera().eye);
+    return glm::normalize(position - view.camera().eye);
 }
 
-glm::dvec3 away_from(const glm::dvec3& place, const SceneBounds& model) {
-    const glm::dvec3 away = place - model.center;
-    return glm::length(away) > 0.0 ? glm::normalize(away) : glm::dvec3(0, 1, 0);
+// From the model's center to `position`, of length 1.
+glm::dvec3 direction_from_center(const glm::dvec3& position, const SceneBounds& model) {
+    const glm::dvec3 offset = position - model.center;
+    return glm::length(offset) > 0.0 ? glm::normalize(offset) : glm::dvec3(0, 1, 0);
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ void drag_light(Light& light, const SceneBounds& model, const ScreenView& view,
     const Ray ray = view.ray_through(pixel);
     const glm::dvec3 handle = light_handle(light, model);
     if (!light.directional) {
-        // The plane's points p satisfy (p - handle) . view direction = 0.
+        // The handle moves in the plane (p - handle) . view direction = 0.
         const glm::dvec3 facing = view.view_direction();
         const double slope = glm::dot(ray.direction, facing);
         const double distance = glm::dot(handle - ray.origin, facing) / slope;
@@ -38,22 +39,22 @@ void drag_light(Light& light, const SceneBounds& model, const ScreenView& view,
         return;
     }
     const double radius = k_sun_radii * model.radius;
-    const double nearest_at = glm::dot(model.center - ray.origin, ray.direction);
-    const glm::dvec3 nearest = ray.origin + nearest_at * ray.direction;
+    const double nearest_distance = glm::dot(model.center - ray.origin, ray.direction);
+    const glm::dvec3 nearest = ray.origin + nearest_distance * ray.direction;
     const double miss = glm::distance(nearest, model.center);
     if (miss >= radius) {
         light.vector = glm::normalize(nearest - model.center);
         return;
     }
     const double half_chord = std::sqrt(radius * radius - miss * miss);
-    const bool behind = glm::dot(handle - model.center, sight(view, handle)) > 0.0;
+    const bool behind = glm::dot(handle - model.center, ray_direction(view, handle)) > 0.0;
     light.vector = glm::normalize(nearest + (behind ? half_chord : -half_chord) * ray.direction -
                                   model.center);
 }
 
 void push_light(Light& light, const SceneBounds& model, const ScreenView& view, double factor) {
     const glm::dvec3 handle = light_handle(light, model);
-    const glm::dvec3 along = sight(view, handle);
+    const glm::dvec3 along = ray_direction(view, handle);
     if (!light.directional) {
         if (view.camera().is_orthographic())
             light.vector += (factor - 1.0) * model.radius * along;
@@ -69,14 +70,14 @@ void push_light(Light& light, const SceneBounds& model, const ScreenView& view, 
 
 Light as_lamp(const Light& light, const SceneBounds& model) {
     if (!light.directional) return light;
-    // Farther out than the sun's handle, so that lamp and sun shine from much the same side.
+    // Twice as far out as the sun's handle: most of the model is then lit from the same side as before.
     return {.vector = model.center + 2.0 * (light_handle(light, model) - model.center),
             .directional = false};
 }
 
 Light as_sun(const Light& light, const SceneBounds& model) {
     if (light.directional) return light;
-    return {.vector = away_from(light.vector, model), .directional = true};
+    return {.vector = direction_from_center(light.vector, model), .directional = true};
 }
 
 }  // namespace rimline::tools

@@ -1,10 +1,10 @@
 #pragma once
 
-// Lights as things to take hold of.
+// Handles by which the mouse moves lights.
 //
-// A sun has no place: its handle lies on a sphere around the model, in the direction it shines from, and
-// slides on that sphere. A lamp's handle is the lamp; it moves in the plane through it that faces the
-// viewer, and towards or away from the eye by the wheel.
+// A sun has no position. Its handle lies on a sphere around the model, in the direction of the sun, and
+// moves on that sphere. A lamp's handle is the lamp's position. It moves in the plane through it that is
+// perpendicular to the view direction; the wheel moves it towards the eye or away.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -14,21 +14,23 @@
 
 namespace rimline::tools {
 
-/// Of the sphere that suns slide on, in the model's radii: within the picture when the model is.
+/// Radius of the sphere on which suns' handles lie, in the model's radii. Below 1, so that the handles are
+/// in the picture when the model is.
 constexpr double k_sun_radii = 0.85;
 
 glm::dvec3 light_handle(const Light& light, const SceneBounds& model);
 
-/// Moves a light so that its handle is seen at `pixel`. Where the sun's sphere is not seen there, the
-/// handle goes to the sphere's outline. A sun behind the model stays behind it.
+/// Moves a light so that its handle is at `pixel`. If the sphere of suns does not cover that pixel, the
+/// handle moves to the sphere's outline. A sun behind the model stays behind it.
 void drag_light(Light& light, const SceneBounds& model, const ScreenView& view,
                 const glm::dvec2& pixel);
 
-/// Moves a lamp along the line from the eye to `factor` times its distance; a sun to the other side of
-/// its sphere where `factor` is over 1 and it is on the near side, or the other way round.
+/// Multiplies a lamp's distance from the eye by `factor`. A sun on the near side of its sphere moves to the
+/// far side if `factor` is above 1; a sun on the far side moves to the near side if it is below 1.
 void push_light(Light& light, const SceneBounds& model, const ScreenView& view, double factor);
 
-/// A lamp where a sun's handle was, and a sun from where a lamp was.
+/// A lamp in the direction of a sun, and a sun in the direction of a lamp. Other lights are returned
+/// unchanged.
 Light as_lamp(const Light& light, const SceneBounds& model);
 Light as_sun(const Light& light, const SceneBounds& model);
 

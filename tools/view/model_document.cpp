@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/view_defaults.h"
 #include "silhouette/hough/box_walk.h"
 #include "silhouette/mesh/solid.h"
 #include "tools/options/picture_scene.h"
@@ -12,8 +11,8 @@ namespace rimline::tools {
 
 namespace {
 
-// A camera, a light and a ground beside the model need room within the coordinates there are.
-const Mesh& checked(const std::string& name, const Mesh& mesh) {
+// The camera, the lights and the ground around the model must stay within the range of coordinates.
+const Mesh& check_size(const std::string& name, const Mesh& mesh) {
     const glm::dvec3 reach = glm::abs(mesh.center()) + 1.5 * k_ground_end * mesh.radius();
     if (std::max({reach.x, reach.y, reach.z}) > 0.01 * double{k_max_coordinate})
         throw Error(ErrorCode::too_large,
@@ -23,27 +22,28 @@ const Mesh& checked(const std::string& name, const Mesh& mesh) {
 
 }  // namespace
 
-ModelDocument::Ground::Ground(const Mesh& model, const glm::dvec3& upwards)
-    : up(upwards), mesh(make_ground(model, upwards, k_ground_end * model.radius())), octree(mesh) {}
+ModelDocument::Ground::Ground(const Mesh& model, const glm::dvec3& up_axis)
+    : up(up_axis), mesh(make_ground(model, up_axis, k_ground_end * model.radius())), octree(mesh) {}
 
 ModelDocument::ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin)
     : ModelDocument(name, load_model(name, subdivide, FaceRequirement::faces, begin), begin) {}
 
 ModelDocument::ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin)
-    : name_(std::move(name)),
-      mesh_(about_model(
-          name_,
-          [&] { return Mesh(source, Welding::equal_positions, begin("joining the faces")); })),
-      octree_(about_model(
-          name_,
-          [&] { return HoughOctree(checked(name_, mesh_), {}, begin("building the octree")); })),
+    : DocumentBase(std::move(name)),
+      mesh_(make_part(
+          begin, "joining the faces",
+          [&](const LongCall& call) { return Mesh(source, Welding::equal_positions, call); })),
+      octree_(make_part(begin, "building the octree",
+                        [&](const LongCall& call) {
+                            return HoughOctree(check_size(this->name(), mesh_), {}, call);
+                        })),
       is_solid_(rimline::is_solid(mesh_, begin("asking whether it is a solid"))),
       face_tree_(make_face_tree(octree_, 0)) {}
 
 const HoughOctree& ModelDocument::ground(const glm::dvec3& up) {
-    const auto found = std::ranges::find_if(
+    const auto same_up = std::ranges::find_if(
         grounds_, [&](const std::unique_ptr<Ground>& ground) { return ground->up == up; });
-    if (found != grounds_.end()) return (*found)->octree;
+    if (same_up != grounds_.end()) return (*same_up)->octree;
     grounds_.push_back(std::make_unique<Ground>(mesh_, up));
     return grounds_.back()->octree;
 }

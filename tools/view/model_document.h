@@ -1,6 +1,6 @@
 #pragma once
 
-// A model as the window shows it: its mesh, the index over it, and the ground under it.
+// A model that the window shows: its mesh, the octree over it, and the ground under it.
 
 #include <glm/vec3.hpp>
 #include <memory>
@@ -10,40 +10,38 @@
 #include "silhouette/hough/box_tree.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/mesh.h"
-#include "tools/options/model_argument.h"
+#include "tools/view/document_base.h"
 
 namespace rimline::tools {
 
-/// Stays where it is: octrees know their meshes by address, and a renderer knows octrees by theirs.
-class ModelDocument {
+/// Cannot be copied or moved: the octree refers to the mesh by its address, and a renderer refers to the
+/// octree by its address.
+class ModelDocument final : public DocumentBase {
 public:
-    /// `name` is a file or shape:NAME[:FACES]. Takes as long as loading and indexing do; `begin` is told
-    /// of the parts (model_argument.h). Throws Error naming the model; CLI::ValidationError where there
-    /// is no such shape.
+    /// Loads `name`, a file or shape:NAME[:FACES], and builds the octree. `begin` is called before each part
+    /// of the work (progress.h). Throws Error naming the model, and CLI::ValidationError if there is no
+    /// such shape.
     ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin);
-    /// The same of what was read already.
+    /// The same for a source that is already read.
     ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin);
-    ModelDocument(const ModelDocument&) = delete;
-    ModelDocument& operator=(const ModelDocument&) = delete;
 
-    const std::string& name() const noexcept { return name_; }
+    Subject subject() const override { return mesh_; }
     const Mesh& mesh() const noexcept { return mesh_; }
     const HoughOctree& octree() const noexcept { return octree_; }
     bool is_solid() const noexcept { return is_solid_; }
-    /// The tree over the faces of the index's origin, to look at (silhouette/hough/box_walk.h).
+    /// The tree over the faces of the octree's first origin, for display (silhouette/hough/box_walk.h).
     const BoxTree& face_tree() const noexcept { return face_tree_; }
-    /// The ground when `up` is up, made when it is first asked for. It stays as long as the model.
+    /// The ground for this up axis. Built at the first call; valid as long as the document.
     const HoughOctree& ground(const glm::dvec3& up);
 
 private:
     struct Ground {
-        Ground(const Mesh& model, const glm::dvec3& upwards);
+        Ground(const Mesh& model, const glm::dvec3& up_axis);
         glm::dvec3 up;
         Mesh mesh;
         HoughOctree octree;
     };
 
-    std::string name_;
     Mesh mesh_;
     HoughOctree octree_;
     bool is_solid_;

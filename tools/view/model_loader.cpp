@@ -9,7 +9,7 @@ namespace rimline::tools {
 
 namespace {
 
-// Of progress, between two wakes of the window.
+// Least increase of progress that wakes the window.
 constexpr double k_min_step = 0.01;
 
 }  // namespace
@@ -26,11 +26,12 @@ void ModelLoader::cancel() {
     result_.reset();
 }
 
-void ModelLoader::open(CloudArgument named) {
+void ModelLoader::open(CloudArgument argument) {
     cancel();
-    stage_ = Stage{"opening " + named.model, 0.0};
-    thread_ = std::jthread(
-        [this, named = std::move(named)](std::stop_token stop) { load(std::move(stop), named); });
+    stage_ = Stage{"opening " + argument.model, 0.0};
+    thread_ = std::jthread([this, argument = std::move(argument)](std::stop_token stop) {
+        load(std::move(stop), argument);
+    });
 }
 
 std::optional<ModelLoader::Stage> ModelLoader::stage() const {
@@ -43,12 +44,12 @@ std::optional<ModelLoader::Result> ModelLoader::take() {
     return std::exchange(result_, std::nullopt);
 }
 
-void ModelLoader::load(std::stop_token stop, const CloudArgument& named) {
-    const std::string& name = named.model;
-    const auto begin = [&](const std::string& doing) {
+void ModelLoader::load(std::stop_token stop, const CloudArgument& argument) {
+    const std::string& name = argument.model;
+    const auto begin = [&](const std::string& task) {
         {
             const std::lock_guard lock(mutex_);
-            stage_ = Stage{doing, 0.0};
+            stage_ = Stage{task, 0.0};
         }
         wake();
         return LongCall{stop, [this](double share) {
@@ -62,7 +63,7 @@ void ModelLoader::load(std::stop_token stop, const CloudArgument& named) {
     };
     Result result;
     try {
-        result.opened = open_named(named, begin);
+        result.document = open_document(argument, begin);
     } catch (const Error& error) {
         result.error = error.code() == ErrorCode::cancelled ? "" : error.what();
     } catch (const CLI::ParseError& error) {
@@ -70,7 +71,7 @@ void ModelLoader::load(std::stop_token stop, const CloudArgument& named) {
     } catch (const std::bad_alloc&) {
         result.error = name + ": there is not enough memory for it";
     } catch (const std::exception& error) {
-        // Nothing may leave a thread: it would end the program.
+        // An exception that left the thread would end the program.
         result.error = name + ": unexpected: " + error.what();
     }
     {

@@ -1,9 +1,10 @@
 #pragma once
 
-// Opens models and clouds on a thread of its own, so that the window goes on while a large file is read.
+// Opens models and clouds on a separate thread, so that the window stays responsive while a large file is
+// read.
 //
-// One at a time: asking for another stops the one before. What comes of it is picked up by the window's
-// thread; what fails is a message, never the end of the program.
+// Only one file is loaded at a time: open() cancels the load before it. The window's thread fetches the
+// result with take(). A failed load gives an error message and does not end the program.
 
 #include <functional>
 #include <memory>
@@ -18,44 +19,44 @@ namespace rimline::tools {
 
 class ModelLoader {
 public:
-    /// `wake` is called from the loading thread whenever there is something new to show.
+    /// `wake` is called on the loading thread whenever stage() or the result has changed.
     explicit ModelLoader(std::function<void()> wake = {}) : wake_(std::move(wake)) {}
-    /// Stops what is being loaded, and waits until it has stopped.
+    /// Cancels the load and waits for its end.
     ~ModelLoader();
     ModelLoader(const ModelLoader&) = delete;
     ModelLoader& operator=(const ModelLoader&) = delete;
 
-    /// Stops what is being loaded and begins with a file or shape: as open_named() tells which it is.
-    void open(CloudArgument named);
+    /// Cancels the load before, and starts to load a file or shape as open_document() does.
+    void open(CloudArgument argument);
     void open(std::string name) { open(CloudArgument{.model = std::move(name)}); }
-    /// Stops what is being loaded. Its result, if there is one already, is dropped.
+    /// Stops the load and waits for its end. Discards a result that was not taken.
     void cancel();
 
     struct Stage {
-        std::string doing;   ///< "reading bunny.obj"
-        double share = 0.0;  ///< Of this part of the work, in [0, 1].
+        std::string task;    ///< "reading bunny.obj"
+        double share = 0.0;  ///< Progress of this task, in [0, 1].
     };
-    /// Nothing when nothing is being loaded.
+    /// Nothing while no load is in progress.
     std::optional<Stage> stage() const;
 
     struct Result {
-        Document opened;    ///< Nothing when it failed.
-        std::string error;  ///< Why.
+        Document document;  ///< Empty if the load failed.
+        std::string error;  ///< Why it failed.
     };
-    /// What has come of the last open(), once.
+    /// The result of the last open(). Each result is returned once.
     std::optional<Result> take();
 
 private:
-    void load(std::stop_token stop, const CloudArgument& named);
+    void load(std::stop_token stop, const CloudArgument& argument);
     void wake() const {
         if (wake_) wake_();
     }
 
     std::function<void()> wake_;
-    mutable std::mutex mutex_;  // Guards the two below.
+    mutable std::mutex mutex_;  // Guards the two members below.
     std::optional<Stage> stage_;
     std::optional<Result> result_;
-    std::jthread thread_;  // Last: it ends before the rest goes.
+    std::jthread thread_;  // Last: it is joined before the other members are destroyed.
 };
 
 }  // namespace rimline::tools

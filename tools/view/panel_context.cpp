@@ -16,12 +16,12 @@ static_assert(sizeof(ImDrawVert) == sizeof(gpu::OverlayVertex) &&
                   offsetof(ImDrawVert, pos) == offsetof(gpu::OverlayVertex, place) &&
                   offsetof(ImDrawVert, uv) == offsetof(gpu::OverlayVertex, texture) &&
                   offsetof(ImDrawVert, col) == offsetof(gpu::OverlayVertex, color),
-              "the toolkit's vertices are taken as they are");
+              "the toolkit's vertices are copied without conversion");
 
 constexpr const char* k_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float k_font_size = 14.0f;
 
-// A sheet of drawing paper beside the picture, in its own tones: ink on warm gray.
+// Dark text on a light warm gray, like the ink style.
 void set_style(float scale) {
     ImGui::StyleColorsLight();
     ImGuiStyle& style = ImGui::GetStyle();
@@ -64,7 +64,7 @@ void set_style(float scale) {
     style.ScaleAllSizes(scale);
 }
 
-void add_letters(ImGuiIO& io, float scale) {
+void add_font(ImGuiIO& io, float scale) {
     std::error_code missing;
     const float size = std::round(k_font_size * scale);
     if (std::filesystem::exists(k_font, missing) &&
@@ -81,12 +81,12 @@ PanelContext::PanelContext(const Window& window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // No files in the user's folders.
+    io.IniFilename = nullptr;  // Write no settings file.
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     const float scale = window.content_scale();
     set_style(scale);
-    add_letters(io, scale);
+    add_font(io, scale);
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
 }
 
@@ -95,15 +95,14 @@ PanelContext::~PanelContext() {
     ImGui::DestroyContext();
 }
 
-LetterTexture PanelContext::letters() const {
+FontTexture PanelContext::font_texture() const {
     unsigned char* pixels = nullptr;
     int width = 0;
     int height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-    LetterTexture letters{
-        static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
-    letters.opacity.assign(pixels, pixels + std::size_t{letters.width} * letters.height);
-    return letters;
+    FontTexture font{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+    font.opacity.assign(pixels, pixels + std::size_t{font.width} * font.height);
+    return font;
 }
 
 void PanelContext::begin_frame() {

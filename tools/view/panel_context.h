@@ -1,6 +1,6 @@
 #pragma once
 
-// Dear ImGui for one window: its input comes through GLFW, what it draws goes out as an OverlayDrawing.
+// Dear ImGui for one window. Its input comes from GLFW; its output is an OverlayDrawing.
 //
 //     begin_frame() --> ImGui:: calls --> end_frame() --> drawing()
 
@@ -12,20 +12,20 @@ namespace rimline::tools {
 
 class PanelContext {
 public:
-    /// One at a time, as long as the window. Letters are those of DejaVu Sans where that is installed,
-    /// else the toolkit's own.
+    /// At most one at a time. `window` must outlive it. The font is DejaVu Sans if it is installed, else the
+    /// toolkit's own.
     explicit PanelContext(const Window& window);
     ~PanelContext();
     PanelContext(const PanelContext&) = delete;
     PanelContext& operator=(const PanelContext&) = delete;
 
-    LetterTexture letters() const;
+    FontTexture font_texture() const;
 
     void begin_frame();
     void end_frame();
-    /// Of the last frame; valid until the next ends.
+    /// The last frame's drawing. Valid until the next end_frame().
     const OverlayDrawing& drawing() const noexcept { return drawing_; }
-    /// Pixels for each unit that panels are laid out in.
+    /// Pixels per unit of the panel layout.
     float pixels_per_unit() const;
 
 private:

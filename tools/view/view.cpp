@@ -1,4 +1,4 @@
-// rimline view: a window to look at a model in, and into its silhouette.
+// rimline view: an interactive window that shows a model or a cloud and its silhouette.
 
 #include <utility>
 
@@ -20,9 +20,7 @@ namespace {
 class ViewCommand final : public Command {
 public:
     std::string name() const override { return "view"; }
-    std::string summary() const override {
-        return "Open a window to walk around a model or a cloud in";
-    }
+    std::string summary() const override { return "Open a window that shows a model or a cloud"; }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
@@ -30,32 +28,33 @@ public:
         scene_.add_to(app);
         picture_.add_camera_to(app);
         add_point(app, "--silhouette-from", silhouette_from_,
-                  "Freeze the silhouette as it is seen from here (default: the camera's own)")
+                  "Freeze the silhouette of this viewpoint (default: follow the camera)")
             ->group("Camera");
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
         constexpr const char* k_window = "Window";
-        app.add_flag("--no-panel", no_panel_, "Nothing but the picture")->group(k_window);
-        app.add_flag("--inspect", inspect_, "Begin with Hough space open")->group(k_window);
+        app.add_flag("--no-panel", no_panel_, "Show only the picture, without the panel")
+            ->group(k_window);
+        app.add_flag("--inspect", inspect_, "Start with the Hough space window open")
+            ->group(k_window);
         add_count(app, "--frames", frames_, 1, 1'000'000,
-                  "Close after so many frames (default: when you do)")
+                  "Close after this number of frames (default: the user closes the window)")
             ->default_str("")
             ->group(k_window);
         add_output(app, "--screenshot", screenshot_, ".png",
-                   "Save what the window shows in the last of --frames, as a PNG")
+                   "Save the window in the last of --frames to this PNG file")
             ->group(k_window);
         app.footer(
-            "Without a model a built-in scene is shown; drop a file on the window to open it. A "
-            "file "
-            "without\n"
-            "faces is a cloud: its points, borders and features, and its silhouette in ink. Drag "
-            "to "
-            "turn,\n"
-            "with the right button to move, the wheel zooms; take the lights by their handles. The "
-            "panel has\n"
-            "the rest: flying, styles, the silhouette frozen to be looked at from elsewhere, Hough "
-            "space.\n\n"
+            "Without a model, a built-in scene is shown. Drop a file on the window to open it. A "
+            "file without\n"
+            "faces is shown as a cloud: its points, borders and features, and its silhouette in "
+            "ink. Drag to\n"
+            "orbit, drag with the right button to pan, turn the wheel to zoom, drag the handles of "
+            "lights to move\n"
+            "them. The panel controls flying, styles, a frozen silhouette to be viewed from other "
+            "viewpoints,\n"
+            "and Hough space.\n\n"
             "Examples:\n"
             "  rimline view horse.ply --up 0,0,1\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"
@@ -71,7 +70,7 @@ public:
         if (!screenshot_.empty()) screenshot.emplace(screenshot_, model_.model);
         if (model_.model.empty()) model_.model = k_default_model;
 
-        // Before the model is loaded: a machine without a display says so at once.
+        // Before the model is loaded, so that a missing display is reported at once.
         Window window("Rimline - " + model_.model, static_cast<int>(picture_.size.width),
                       static_cast<int>(picture_.size.height));
         const VulkanInstance instance(
@@ -99,65 +98,61 @@ public:
 
 private:
     void open(ViewSession& session, const Context& context) const {
-        std::optional<Progress> progress;
-        CloudArgument named = cloud_;
-        named.model = model_.model;
-        named.subdivide = model_.subdivide;
-        Document opened = open_named(named, [&](const std::string& doing) {
-            progress.emplace(context, doing);
-            return progress->call();
-        });
-        progress.reset();
-        context.checkpoint();
-        if (opened.cloud() != nullptr)
-            show_cloud(session, std::move(opened));
+        CloudArgument argument = cloud_;
+        argument.model = model_.model;
+        argument.subdivide = model_.subdivide;
+        Document document = follow_progress(
+            context, [&](const BeginCall& begin) { return open_document(argument, begin); });
+        if (document.cloud() != nullptr)
+            show_cloud(session, std::move(document));
         else
-            show_model(session, std::move(opened));
+            show_model(session, std::move(document));
     }
 
-    void show_cloud(ViewSession& session, Document opened) const {
+    void show_cloud(ViewSession& session, Document document) const {
         const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
                             picture_.has_chosen_sun || scene_.ground;
         if (is_lit || scene_.hidden || scene_.crease_degrees || scene_.style != "ink" || inspect_)
             throw UsageError(model_.model +
                              " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
                              "space are of models");
-        const CloudDocument& cloud = *opened.cloud();
+        const CloudDocument& cloud = *document.cloud();
         const auto exact = [](const std::optional<glm::vec3>& point) {
             return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
         };
         const Camera camera =
             make_cloud_camera(cloud.umbrellas(), cloud.cloud().up(), model_.model,
                               exact(picture_.eye), exact(picture_.target), picture_);
-        session.look = ViewLook(Style::ink);
-        if (picture_.background) session.look.background = linear_from_srgb(*picture_.background);
-        if (scene_.color) session.look.color = linear_from_srgb(*scene_.color);
-        if (scene_.line_color) session.look.line_color = linear_from_srgb(*scene_.line_color);
-        session.look.lines = scene_.lines == "on";
-        if (scene_.line_width) session.look.line_width_px = float(*scene_.line_width);
+        session.appearance = ViewAppearance(Style::ink);
+        if (picture_.background)
+            session.appearance.background = linear_from_srgb(*picture_.background);
+        if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
+        if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
+        session.appearance.lines = scene_.lines == "on";
+        if (scene_.line_width) session.appearance.line_width_px = float(*scene_.line_width);
         std::optional<glm::dvec3> from;
         if (silhouette_from_)
             from = glm::dvec3(cloud.umbrellas().to_index(glm::dvec3(*silhouette_from_)));
-        session.show(std::move(opened), camera, {});
+        session.show(std::move(document), camera, {});
         freeze(session, from);
     }
 
-    void show_model(ViewSession& session, Document opened) const {
-        const ModelDocument* const model = opened.model();
+    void show_model(ViewSession& session, Document document) const {
+        const ModelDocument* const model = document.model();
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
-        session.look = ViewLook(scene.style);
-        session.look.background = scene.palette.background;
-        if (scene_.color) session.look.color = linear_from_srgb(*scene_.color);
-        if (scene_.line_color) session.look.line_color = linear_from_srgb(*scene_.line_color);
-        session.look.lines = scene.lines;
-        session.look.line_width_px = scene.line_width_px;
-        session.look.hidden = scene_.hidden;
-        session.look.crease_angle_deg = scene.crease_angle_deg;
-        session.look.shadows = scene.shadows;
-        session.look.shadow_method = scene.shadow_method;
-        session.look.ground = scene_.ground;
-        session.show(std::move(opened), camera, std::move(scene.lights));
+        session.appearance = ViewAppearance(scene.style);
+        session.appearance.background = scene.palette.background;
+        if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
+        if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
+        session.appearance.lines = scene.lines;
+        session.appearance.line_width_px = scene.line_width_px;
+        session.appearance.hidden = scene_.hidden;
+        session.appearance.crease_angle_deg = scene.crease_angle_deg;
+        session.appearance.shadows = scene.shadows;
+        session.appearance.shadow_method = scene.shadow_method;
+        session.appearance.ground = scene_.ground;
+        session.show(std::move(document), camera, std::move(scene.lights));
         std::optional<glm::dvec3> from;
         if (silhouette_from_) from = glm::dvec3(*silhouette_from_);
         freeze(session, from);
@@ -174,7 +169,7 @@ private:
     }
 
     ModelArgument model_;
-    CloudArgument cloud_;  // Its flags.
+    CloudArgument cloud_;  // Only its flags are used.
     PictureOptions picture_;
     SceneOptions scene_;
     std::optional<glm::vec3> silhouette_from_;

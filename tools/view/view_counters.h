@@ -1,6 +1,6 @@
 #pragma once
 
-// How the last frames went, for the panel.
+// Counters and times of the last frames, shown in the panel.
 
 #include <array>
 #include <cstddef>
@@ -13,9 +13,9 @@ namespace rimline::tools {
 struct ViewCounters {
     static constexpr std::size_t k_times = 120;
 
-    FrameReport report;                  ///< Of the frame drawn last, of a model.
-    CloudReport cloud;                   ///< The same of a cloud.
-    std::array<float, k_times> times{};  ///< Of frames, in ms; the oldest at `next`.
+    FrameReport report;                  ///< The last frame, if it shows a model.
+    CloudReport cloud;                   ///< The last frame, if it shows a cloud.
+    std::array<float, k_times> times{};  ///< Frame times in ms. The oldest is at `next`.
     std::size_t next = 0;
     std::size_t frames = 0;
 

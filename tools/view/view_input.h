@@ -1,7 +1,7 @@
 #pragma once
 
-// What the mouse and the keys do to the picture: turn, move, fly, drag lights. The panel takes its own
-// part of them first.
+// Mouse and keyboard input in the picture: orbit, pan, zoom, fly, drag lights. Input that the panel uses is
+// ignored here.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -12,25 +12,27 @@ namespace rimline::tools {
 
 class ViewInput {
 public:
-    /// Flying, the mouse looks around and W, A, S, D, Q and E move; else dragging turns around the
-    /// target, with the right or middle button or Shift it moves the picture, and the wheel zooms.
+    /// True: dragging turns the view, and W, A, S, D, Q and E move the camera. False: dragging orbits around
+    /// the target; with the right or middle button or with Shift it pans. The wheel zooms in both modes.
     bool flies = false;
 
-    /// Does to `session` what was done since the last frame, in a window of `size` units. Returns
-    /// whether something is held or moves on by itself, so that another frame is wanted.
+    /// Applies the input since the last frame to `session`, in a window of `size` units. Returns whether
+    /// another frame is needed: a drag or a flight is in progress.
     bool apply(ViewSession& session, const glm::dvec2& size);
 
-    /// The light under the mouse, or held by it.
-    std::optional<std::size_t> light() const noexcept { return held_ ? held_ : hovered_; }
+    /// The light that is dragged, else the light under the mouse.
+    std::optional<std::size_t> light() const noexcept {
+        return dragged_light_ ? dragged_light_ : hovered_light_;
+    }
 
 private:
-    void take_light(ViewSession& session, const glm::dvec2& size);
+    void move_lights(ViewSession& session, const glm::dvec2& size);
     void move_camera(ViewSession& session, const glm::dvec2& size) const;
-    bool fly_on(ViewSession& session) const;
+    bool move_flight(ViewSession& session) const;
 
-    std::optional<std::size_t> hovered_;
-    std::optional<std::size_t> held_;
-    bool holds_picture_ = false;
+    std::optional<std::size_t> hovered_light_;
+    std::optional<std::size_t> dragged_light_;
+    bool drags_picture_ = false;
 };
 
 }  // namespace rimline::tools

@@ -17,11 +17,11 @@ namespace rimline::tools {
 
 namespace {
 
-// After an event: the toolkit settles what it lays out within two more.
+// After an event: the toolkit needs up to two more frames to complete its layout.
 constexpr int k_frames_after_event = 3;
-// Without a change: until the picture is drawn finely.
+// Time without a change after which the picture is drawn at full resolution.
 constexpr double k_rest_s = 0.15;
-// Longest wait for events.
+// Longest time to wait for events.
 constexpr double k_idle_s = 0.5;
 
 double now_s() {
@@ -37,7 +37,7 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
       session_(session),
       options_(std::move(options)),
       context_(window),
-      renderer_(instance, window, options_.device, context_.letters()),
+      renderer_(instance, window, options_.device, context_.font_texture()),
       loader_([] { Window::wake(); }) {
     panel_.visible = options_.panel;
     hough_.open = options_.inspector;
@@ -53,7 +53,7 @@ double ViewLoop::free_aspect() const {
     return std::max(size.x - covered, 0.3 * size.x) / std::max(size.y, 1.0);
 }
 
-// The panel covers the left: what is left free is filled.
+// Fits the document into the part of the window that the panel does not cover.
 void ViewLoop::fit() {
     session_.fit(free_aspect());
     if (!panel_.visible) return;
@@ -61,33 +61,34 @@ void ViewLoop::fit() {
     pan(session_.camera, {0.5 * (size.x / std::max(size.y, 1.0) - free_aspect()), 0.0});
 }
 
-bool ViewLoop::take_loaded() {
+bool ViewLoop::show_loaded() {
     std::vector<std::string> dropped = window_.take_dropped();
     if (!dropped.empty()) {
-        if (dropped.size() > 1) panel_.tell("one model at a time: opening the first", false);
+        if (dropped.size() > 1)
+            panel_.show_message("one model at a time: opening the first", false);
         loader_.open(dropped.front());
     }
     std::optional<ModelLoader::Result> result = loader_.take();
     if (!result) return false;
-    if (!result->opened) {
-        panel_.tell(result->error, true);
+    if (!result->document) {
+        panel_.show_message(result->error, true);
         return false;
     }
     panel_.message.clear();
-    session_.show(std::move(result->opened), free_aspect());
-    frames_of_model_ = 0;
+    session_.show(std::move(result->document), free_aspect());
+    frames_of_document_ = 0;
     fit();
-    window_.set_title("Rimline - " + session_.opened().name());
+    window_.set_title("Rimline - " + session_.document().name());
     return true;
 }
 
-void ViewLoop::take_keys() {
+void ViewLoop::apply_keys() {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput) return;
     const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
     if (pressed(GLFW_KEY_TAB)) panel_.visible = !panel_.visible;
     if (pressed(GLFW_KEY_F)) fit();
-    if (pressed(GLFW_KEY_G)) session_.look.ground = !session_.look.ground;
+    if (pressed(GLFW_KEY_G)) session_.appearance.ground = !session_.appearance.ground;
     if (pressed(GLFW_KEY_I)) hough_.open = !hough_.open;
     if (pressed(GLFW_KEY_Z)) {
         if (session_.frozen())
@@ -99,18 +100,19 @@ void ViewLoop::take_keys() {
 
 void ViewLoop::save(const PanelRequests::Save& save) {
     try {
-        OutputFile file(save.path, session_.opened().name());
+        OutputFile file(save.path, session_.document().name());
         const std::vector<std::byte> png =
             encode_png(renderer_.picture(session_.picture(), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
         file.commit();
-        panel_.tell("saved " + save.path, false);
-    } catch (const std::runtime_error& error) {  // An Error, or where it is the model itself.
-        panel_.tell(error.what(), true);
+        panel_.show_message("saved " + save.path, false);
+    } catch (
+        const std::runtime_error& error) {  // Error, or UsageError if the path is the model itself.
+        panel_.show_message(error.what(), true);
     }
 }
 
-void ViewLoop::serve(const PanelRequests& requests) {
+void ViewLoop::execute(const PanelRequests& requests) {
     if (requests.cancel) loader_.cancel();
     if (requests.open) loader_.open(*requests.open);
     if (requests.fit) fit();
@@ -122,12 +124,12 @@ void ViewLoop::build_panel() {
     context_.begin_frame();
     requests_ = {};
     if (options_.panel) {
-        moving_ = hand_.apply(session_, size);
-        take_keys();
+        is_moving_ = input_.apply(session_, size);
+        apply_keys();
     }
     if (options_.panel && panel_.visible) {
-        draw_marks(session_, size, hand_.light());
-        requests_ = panel_.draw(session_, hand_, hough_,
+        draw_marks(session_, size, input_.light());
+        requests_ = panel_.draw(session_, input_, hough_,
                                 {.counters = counters_,
                                  .loading = loader_.stage(),
                                  .device = renderer_.device_facts().name,
@@ -147,60 +149,60 @@ void ViewLoop::build_panel() {
     context_.end_frame();
 }
 
-// Software draws four times as fast at half the resolution.
+// Half the resolution is four times as fast on a CPU device.
 std::uint32_t ViewLoop::scale() const {
     const bool slow = renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    const bool rests = !moving_ && now_s() - last_change_s_ >= k_rest_s;
+    const bool rests = !is_moving_ && now_s() - last_change_s_ >= k_rest_s;
     return !slow || rests || !options_.panel || options_.frames > 0 ? RendererOptions{}.scale : 1;
 }
 
 bool ViewLoop::draw() {
-    const double begun_s = now_s();
+    const double start_s = now_s();
     const std::uint32_t frame_scale = scale();
-    std::optional<WindowRenderer::Drawn> drawn;
+    std::optional<WindowRenderer::Frame> frame;
     try {
-        drawn = renderer_.draw(session_.picture(), context_.drawing(), frame_scale, captures_);
+        frame = renderer_.draw(session_.picture(), context_.drawing(), frame_scale, captures_next_);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_aspect())) throw;
-        panel_.tell(error.what(), true);
+        panel_.show_message(error.what(), true);
         fit();
         frames_due_ = k_frames_after_event;
         return false;
     }
-    if (!drawn) return false;
+    if (!frame) return false;
     is_coarse_ = frame_scale < RendererOptions{}.scale;
-    // Not before the frames in flight are done that may know it.
-    if (++frames_of_model_ > Renderer::k_frames_in_flight + 1) session_.forget_previous();
-    if (captures_) captured_ = std::move(drawn->shown);
-    captures_ = false;
-    counters_.add(drawn->report, 1e3 * (now_s() - begun_s));
+    // Wait until the frames in flight that may refer to it are done.
+    if (++frames_of_document_ > Renderer::k_frames_in_flight + 1) session_.forget_previous();
+    if (captures_next_) captured_ = std::move(frame->picture);
+    captures_next_ = false;
+    counters_.add(frame->report, 1e3 * (now_s() - start_s));
     if (session_.is_cloud()) counters_.cloud = session_.cloud().report();
     return true;
 }
 
 double ViewLoop::waiting_time() const {
-    // What is due waits until there is a window to draw it in; that comes with an event.
+    // A hidden window is not drawn; an event tells when it is shown.
     if (!window_.is_shown()) return k_idle_s;
-    if (frames_due_ > 0 || moving_) return 0.0;
+    if (frames_due_ > 0 || is_moving_) return 0.0;
     if (is_coarse_) return std::max(k_rest_s - (now_s() - last_change_s_), 1e-3);
     return k_idle_s;
 }
 
-bool ViewLoop::turn(bool always) {
+bool ViewLoop::step(bool always) {
     window_.poll(always ? 0.0 : waiting_time());
     if (window_.take_activity()) {
         frames_due_ = k_frames_after_event;
         last_change_s_ = now_s();
     }
-    const bool has_new = take_loaded();
+    const bool has_new = show_loaded();
     if (has_new || loader_.stage()) frames_due_ = k_frames_after_event;
     const bool refines = is_coarse_ && now_s() - last_change_s_ >= k_rest_s;
-    if (!always && frames_due_ == 0 && !moving_ && !refines) return false;
+    if (!always && frames_due_ == 0 && !is_moving_ && !refines) return false;
     frames_due_ = std::max(frames_due_ - 1, 0);
     build_panel();
     const bool drawn = draw();
-    // After the frame: what is asked for may take its time.
-    serve(requests_);
+    // After the frame, because requests may take long.
+    execute(requests_);
     return drawn;
 }
 
@@ -208,8 +210,8 @@ void ViewLoop::run(const Context& context) {
     std::uint32_t drawn = 0;
     while (!window_.should_close()) {
         context.checkpoint();
-        if (options_.frames > 0 && drawn + 1 == options_.frames) captures_ = true;
-        if (turn(options_.frames > 0)) ++drawn;
+        if (options_.frames > 0 && drawn + 1 == options_.frames) captures_next_ = true;
+        if (step(options_.frames > 0)) ++drawn;
         if (options_.frames > 0 && drawn == options_.frames) break;
     }
 }

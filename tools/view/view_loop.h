@@ -1,9 +1,9 @@
 #pragma once
 
-// The window's life: events, hand, panel, loader and renderer, frame after frame until it is closed.
+// The main loop of the window: events, input, panel, loader and renderer, until the window is closed.
 //
-// A frame is drawn only when there is something new to show. On devices that draw on the CPU it is drawn
-// coarsely while something moves and finely when it rests.
+// A frame is drawn only when its content has changed. A CPU device draws at a lower resolution while
+// something moves, and at full resolution when nothing has moved for a moment.
 
 #include <memory>
 #include <optional>
@@ -26,49 +26,51 @@
 namespace rimline::tools {
 
 struct ViewLoopOptions {
-    std::string device;        ///< As --device names it.
-    bool panel = true;         ///< Panel and handles; else nothing but the picture.
-    bool inspector = false;    ///< Hough space open from the beginning.
-    std::uint32_t frames = 0;  ///< Closes after so many; 0: when the user does.
-    bool fits = true;          ///< Begins with the model filling what the panel leaves free.
+    std::string device;      ///< The value of --device.
+    bool panel = true;       ///< Shows panel and handles; else only the picture.
+    bool inspector = false;  ///< Starts with the Hough space window open.
+    /// Closes after this number of frames. 0: the user closes the window.
+    std::uint32_t frames = 0;
+    /// Starts with the model fitted into the part of the window that the panel leaves free.
+    bool fits = true;
 };
 
 class ViewLoop {
 public:
-    /// `instance` was made with the window's extensions; all of them, and `session` with a model to
-    /// show, must outlive it.
+    /// `instance` must have the window's extensions. `session` must hold a document. The three must outlive
+    /// the loop.
     ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& session,
              ViewLoopOptions options);
     ~ViewLoop();
     ViewLoop(const ViewLoop&) = delete;
     ViewLoop& operator=(const ViewLoop&) = delete;
 
-    /// Runs until the window is closed, or `context` is interrupted. Throws Error where no frame can be
-    /// drawn at all.
+    /// Runs until the window is closed or `context` is cancelled. Throws Error if no frame can be drawn.
     void run(const Context& context);
 
-    /// One turn: events, panel, and a frame where one is due or `always`. Returns whether one was drawn.
-    bool turn(bool always);
+    /// One iteration: processes events and the panel, and draws a frame if one is due or if `always`.
+    /// Returns whether a frame was drawn.
+    bool step(bool always);
 
-    /// Opens a model as the panel does: on another thread, errors shown in the panel.
+    /// Opens a model as the panel does: on another thread. Errors are shown in the panel.
     void open(const std::string& model) { loader_.open(model); }
     bool is_loading() const { return loader_.stage().has_value(); }
     const std::string& message() const noexcept { return panel_.message; }
 
     WindowRenderer& renderer() noexcept { return renderer_; }
-    /// Brings back what the window shows in the next frame; run() does with the last of its frames.
-    void capture_next() noexcept { captures_ = true; }
+    /// Captures the next frame as the window shows it. run() captures the last of its frames.
+    void capture_next() noexcept { captures_next_ = true; }
     const Picture& captured() const noexcept { return captured_; }
-    /// Whether the last frame was drawn coarsely, for something had moved a moment before.
+    /// Whether the last frame was drawn at the lower resolution.
     bool is_coarse() const noexcept { return is_coarse_; }
 
-    /// Of the window's area that the panel leaves free: width over height.
+    /// Width over height of the window's area that the panel leaves free.
     double free_aspect() const;
 
 private:
-    bool take_loaded();  // Whether there is something new to show.
-    void take_keys();
-    void serve(const PanelRequests& requests);
+    bool show_loaded();  // Returns whether a new document is shown.
+    void apply_keys();
+    void execute(const PanelRequests& requests);
     void save(const PanelRequests::Save& save);
     void fit();
     void build_panel();
@@ -83,18 +85,18 @@ private:
     WindowRenderer renderer_;
     ModelLoader loader_;
     ViewPanel panel_;
-    ViewInput hand_;
+    ViewInput input_;
     HoughPanel hough_;
     std::optional<HoughInspection> inspection_;
     const ModelDocument* inspected_ = nullptr;
     ViewCounters counters_;
     PanelRequests requests_;
     Picture captured_;
-    bool captures_ = false;
-    bool moving_ = false;
+    bool captures_next_ = false;
+    bool is_moving_ = false;
     bool is_coarse_ = false;
     int frames_due_ = 0;
-    std::uint32_t frames_of_model_ = 0;  // Drawn since it was opened.
+    std::uint32_t frames_of_document_ = 0;  // Drawn since it was opened.
     double last_change_s_ = 0.0;
 };
 

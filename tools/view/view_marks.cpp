@@ -25,7 +25,7 @@ constexpr ImU32 k_frozen = IM_COL32(24, 110, 190, 255);
 
 ImVec2 vec(const glm::dvec2& p) { return {float(p.x), float(p.y)}; }
 
-// Light on any paper and on any surface: every stroke lies on a broader pale one.
+// Draws a wider pale stroke below, so that the stroke is visible on every background.
 void stroke(ImDrawList& list, const glm::dvec2& a, const glm::dvec2& b, ImU32 color, float width) {
     list.AddLine(vec(a), vec(b), k_halo, width + 2.5f);
     list.AddLine(vec(a), vec(b), color, width);
@@ -61,7 +61,7 @@ void draw_lights(ImDrawList& list, const ViewSession& session, const ScreenView&
         const auto at = view.pixel_of(handle);
         if (!at) continue;
         if (light.directional) {
-            // The way its light comes.
+            // A stroke in the direction of the light.
             const glm::dvec3 inwards = glm::normalize(bounds.center - handle);
             const auto tip = view.pixel_of(handle + 0.3 * bounds.radius * inwards);
             if (tip && glm::distance(*tip, *at) > 18.0)
@@ -73,7 +73,7 @@ void draw_lights(ImDrawList& list, const ViewSession& session, const ScreenView&
     }
 }
 
-// The silhouette point with the pyramid, or the box, that its camera sees.
+// The silhouette point with the view pyramid of its camera; a box if the camera is orthographic.
 void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view, double aspect,
                  double reach) {
     const glm::dmat3 axes = glm::transpose(camera_from_world(frozen));
@@ -101,10 +101,10 @@ void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view,
     list.AddCircleFilled(vec(*eye), 7.0f, k_halo);
     list.AddCircleFilled(vec(*eye), 5.0f, k_frozen);
     const char* text = frozen.is_orthographic() ? "silhouette direction" : "silhouette point";
-    const ImVec2 place = vec(*eye + glm::dvec2(11.0, -8.0));
+    const ImVec2 text_position = vec(*eye + glm::dvec2(11.0, -8.0));
     for (const ImVec2 off : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)})
-        list.AddText({place.x + off.x, place.y + off.y}, k_halo, text);
-    list.AddText(place, k_frozen, text);
+        list.AddText({text_position.x + off.x, text_position.y + off.y}, k_halo, text);
+    list.AddText(text_position, k_frozen, text);
 }
 
 }  // namespace

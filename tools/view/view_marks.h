@@ -1,7 +1,6 @@
 #pragma once
 
-// What is drawn over the picture to be seen and taken: the lights' handles, and the point that a frozen
-// silhouette is seen from.
+// Marks drawn over the picture: the handles of the lights, and the camera of a frozen silhouette.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -10,7 +9,7 @@
 
 namespace rimline::tools {
 
-/// Draws into the panel's background, in a window of `size` units. The light `chosen` stands out.
+/// Draws into the background layer of the panel, in a window of `size` units. Highlights the light `chosen`.
 void draw_marks(const ViewSession& session, const glm::dvec2& size,
                 std::optional<std::size_t> chosen);
 

@@ -19,7 +19,7 @@ namespace rimline::tools {
 namespace {
 
 constexpr std::array k_styles{"ink", "toon", "mask", "blueprint", "hatch"};
-// The first is none, the others are ShadowMethod's.
+// The first turns shadows off; the others are the values of ShadowMethod, in order.
 constexpr std::array k_shadows{"off", "automatic", "depth fail", "depth pass"};
 constexpr std::array k_axes{"x", "y", "z", "as given"};
 
@@ -27,7 +27,7 @@ bool section(const char* name, bool open = true) {
     return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
 
-// Thousands in groups: 1,234,567.
+// With commas between groups of three digits: 1,234,567.
 std::string grouped(std::uint64_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');
@@ -48,14 +48,14 @@ bool choose(const char* name, const std::array<const char*, count>& names, int& 
     return ImGui::Combo(name, &chosen, names.data(), static_cast<int>(count));
 }
 
-// Its number, or 3 where it is none of the three.
+// The index of the coordinate axis; 3 if `up` is not a coordinate axis.
 int axis_of(const glm::dvec3& up) {
     for (int axis = 0; axis < 3; ++axis)
         if (up[axis] > 0.0 && up[(axis + 1) % 3] == 0.0 && up[(axis + 2) % 3] == 0.0) return axis;
     return 3;
 }
 
-// Another color than this one, where one was chosen.
+// The new color if the user changed it. Both colors are linear.
 std::optional<glm::vec3> chosen_color(const char* name, const glm::vec3& linear) {
     glm::vec3 color = srgb_from_linear(linear);
     if (!ImGui::ColorEdit3(name, &color.x, ImGuiColorEditFlags_NoInputs)) return std::nullopt;
@@ -69,21 +69,22 @@ void draw_cloud_counts(const PointSurface& surface) {
                         count(PointLabel::feature).c_str(), count(PointLabel::undecided).c_str());
 }
 
-// What is drawn between these is grayed out for clouds, and why is said.
-void begin_models_only(const ViewSession& session, const char* reason) {
+// The controls between these two calls are disabled for clouds; `reason` is then shown.
+void begin_model_only(const ViewSession& session, const char* reason) {
     if (session.is_cloud()) ImGui::TextDisabled("%s", reason);
     ImGui::BeginDisabled(session.is_cloud());
 }
-void end_models_only() { ImGui::EndDisabled(); }
+void end_model_only() { ImGui::EndDisabled(); }
 
 void same_width() { ImGui::SetNextItemWidth(-0.42f * ImGui::GetWindowWidth()); }
 
 }  // namespace
 
-void ViewPanel::draw_model(const ViewSession& session, const Shown& shown,
+void ViewPanel::draw_model(const ViewSession& session, const Status& status,
                            PanelRequests& requests) {
     if (!session.is_empty()) {
-        const std::string name = std::filesystem::path(session.opened().name()).filename().string();
+        const std::string name =
+            std::filesystem::path(session.document().name()).filename().string();
         ImGui::TextUnformatted(name.c_str());
         if (session.is_cloud()) {
             draw_cloud_counts(session.cloud().surface());
@@ -93,9 +94,9 @@ void ViewPanel::draw_model(const ViewSession& session, const Shown& shown,
                                 grouped(mesh.edge_count()).c_str());
         }
     }
-    if (shown.loading) {
-        ImGui::TextWrapped("%s", shown.loading->doing.c_str());
-        ImGui::ProgressBar(float(shown.loading->share), {-0.3f * ImGui::GetWindowWidth(), 0.0f});
+    if (status.loading) {
+        ImGui::TextWrapped("%s", status.loading->task.c_str());
+        ImGui::ProgressBar(float(status.loading->share), {-0.3f * ImGui::GetWindowWidth(), 0.0f});
         ImGui::SameLine();
         if (ImGui::Button("Cancel", {-1.0f, 0.0f})) requests.cancel = true;
         return;
@@ -116,15 +117,15 @@ void ViewPanel::draw_model(const ViewSession& session, const Shown& shown,
     }
 }
 
-void ViewPanel::draw_view(ViewSession& session, ViewInput& hand, PanelRequests& requests) {
-    int mode = hand.flies ? 1 : 0;
+void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests& requests) {
+    int mode = input.flies ? 1 : 0;
     ImGui::RadioButton("orbit", &mode, 0);
     ImGui::SameLine();
     ImGui::RadioButton("fly", &mode, 1);
-    hand.flies = mode == 1;
+    input.flies = mode == 1;
     ImGui::SameLine();
     if (ImGui::Button("Fit (F)", {-1.0f, 0.0f})) requests.fit = true;
-    if (hand.flies) ImGui::TextDisabled("W A S D, Q E down and up, Shift: faster");
+    if (input.flies) ImGui::TextDisabled("W A S D, Q E down and up, Shift: faster");
 
     int up = axis_of(session.camera.up);
     if (choose("up", k_axes, up) && up < 3) {
@@ -132,12 +133,12 @@ void ViewPanel::draw_view(ViewSession& session, ViewInput& hand, PanelRequests& 
         axis[up] = 1.0;
         set_up(session.camera, axis);
     }
-    if (ImGui::Checkbox("orthographic", &session.look.orthographic)) session.apply_lens();
-    if (!session.look.orthographic) {
-        float fov = float(session.look.fov_y_deg);
+    if (ImGui::Checkbox("orthographic", &session.appearance.orthographic)) session.apply_lens();
+    if (!session.appearance.orthographic) {
+        float fov = float(session.appearance.fov_y_deg);
         same_width();
         if (ImGui::SliderFloat("field of view", &fov, 5.0f, 110.0f, "%.0f deg")) {
-            session.look.fov_y_deg = std::clamp(double(fov), 1.0, 170.0);
+            session.appearance.fov_y_deg = std::clamp(double(fov), 1.0, 170.0);
             session.apply_lens();
         }
     }
@@ -148,57 +149,59 @@ void ViewPanel::draw_view(ViewSession& session, ViewInput& hand, PanelRequests& 
     }
 }
 
-void ViewPanel::draw_look(ViewSession& session) {
-    ViewLook& look = session.look;
-    ImGui::Checkbox("lines", &look.lines);
+void ViewPanel::draw_appearance(ViewSession& session) {
+    ViewAppearance& appearance = session.appearance;
+    ImGui::Checkbox("lines", &appearance.lines);
     same_width();
-    ImGui::SliderFloat("line width", &look.line_width_px, 0.5f, 12.0f, "%.1f px");
-    look.line_width_px = std::clamp(look.line_width_px, 0.1f, 100.0f);
+    ImGui::SliderFloat("line width", &appearance.line_width_px, 0.5f, 12.0f, "%.1f px");
+    appearance.line_width_px = std::clamp(appearance.line_width_px, 0.1f, 100.0f);
     draw_colors(session);
-    begin_models_only(session, "a cloud is drawn as ink on discs");
-    int style = static_cast<int>(look.style);
-    if (choose("style", k_styles, style)) look.set_style(static_cast<Style>(style));
-    ImGui::Checkbox("hidden lines too", &look.hidden);
-    bool creases = look.crease_angle_deg > 0.0f;
-    if (ImGui::Checkbox("creases", &creases)) look.crease_angle_deg = creases ? 40.0f : 0.0f;
+    begin_model_only(session, "a cloud is drawn as ink on discs");
+    int style = static_cast<int>(appearance.style);
+    if (choose("style", k_styles, style)) appearance.set_style(static_cast<Style>(style));
+    ImGui::Checkbox("hidden lines too", &appearance.hidden);
+    bool creases = appearance.crease_angle_deg > 0.0f;
+    if (ImGui::Checkbox("creases", &creases)) appearance.crease_angle_deg = creases ? 40.0f : 0.0f;
     if (creases) {
         ImGui::SameLine();
         same_width();
-        ImGui::SliderFloat("from", &look.crease_angle_deg, 10.0f, 120.0f, "%.0f deg");
-        look.crease_angle_deg = std::clamp(look.crease_angle_deg, 10.0f, 180.0f);
+        ImGui::SliderFloat("from", &appearance.crease_angle_deg, 10.0f, 120.0f, "%.0f deg");
+        appearance.crease_angle_deg = std::clamp(appearance.crease_angle_deg, 10.0f, 180.0f);
     }
-    end_models_only();
+    end_model_only();
 }
 
 void ViewPanel::draw_colors(ViewSession& session) {
-    ViewLook& look = session.look;
-    if (const auto paper = chosen_color("paper", look.background)) look.background = *paper;
+    ViewAppearance& appearance = session.appearance;
+    if (const auto paper = chosen_color("paper", appearance.background))
+        appearance.background = *paper;
     ImGui::SameLine();
     const glm::vec3 surface =
         session.is_cloud()
             ? linear_from_srgb(Color{k_cloud_clay[0], k_cloud_clay[1], k_cloud_clay[2]})
-            : default_surface_color(look.style, look.background);
-    if (const auto color = chosen_color("surface", look.color.value_or(surface)))
-        look.color = color;
+            : default_surface_color(appearance.style, appearance.background);
+    if (const auto color = chosen_color("surface", appearance.color.value_or(surface)))
+        appearance.color = color;
     ImGui::SameLine();
-    const glm::vec3 ink = default_palette(look.style, look.background).ink;
-    if (const auto color = chosen_color("ink", look.line_color.value_or(ink)))
-        look.line_color = color;
+    const glm::vec3 ink = default_palette(appearance.style, appearance.background).ink;
+    if (const auto color = chosen_color("ink", appearance.line_color.value_or(ink)))
+        appearance.line_color = color;
 }
 
 void ViewPanel::draw_lights(ViewSession& session) {
-    begin_models_only(session, "a cloud has no faces to cast shadows");
+    begin_model_only(session, "a cloud has no faces to cast shadows");
     draw_enabled_lights(session);
-    end_models_only();
+    end_model_only();
 }
 
 void ViewPanel::draw_enabled_lights(ViewSession& session) {
-    int shadows = session.look.shadows ? 1 + static_cast<int>(session.look.shadow_method) : 0;
+    int shadows =
+        session.appearance.shadows ? 1 + static_cast<int>(session.appearance.shadow_method) : 0;
     if (choose("shadows", k_shadows, shadows)) {
-        session.look.shadows = shadows > 0;
-        if (shadows > 0) session.look.shadow_method = static_cast<ShadowMethod>(shadows - 1);
+        session.appearance.shadows = shadows > 0;
+        if (shadows > 0) session.appearance.shadow_method = static_cast<ShadowMethod>(shadows - 1);
     }
-    ImGui::Checkbox("ground (G)", &session.look.ground);
+    ImGui::Checkbox("ground (G)", &session.appearance.ground);
     const SceneBounds bounds = session.bounds();
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < session.lights.size(); ++i) {
@@ -242,7 +245,7 @@ void ViewPanel::draw_picture(PanelRequests& requests) {
 void draw_cloud_counters(const CloudReport& report) {
     row("silhouette points", grouped(report.silhouette_points));
     row("consensus edges", grouped(report.consensus_edges));
-    row("points joined, left", grouped(report.joined) + ", " + grouped(report.left));
+    row("points joined, left", grouped(report.added) + ", " + grouped(report.removed));
     row("boxes, faces checked",
         grouped(report.counters.box_checks) + ", " + grouped(report.counters.face_checks));
     char time[32];
@@ -262,28 +265,28 @@ void draw_model_counters(const FrameReport& report) {
     row("bytes of all", grouped(report.bytes_full));
 }
 
-void ViewPanel::draw_counters(const ViewSession& session, const Shown& shown) {
+void ViewPanel::draw_counters(const ViewSession& session, const Status& status) {
     if (session.is_cloud())
-        draw_cloud_counters(shown.counters.cloud);
+        draw_cloud_counters(status.counters.cloud);
     else
-        draw_model_counters(shown.counters.report);
+        draw_model_counters(status.counters.report);
     char time[32];
-    std::snprintf(time, sizeof time, "%.1f ms", double(shown.counters.last_ms()));
+    std::snprintf(time, sizeof time, "%.1f ms", double(status.counters.last_ms()));
     row("frame", time);
-    const auto& times = shown.counters.times;
+    const auto& times = status.counters.times;
     const float longest = *std::max_element(times.begin(), times.end());
     ImGui::PlotLines("##times", times.data(), static_cast<int>(times.size()),
-                     static_cast<int>(shown.counters.next), nullptr, 0.0f,
+                     static_cast<int>(status.counters.next), nullptr, 0.0f,
                      std::max(longest * 1.1f, 1.0f),
-                     {ImGui::GetContentRegionAvail().x, 46.0f * shown.scale});
-    ImGui::TextDisabled("%s", shown.device.c_str());
+                     {ImGui::GetContentRegionAvail().x, 46.0f * status.scale});
+    ImGui::TextDisabled("%s", status.device.c_str());
 }
 
-PanelRequests ViewPanel::draw(ViewSession& session, ViewInput& hand, HoughPanel& hough,
-                              const Shown& shown) {
+PanelRequests ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
+                              const Status& status) {
     PanelRequests requests;
-    const float margin = 10.0f * shown.scale;
-    const float width = k_width * shown.scale - 2.0f * margin;
+    const float margin = 10.0f * status.scale;
+    const float width = k_width * status.scale - 2.0f * margin;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, display.y - 2.0f * margin});
@@ -296,16 +299,16 @@ PanelRequests ViewPanel::draw(ViewSession& session, ViewInput& hand, HoughPanel&
         ImGui::PopStyleColor();
         if (ImGui::SmallButton("Dismiss")) message.clear();
     }
-    if (section("Model")) draw_model(session, shown, requests);
+    if (section("Model")) draw_model(session, status, requests);
     if (!session.is_empty()) {
-        if (section("View")) draw_view(session, hand, requests);
-        if (section("Style")) draw_look(session);
+        if (section("View")) draw_view(session, input, requests);
+        if (section("Style")) draw_appearance(session);
         if (section("Light")) draw_lights(session);
-        begin_models_only(session, "Hough space is shown of models");
+        begin_model_only(session, "Hough space is shown of models");
         ImGui::Checkbox("Hough space (I)", &hough.open);
-        end_models_only();
+        end_model_only();
         if (section("Picture", false)) draw_picture(requests);
-        if (section("Frame")) draw_counters(session, shown);
+        if (section("Frame")) draw_counters(session, status);
     }
     ImGui::TextDisabled("Tab hides this");
     ImGui::End();

@@ -1,7 +1,7 @@
 #pragma once
 
-// The panel beside the picture: every choice there is, what the last frame took, and what went wrong. It
-// changes the session directly; what takes time or writes files it only asks for.
+// The panel beside the picture: all settings, the counters of the last frame, and messages. It changes the
+// session directly. Slow actions and those that write files are returned as requests.
 
 #include <array>
 #include <optional>
@@ -15,11 +15,11 @@
 
 namespace rimline::tools {
 
-/// What was asked for in a frame.
+/// Actions that the user requested in one frame.
 struct PanelRequests {
-    std::optional<std::string> open;  ///< A model's name.
-    bool cancel = false;              ///< What is being loaded.
-    bool fit = false;
+    std::optional<std::string> open;  ///< The model to open.
+    bool cancel = false;              ///< Cancel the load.
+    bool fit = false;                 ///< Fit the model into the picture.
     struct Save {
         std::string path;
         ImageSize size;
@@ -29,37 +29,38 @@ struct PanelRequests {
 
 class ViewPanel {
 public:
-    /// In units of the panel, its margins included.
+    /// In units of the panel, margins included.
     static constexpr float k_width = 320.0f;
 
     bool visible = true;
-    std::string message;  ///< What went wrong or was done last; empty to say nothing.
+    std::string message;  ///< The last error or result; may be empty.
     bool message_is_error = false;
 
-    void tell(std::string text, bool is_error) {
+    void show_message(std::string text, bool is_error) {
         message = std::move(text);
         message_is_error = is_error;
     }
 
-    struct Shown {
+    /// What the panel displays beside the session.
+    struct Status {
         const ViewCounters& counters;
         std::optional<ModelLoader::Stage> loading;
         std::string device;
-        float scale;  ///< Units of the panel for one of a desktop with letters of usual size.
+        float scale;  ///< The desktop's text scale; 1 is the usual size.
     };
-    /// Draws the panel and, where open, the inspector's; `hough` is what that one is opened by.
-    PanelRequests draw(ViewSession& session, ViewInput& hand, HoughPanel& hough,
-                       const Shown& shown);
+    /// Draws the panel. A check box opens and closes `hough`, which the caller draws.
+    PanelRequests draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
+                       const Status& status);
 
 private:
-    void draw_model(const ViewSession& session, const Shown& shown, PanelRequests& requests);
-    void draw_view(ViewSession& session, ViewInput& hand, PanelRequests& requests);
-    void draw_look(ViewSession& session);
+    void draw_model(const ViewSession& session, const Status& status, PanelRequests& requests);
+    void draw_view(ViewSession& session, ViewInput& input, PanelRequests& requests);
+    void draw_appearance(ViewSession& session);
     static void draw_colors(ViewSession& session);
     void draw_lights(ViewSession& session);
     void draw_enabled_lights(ViewSession& session);
     void draw_picture(PanelRequests& requests);
-    void draw_counters(const ViewSession& session, const Shown& shown);
+    void draw_counters(const ViewSession& session, const Status& status);
 
     std::array<char, 1024> path_{};
     std::array<char, 1024> picture_path_{"view.png"};

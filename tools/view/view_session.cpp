@@ -13,7 +13,7 @@
 
 namespace rimline::tools {
 
-void ViewLook::set_style(Style chosen) {
+void ViewAppearance::set_style(Style chosen) {
     const StyleDefaults defaults = style_defaults(chosen);
     style = chosen;
     background = defaults.background;
@@ -23,57 +23,57 @@ void ViewLook::set_style(Style chosen) {
     crease_angle_deg = defaults.crease_angle_deg;
 }
 
-void ViewSession::show(Document opened, double aspect) {
+void ViewSession::show(Document document, double aspect) {
     PictureOptions defaults;
-    defaults.fov_degrees = look.fov_y_deg;
-    const Subject subject = opened.subject();
-    Camera fitted = make_camera(subject, opened.name(), defaults);
+    defaults.fov_degrees = appearance.fov_y_deg;
+    const Subject subject = document.subject();
+    Camera fitted = make_camera(subject, document.name(), defaults);
     fitted = fit_camera(fitted, subject, fitted.eye - fitted.target, aspect);
     std::vector<Light> fitted_lights;
-    if (opened.model() != nullptr) fitted_lights.push_back(default_sun(fitted));
-    const bool orthographic = look.orthographic;
-    show(std::move(opened), fitted, std::move(fitted_lights));
-    look.orthographic = orthographic;
+    if (document.model() != nullptr) fitted_lights.push_back(default_sun(fitted));
+    const bool orthographic = appearance.orthographic;
+    show(std::move(document), fitted, std::move(fitted_lights));
+    appearance.orthographic = orthographic;
     apply_lens();
 }
 
-void ViewSession::show(Document opened, const Camera& chosen, std::vector<Light> chosen_lights) {
-    if (opened_) previous_ = std::move(opened_);
-    opened_ = std::move(opened);
+void ViewSession::show(Document document, const Camera& chosen, std::vector<Light> chosen_lights) {
+    if (document_) previous_ = std::move(document_);
+    document_ = std::move(document);
     camera = chosen;
     lights = std::move(chosen_lights);
-    look.orthographic = chosen.is_orthographic();
-    look.fov_y_deg = chosen.fov_y_deg;
+    appearance.orthographic = chosen.is_orthographic();
+    appearance.fov_y_deg = chosen.fov_y_deg;
     frozen_.reset();
 }
 
 bool ViewSession::show_previous(double aspect) {
     if (!previous_) return false;
-    // What cannot be drawn is gone before it could be asked for again.
-    opened_ = {};
+    // Drop the document that cannot be drawn, so that show() does not keep it as the previous one.
+    document_ = {};
     show(std::exchange(previous_, {}), aspect);
     return true;
 }
 
 SceneBounds ViewSession::bounds() const {
-    const Subject subject = opened_.subject();
+    const Subject subject = document_.subject();
     return {.center = subject.center, .radius = subject.radius > 0.0 ? subject.radius : 1.0};
 }
 
 void ViewSession::fit(double aspect) {
-    const bool orthographic = look.orthographic;
-    look.orthographic = false;
+    const bool orthographic = appearance.orthographic;
+    appearance.orthographic = false;
     apply_lens();
-    camera = fit_camera(camera, opened_.subject(), camera.eye - camera.target, aspect);
-    look.orthographic = orthographic;
+    camera = fit_camera(camera, document_.subject(), camera.eye - camera.target, aspect);
+    appearance.orthographic = orthographic;
     apply_lens();
 }
 
 void ViewSession::apply_lens() {
     const double height = view_height(camera);
-    camera.fov_y_deg = look.fov_y_deg;
-    camera.ortho_height = look.orthographic ? height : 0.0;
-    if (look.orthographic) return;
+    camera.fov_y_deg = appearance.fov_y_deg;
+    camera.ortho_height = appearance.orthographic ? height : 0.0;
+    if (appearance.orthographic) return;
     const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
     const double distance = 0.5 * height / std::tan(0.5 * glm::radians(camera.fov_y_deg));
     camera.eye = camera.target + distance * back;
@@ -84,11 +84,11 @@ void ViewSession::add_light() {
         lights.push_back(default_sun(camera));
         return;
     }
-    // Each a golden angle further around the up axis, so that no two coincide.
+    // Golden angle steps around the up axis: no two suns coincide.
     const Light last = as_sun(lights.back(), bounds());
-    Camera around{.eye = last.vector, .target = glm::dvec3(0.0), .up = camera.up};
-    orbit(around, {std::numbers::pi * (3.0 - std::sqrt(5.0)), 0.0});
-    lights.push_back({.vector = around.eye, .directional = true});
+    Camera sun_camera{.eye = last.vector, .target = glm::dvec3(0.0), .up = camera.up};
+    orbit(sun_camera, {std::numbers::pi * (3.0 - std::sqrt(5.0)), 0.0});
+    lights.push_back({.vector = sun_camera.eye, .directional = true});
 }
 
 void ViewSession::remove_light(std::size_t light) {
@@ -105,40 +105,42 @@ ViewPicture ViewSession::picture() const {
 }
 
 SplatScene ViewSession::cloud_scene() const {
-    CloudDocument& cloud = *opened_.cloud();
-    const SceneBounds around = bounds();
-    SplatScene scene{
-        .cloud = &cloud.drawn(look.color, look.line_width_px),
-        .strokes = cloud.follow(silhouette_point(), look.line_color, look.line_width_px),
-        .background = look.background,
-        .camera = camera,
-        .center = around.center,
-        .radius = around.radius};
-    if (!look.lines) scene.strokes.clear();
+    CloudDocument& cloud = *document_.cloud();
+    const SceneBounds sphere = bounds();
+    SplatScene scene{.cloud = &cloud.splats(appearance.color, appearance.line_width_px),
+                     .strokes = cloud.silhouette_strokes(silhouette_point(), appearance.line_color,
+                                                         appearance.line_width_px),
+                     .background = appearance.background,
+                     .camera = camera,
+                     .center = sphere.center,
+                     .radius = sphere.radius};
+    if (!appearance.lines) scene.strokes.clear();
     return scene;
 }
 
 Scene ViewSession::scene() const {
     Scene scene{.camera = camera,
                 .silhouette_camera = frozen_,
-                .style = look.style,
-                .palette = default_palette(look.style, look.background),
-                .shadows = look.shadows,
-                .shadow_method = look.shadow_method,
-                .lines = look.lines,
-                .line_width_px = look.line_width_px,
-                .hidden_line_strength =
-                    look.hidden ? style_defaults(look.style).hidden_line_strength : 0.0f,
-                .crease_angle_deg = look.crease_angle_deg};
+                .style = appearance.style,
+                .palette = default_palette(appearance.style, appearance.background),
+                .shadows = appearance.shadows,
+                .shadow_method = appearance.shadow_method,
+                .lines = appearance.lines,
+                .line_width_px = appearance.line_width_px,
+                .hidden_line_strength = appearance.hidden
+                                            ? style_defaults(appearance.style).hidden_line_strength
+                                            : 0.0f,
+                .crease_angle_deg = appearance.crease_angle_deg};
     scene.lights = lights;
-    ModelDocument& model = *opened_.model();
-    scene.instances.push_back({.octree = &model.octree(),
-                               .name = model.name(),
-                               .material = {.color = look.color.value_or(
-                                                default_surface_color(look.style, look.background)),
-                                            .line_color = look.line_color},
-                               .is_solid = model.is_solid()});
-    if (look.ground)
+    ModelDocument& model = *document_.model();
+    scene.instances.push_back(
+        {.octree = &model.octree(),
+         .name = model.name(),
+         .material = {.color = appearance.color.value_or(
+                          default_surface_color(appearance.style, appearance.background)),
+                      .line_color = appearance.line_color},
+         .is_solid = model.is_solid()});
+    if (appearance.ground)
         scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(camera.up)));
     return scene;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the window shows, apart from windows: the model or the cloud, the camera, the lights, the look, and
-// the silhouette when it is frozen. Everything that hands and panels change is here, and picture() is what
-// is drawn of it.
+// The state that the window shows, without the window: the model or the cloud, the camera, the lights, the
+// appearance, and the camera of a frozen silhouette. Input and panel change this state; picture() converts
+// it into a scene.
 
 #include <memory>
 #include <optional>
@@ -16,83 +16,86 @@
 
 namespace rimline::tools {
 
-struct ViewLook {
-    /// As the style is drawn where nobody says otherwise.
-    explicit ViewLook(Style chosen = Style::ink) { set_style(chosen); }
-    /// Another style, with its own colors, width and creases.
+struct ViewAppearance {
+    /// With the defaults of the style.
+    explicit ViewAppearance(Style chosen = Style::ink) { set_style(chosen); }
+    /// Changes the style. Colors, line width and creases become those of the style.
     void set_style(Style chosen);
 
     Style style = Style::ink;
-    glm::vec3 background{1.0f};  ///< Linear light, as those below.
-    /// Of the model's surfaces and of its lines; where there are none, the style's own.
+    glm::vec3 background{1.0f};  ///< Linear, as the two colors below.
+    /// Of surfaces and of lines. Not set: the style's own.
     std::optional<glm::vec3> color, line_color;
     bool lines = true;
     float line_width_px = 2.5f;
-    bool hidden = false;            ///< Lines that something hides are drawn, dashed.
-    float crease_angle_deg = 0.0f;  ///< Over 0: edges that bend by at least this are lines too.
+    bool hidden = false;  ///< Draws hidden lines too, dashed.
+    /// Above 0: edges that bend by at least this angle are lines too.
+    float crease_angle_deg = 0.0f;
     bool shadows = true;
-    ShadowMethod shadow_method = ShadowMethod::automatic;  ///< Pictures are the same.
+    ShadowMethod shadow_method = ShadowMethod::automatic;  ///< All methods give the same picture.
     bool ground = false;
     double fov_y_deg = 35.0;
     bool orthographic = false;
 };
 
-/// Of a model, and of a cloud.
+/// The scene of a model or of a cloud.
 using ViewPicture = std::variant<Scene, SplatScene>;
 
 class ViewSession {
 public:
-    ViewLook look;
+    ViewAppearance appearance;
     Camera camera;
     std::vector<Light> lights;
 
-    /// Shows another model or cloud, wholly in view, a model lit by a sun; the look stays, the silhouette thaws.
-    /// What was shown before is kept until forget_previous(), for frames in flight know it by its address.
-    void show(Document opened, double aspect);
-    /// The same with a camera and lights that were chosen already; the look is taken to fit them.
-    void show(Document opened, const Camera& chosen, std::vector<Light> chosen_lights);
-    /// Goes back to what was shown before, where there is something: the device could not hold the new one.
+    /// Shows another document. The camera sees all of it; a model is lit by one sun. The appearance stays
+    /// and the silhouette is no longer frozen. The document before is kept until forget_previous(), because
+    /// frames in flight refer to it by address.
+    void show(Document document, double aspect);
+    /// The same with the given camera and lights. The appearance takes over the camera's lens.
+    void show(Document document, const Camera& chosen, std::vector<Light> chosen_lights);
+    /// Returns to the document before; for a document that is too large for the device. False if there is
+    /// none.
     bool show_previous(double aspect);
-    /// A frame of the new one has been drawn.
+    /// Destroys the document before. No frame in flight may refer to it.
     void forget_previous() noexcept { previous_ = {}; }
 
-    bool is_empty() const noexcept { return !opened_; }
-    const Document& opened() const noexcept { return opened_; }
-    /// Where it is shown.
-    bool is_cloud() const noexcept { return opened_.cloud() != nullptr; }
-    const ModelDocument& model() const noexcept { return *opened_.model(); }
-    const CloudDocument& cloud() const noexcept { return *opened_.cloud(); }
-    /// The sphere around what is shown, which handles and speeds are measured by.
+    bool is_empty() const noexcept { return !document_; }
+    const Document& document() const noexcept { return document_; }
+    bool is_cloud() const noexcept { return document_.cloud() != nullptr; }
+    const ModelDocument& model() const noexcept { return *document_.model(); }
+    const CloudDocument& cloud() const noexcept { return *document_.cloud(); }
+    /// The bounding sphere of the document: the scale of handles and speeds. Its radius is not 0.
     SceneBounds bounds() const;
 
-    /// Looks at the whole of it from where the camera stands.
+    /// Moves the camera along its view direction so that it sees the whole document.
     void fit(double aspect);
-    /// Brings the camera in line with look.fov_y_deg and look.orthographic: what lies at the target
-    /// keeps its size.
+    /// Applies appearance.fov_y_deg and appearance.orthographic to the camera. Objects at the target keep
+    /// their size in the picture.
     void apply_lens();
 
-    /// From here on the lines stay those of where the camera is now; the camera goes on.
+    /// The lines stay those of the present camera while the camera moves.
     void freeze() { frozen_ = camera; }
-    /// The same with the lines of another camera.
+    /// The lines are those of the camera `from`.
     void freeze_at(const Camera& from) { frozen_ = from; }
     void thaw() noexcept { frozen_.reset(); }
     const std::optional<Camera>& frozen() const noexcept { return frozen_; }
 
-    /// Another sun, from the side where no light is yet.
+    /// Adds a sun in a direction that no other light has.
     void add_light();
     void remove_light(std::size_t light);
 
-    /// Where the lines' silhouette is seen from, in the coordinates of what is shown.
+    /// The viewpoint or direction of the lines' silhouette, in the coordinates of the document.
     HomogeneousPoint silhouette_point() const;
 
-    /// Valid until the session changes. The one of what is shown.
+    /// The scene of the document. Valid until the session changes.
     ViewPicture picture() const;
+    /// For models only.
     Scene scene() const;
-    /// Moves the cloud's silhouette to silhouette_point().
+    /// For clouds only. Moves the cloud's silhouette to silhouette_point().
     SplatScene cloud_scene() const;
 
 private:
-    Document opened_;
+    Document document_;
     Document previous_;
     std::optional<Camera> frozen_;
 };

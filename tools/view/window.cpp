@@ -54,7 +54,7 @@ Window::~Window() {
     glfwTerminate();
 }
 
-// The panel's own callbacks are put before these and call them.
+// The panel installs its callbacks later; they call these.
 void Window::listen() {
     glfwSetWindowUserPointer(window_, events_.get());
     const auto mark = [](GLFWwindow* window) { Events::of(window).active = true; };

@@ -1,7 +1,7 @@
 #pragma once
 
-// A window of the desktop, by GLFW: where its keys, its mouse and dropped files come from, and what a
-// swapchain shows its pictures in. It draws nothing itself.
+// A desktop window by GLFW. It receives keys, mouse and dropped files, and provides the surface of a
+// swapchain. It draws nothing itself.
 
 #include <vulkan/vulkan.h>
 
@@ -18,38 +18,38 @@ namespace rimline::tools {
 
 class Window {
 public:
-    /// Opens a window whose content is `width` x `height` screen units. At most one at a time. Throws
-    /// Error{no_device} where there is no display to open it on, or none that Vulkan can show on.
+    /// Opens a window with a content of `width` x `height` screen units. At most one at a time. Throws
+    /// Error{no_device} if there is no display, or if Vulkan cannot present on it.
     Window(const std::string& title, int width, int height);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Instance extensions that surfaces on this desktop need.
+    /// The instance extensions that a surface on this desktop needs.
     std::vector<std::string> vulkan_extensions() const;
     /// Throws Error{no_device}.
     WindowSurface make_surface(VkInstance instance) const;
 
-    /// Of what is shown, in pixels; zero while minimized or hidden.
+    /// Size of the content in pixels. Zero while the window is minimized or hidden.
     VkExtent2D size_px() const;
     bool is_shown() const;
-    /// Of the content in screen units, which the mouse is measured in.
+    /// Size of the content in screen units, the units of mouse positions.
     glm::dvec2 size() const;
     void set_size(int width, int height);
     void set_title(const std::string& title);
-    /// How much larger than usual the desktop draws letters.
+    /// The desktop's text scale; 1 is the usual size.
     float content_scale() const;
 
     bool should_close() const;
     void close();
 
-    /// Delivers events; waits up to `wait_s` seconds for the first of them. wake() ends the wait from
-    /// any thread.
+    /// Processes events. Waits up to `wait_s` seconds for the first one. wake() ends the wait; it may be
+    /// called on any thread.
     void poll(double wait_s);
     static void wake();
-    /// Whether anything has happened since the last call: a key, the mouse, a resize, a drop, a redraw.
+    /// Whether there was an event since the last call: key, mouse, resize, drop or redraw.
     bool take_activity() noexcept;
-    /// Names of the files dropped on the window since the last call.
+    /// The files dropped on the window since the last call.
     std::vector<std::string> take_dropped();
 
     GLFWwindow* handle() const noexcept { return window_; }

@@ -19,8 +19,8 @@ constexpr StageAccess k_drawing{
     VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
 constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
-// The semaphore that presenting waits for orders the rest.
-constexpr StageAccess k_nothing_more{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
+// Presentation waits for a semaphore, which orders all later accesses.
+constexpr StageAccess k_no_access{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
 
 OwnedFence make_signaled_fence(VkDevice device) {
     const VkFenceCreateInfo info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
@@ -32,22 +32,22 @@ OwnedFence make_signaled_fence(VkDevice device) {
 
 }  // namespace
 
-// In the order in which they need one another.
+// Members are in the order of their dependencies.
 struct WindowRenderer::OnDevice {
     struct RingSlot {
         VkCommandBuffer commands = VK_NULL_HANDLE;
         OwnedFence done;
-        Buffer pixels;  // What the window shows, where that was asked for: commands write it.
+        Buffer pixels;  // The captured picture; `commands` write it.
     };
 
     OnDevice(const VulkanInstance& instance, const Window& window, const std::string& request,
-             const LetterTexture& letters)
+             const FontTexture& font)
         : surface(window.make_surface(instance.handle())),
           device(instance, request),
           swapchain(device.context(), surface.get(), k_ring_slots),
           overlay(device.context(), swapchain.format(), k_ring_slots),
           pool(make_command_pool(device.context(), device.context().queue_family)) {
-        overlay.set_texture(letters.width, letters.height, letters.opacity);
+        overlay.set_texture(font.width, font.height, font.opacity);
         for (RingSlot& slot : ring) {
             const VkCommandBufferAllocateInfo info{
                 .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
@@ -60,7 +60,7 @@ struct WindowRenderer::OnDevice {
         }
     }
     ~OnDevice() {
-        // Answers where the device is lost, too.
+        // Returns on a lost device too.
         (void)repeat_wait([&] { return vkDeviceWaitIdle(device.context().device); });
     }
     OnDevice(const OnDevice&) = delete;
@@ -88,20 +88,21 @@ struct WindowRenderer::OnDevice {
     WindowSurface surface;
     TestedDevice device;
     Swapchain swapchain;
-    // The one of what is shown. Both know what they drew by its address, which is another's after a while.
+    // One of the two, by the kind of the document. Both identify what they drew by its address, which a
+    // later object may reuse.
     std::unique_ptr<Renderer> renderer;
     std::unique_ptr<SplatRenderer> splat_renderer;
     OverlayPass overlay;
     OwnedCommandPool pool;
     std::array<RingSlot, k_ring_slots> ring;
     std::uint64_t frames = 0;
-    VkExtent2D last_extent{};  // What the renderer's targets were made for.
+    VkExtent2D last_extent{};  // The size of the renderer's targets.
     std::uint32_t last_scale = 0;
 };
 
 void WindowRenderer::OnDevice::record_overlay(VkCommandBuffer commands, std::uint32_t ring_slot,
                                               const OverlayDrawing& drawing) {
-    // The picture is complete where the panel mixes with it.
+    // The panel blends with the complete picture.
     record_barrier(commands, k_drawing, k_drawing);
     const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
                                           .imageView = swapchain.view(),
@@ -147,7 +148,7 @@ void WindowRenderer::OnDevice::submit(const RingSlot& slot) {
     vk_check(vkResetFences(device.context().device, 1, &fence), "vkResetFences");
     const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                              .commandBuffer = slot.commands};
-    // Shadows and surfaces are drawn before the swapchain's image is there.
+    // Shadows and surfaces do not wait for the swapchain's image.
     const VkSemaphoreSubmitInfo acquired{
         .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
         .semaphore = swapchain.acquired(),
@@ -166,34 +167,34 @@ void WindowRenderer::OnDevice::submit(const RingSlot& slot) {
 }
 
 WindowRenderer::WindowRenderer(const VulkanInstance& instance, const Window& window,
-                               std::string device, LetterTexture letters)
+                               std::string device, FontTexture font)
     : instance_(&instance),
       window_(&window),
       request_(std::move(device)),
-      letters_(std::move(letters)),
-      gpu_(std::make_unique<OnDevice>(instance, window, request_, letters_)),
+      font_(std::move(font)),
+      gpu_(std::make_unique<OnDevice>(instance, window, request_, font_)),
       device_facts_(gpu_->device.facts()) {}
 
 WindowRenderer::~WindowRenderer() = default;
 
-void WindowRenderer::remake() {
-    gpu_.reset();  // Before the new ones: a window takes one surface at a time.
-    gpu_ = std::make_unique<OnDevice>(*instance_, *window_, request_, letters_);
+void WindowRenderer::recreate() {
+    gpu_.reset();  // First: a window has at most one surface.
+    gpu_ = std::make_unique<OnDevice>(*instance_, *window_, request_, font_);
     device_facts_ = gpu_->device.facts();
-    ++remade_;
+    ++recreation_count_;
 }
 
-std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const ViewPicture& scene,
+std::optional<WindowRenderer::Frame> WindowRenderer::draw(const ViewPicture& scene,
                                                           const OverlayDrawing& overlay,
                                                           std::uint32_t scale, bool capture) {
     for (int losses = 0;; ++losses) {
         try {
-            if (!gpu_ || losses > 0) remake();
+            if (!gpu_ || losses > 0) recreate();
             return draw_once(scene, overlay, scale, capture);
         } catch (const Error& error) {
-            // A lost surface comes as no_device. What memory cannot hold it will not hold next time
-            // either, but the acquired image and its semaphore are beyond use: the next frame makes all
-            // again.
+            // A lost surface is reported as no_device. Other errors, as a lack of memory, would repeat. They
+            // leave the acquired image and its semaphore in an unknown state, so the next frame creates all
+            // objects again.
             const bool is_lost =
                 error.code() == ErrorCode::device_lost || error.code() == ErrorCode::no_device;
             if (is_lost && losses < k_max_device_losses) continue;
@@ -206,7 +207,7 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw(const ViewPicture& sce
     }
 }
 
-std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const ViewPicture& scene,
+std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture& scene,
                                                                const OverlayDrawing& overlay,
                                                                std::uint32_t scale, bool capture) {
     const auto ring_slot = static_cast<std::uint32_t>(gpu_->frames % k_ring_slots);
@@ -229,7 +230,7 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const ViewPicture
                                .view = gpu_->swapchain.view(),
                                .format = gpu_->swapchain.format(),
                                .extent = extent};
-    Drawn drawn{.report = gpu_->record_picture(slot.commands, scene, target), .shown = {}};
+    Frame frame{.report = gpu_->record_picture(slot.commands, scene, target), .picture = {}};
     gpu_->record_overlay(slot.commands, ring_slot, overlay);
     constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
@@ -238,9 +239,9 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const ViewPicture
         slot.pixels = make_picture_buffer(gpu_->device.context(), extent);
         record_barrier(slot.commands, k_drawing, k_copying, {{target, k_drawn, k_copied}});
         record_read_back(slot.commands, target.image, extent, slot.pixels);
-        record_barrier(slot.commands, k_copying, k_nothing_more, {{target, k_copied, k_shown}});
+        record_barrier(slot.commands, k_copying, k_no_access, {{target, k_copied, k_shown}});
     } else {
-        record_barrier(slot.commands, k_drawing, k_nothing_more, {{target, k_drawn, k_shown}});
+        record_barrier(slot.commands, k_drawing, k_no_access, {{target, k_drawn, k_shown}});
     }
     vk_check(vkEndCommandBuffer(slot.commands), "vkEndCommandBuffer");
     gpu_->submit(slot);
@@ -248,16 +249,16 @@ std::optional<WindowRenderer::Drawn> WindowRenderer::draw_once(const ViewPicture
     gpu_->swapchain.present();
     if (capture) {
         gpu_->wait_for(slot);
-        drawn.shown = read_picture(slot.pixels, extent, gpu_->swapchain.format());
+        frame.picture = read_picture(slot.pixels, extent, gpu_->swapchain.format());
     }
-    return drawn;
+    return frame;
 }
 
 Picture WindowRenderer::picture(const ViewPicture& scene, std::uint32_t width,
                                 std::uint32_t height) {
-    if (!gpu_) remake();
+    if (!gpu_) recreate();
     gpu_->wait_for_all();
-    // The next frame has another size for the renderer's targets.
+    // This picture has another size, so the next frame must recreate the renderer's targets.
     gpu_->last_extent = {};
     gpu_->prepare(scene, RendererOptions{}.scale);
     if (const Scene* model = std::get_if<Scene>(&scene))

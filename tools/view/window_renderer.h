@@ -1,14 +1,14 @@
 #pragma once
 
-// Everything of Vulkan that a window needs: device, surface, swapchain, renderer, panel; frames in
-// flight, and the way back when the device or the surface is lost.
+// All Vulkan objects of a window: device, surface, swapchain, renderer and panel overlay. Keeps several
+// frames in flight, and recovers from a lost device or surface. One frame:
 //
-//     wait until the ring slot's last frame is done --> acquire --> the picture (Renderer::record, of a
-//         cloud SplatRenderer::record)
-//         --> the panel over it --> submit --> present
+//     wait for the last frame of the ring slot --> acquire an image
+//         --> record the picture (Renderer for a model, SplatRenderer for a cloud)
+//         --> record the panel over it --> submit --> present
 //
-// A lost device takes all of this with it, but no mesh, octree or scene: it is made again and the frame
-// drawn once more (engine/vulkan/device_loss.h).
+// After a loss all these objects are created again and the frame is drawn once more
+// (engine/vulkan/device_loss.h). Mesh, octree and scene are not affected.
 
 #include <vulkan/vulkan.h>
 
@@ -28,8 +28,8 @@
 
 namespace rimline::tools {
 
-/// The panel's letters: rows of opacities.
-struct LetterTexture {
+/// The font of the panel: rows of opacities.
+struct FontTexture {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::vector<std::uint8_t> opacity;
@@ -37,48 +37,48 @@ struct LetterTexture {
 
 class WindowRenderer {
 public:
-    /// `instance`, made with the window's extensions, and `window` must outlive it. Throws
-    /// Error{no_device} where `device` names none that can show pictures in the window.
+    /// `instance` must have the window's extensions. `instance` and `window` must outlive this object.
+    /// Throws Error{no_device} if no device that matches `device` can present in the window.
     WindowRenderer(const VulkanInstance& instance, const Window& window, std::string device,
-                   LetterTexture letters);
+                   FontTexture font);
     ~WindowRenderer();
     WindowRenderer(const WindowRenderer&) = delete;
     WindowRenderer& operator=(const WindowRenderer&) = delete;
 
-    struct Drawn {
-        FrameReport report;  ///< Of a model.
-        Picture shown;       ///< What the window shows, where it was asked for.
+    struct Frame {
+        FrameReport report;  ///< Only of a model.
+        Picture picture;     ///< What the window shows. Empty without `capture`.
     };
-    /// Draws and presents a frame of `scale` x `scale` samples a pixel (RendererOptions). Nothing where
-    /// the window has no size. `capture` waits for the frame and brings it back. Throws what
-    /// Renderer::record() does, after which the next frame is as good as the first.
-    std::optional<Drawn> draw(const ViewPicture& scene, const OverlayDrawing& overlay,
+    /// Draws and presents a frame with `scale` x `scale` samples per pixel (RendererOptions). Returns
+    /// nothing if the window has no size. With `capture` it waits for the frame and reads it back. Throws
+    /// what Renderer::record() throws; the next call then starts from new Vulkan objects.
+    std::optional<Frame> draw(const ViewPicture& scene, const OverlayDrawing& overlay,
                               std::uint32_t scale, bool capture = false);
 
-    /// Draws a picture apart from the window, without the panel, as `rimline render` and `points` do.
+    /// Draws a picture offscreen and without the panel, as `rimline render` and `points` do.
     Picture picture(const ViewPicture& scene, std::uint32_t width, std::uint32_t height);
 
-    /// Makes everything again, as after a loss.
-    void remake();
-    /// How often that was done.
-    std::uint32_t remade() const noexcept { return remade_; }
+    /// Destroys and creates all Vulkan objects, as after a loss.
+    void recreate();
+    /// Number of recreations so far.
+    std::uint32_t recreation_count() const noexcept { return recreation_count_; }
 
-    /// Of the device that is drawn with, or was last.
+    /// The present device, or the last one.
     const DeviceFacts& device_facts() const noexcept { return device_facts_; }
 
 private:
     struct OnDevice;
 
-    std::optional<Drawn> draw_once(const ViewPicture& scene, const OverlayDrawing& overlay,
+    std::optional<Frame> draw_once(const ViewPicture& scene, const OverlayDrawing& overlay,
                                    std::uint32_t scale, bool capture);
 
     const VulkanInstance* instance_;
     const Window* window_;
     std::string request_;
-    LetterTexture letters_;
+    FontTexture font_;
     std::unique_ptr<OnDevice> gpu_;  // Null after an error, until the next frame.
     DeviceFacts device_facts_;
-    std::uint32_t remade_ = 0;
+    std::uint32_t recreation_count_ = 0;
 };
 
 }  // namespace rimline::tools

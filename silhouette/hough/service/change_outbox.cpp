@@ -39,7 +39,7 @@ bool ChangeOutbox::publish(const ChangeSet& changes,
         const std::lock_guard lock(mutex_);
         if (lost_) return false;
     }
-    // No lock: takers do not look beyond the places in use.
+    // Needs no lock: take() reads only used places.
     bool copied = true;
     try {
         places_[next_].assign(changes, posted);

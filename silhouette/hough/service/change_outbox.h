@@ -1,21 +1,20 @@
 #pragma once
 
-// The change sets of one tracker between the worker that makes them and the consumer that takes them:
-// bounded, in order, and never one missing in between.
+// A bounded queue of the change sets of one tracker, from the worker that makes them to the consumer that
+// takes them. They are in order, and none is missing.
 //
 //     worker --publish--> [ 7 | 8 | 9 |   ] --take--> consumer        (numbers are sequences)
-//                           ^ first       ^ next, the worker's to fill
+//                           ^ first       ^ next, which the worker fills
 //
-// When the consumer falls behind and all places are taken, the worker does not move the tracker until
-// there is room again. Newer points replace each other meanwhile, so the tracker then makes one large
-// move in the place of many: the silhouette comes late, and every change set still follows on the one
-// before. (To drop change sets instead would force a whole state on a consumer that was only slow, and
-// that is when it can least afford one.)
+// If the consumer is slow and all places are full, the worker does not move the tracker until a place is
+// free. Meanwhile newer points replace older ones, so the tracker then makes one large move instead of
+// many. The silhouette is late, but every change set still follows its predecessor. (The alternative is
+// to drop change sets. A slow consumer would then have to process a whole state, which costs even more.)
 //
-// What is taken is exchanged, not copied: the consumer's old buffers become the place's new ones.
+// take() swaps buffers and does not copy: the consumer's old buffers go to the place.
 //
-// One change set can be lost for want of memory. Then those before it can still be taken, those after
-// it are not kept, and the consumer is told of the gap until it has taken a snapshot.
+// A change set is lost if memory runs out. Earlier ones can still be taken, and later ones are dropped.
+// take() then reports the gap until the consumer takes a snapshot.
 
 #include <condition_variable>
 #include <cstdint>
@@ -26,53 +25,46 @@
 
 namespace rimline {
 
-/// What SilhouetteService::take() came back with.
-enum class Taken {
-    nothing,  ///< The consumer has it all.
-    change,   ///< The next change set.
-    gap,      ///< The next change set was lost. Only snapshot() leads on.
-    removed,  ///< There is no such tracker any more.
-};
-
-/// take(), wait() and end_waits() are for any thread. The rest is for whoever has the tracker at the
-/// moment, one thread at a time.
+/// Any thread may call take(), wait() and end_waits(). Only the thread that owns the tracker at the
+/// moment may call the other functions.
 class ChangeOutbox {
 public:
     explicit ChangeOutbox(std::uint32_t capacity) : places_(capacity) {}
 
-    /// Empties the box for a new tracker; the old one's consumers are told that it is gone.
+    /// Empties the queue for a new tracker. Consumers of the old one learn that it was removed.
     void open(TrackerId owner) noexcept;
     void close() noexcept { open(k_no_tracker); }
-    /// After close(), with which nobody looks at the places any more: a large model's buffers do not stay
-    /// with a small one's tracker. Takes no lock, so that nobody waits for memory to be freed.
+    /// Frees the buffers, so that the buffers of a large model do not remain for a tracker of a small
+    /// one. Call it after close(), when no thread uses the places. It takes no lock, so no thread waits
+    /// while memory is freed.
     void free_buffers() noexcept;
-    /// Ends all waits, now and later.
+    /// Ends all present and future waits.
     void end_waits() noexcept;
 
     bool has_room() const noexcept;
-    /// Copies `changes`; there must be room. False when the change set is lost.
+    /// Copies `changes`. Requires has_room(). Returns false if the change set is lost.
     bool publish(const ChangeSet& changes, PublishedChange::Clock::time_point posted) noexcept;
-    /// Drops all that is pending, and the gap: the consumer gets the whole state. True when there was
-    /// no room before.
+    /// Drops all pending change sets and the gap, because the consumer gets the whole state. Returns true
+    /// if all places were full.
     bool drop_pending() noexcept;
 
     struct TakeResult {
         Taken taken;
-        bool made_room;  ///< There was none before.
+        bool made_room;  ///< All places were full before.
     };
     TakeResult take(TrackerId owner, PublishedChange& change) noexcept;
-    /// Waits until take() would return something else than `nothing`. False when it will not: `owner`
-    /// is gone, or waits were ended.
+    /// Waits until take() would not return `nothing`. Returns false if `owner` was removed or waits were
+    /// ended.
     bool wait(TrackerId owner) noexcept;
 
 private:
     bool is_full() const noexcept { return count_ == places_.size(); }
 
-    mutable std::mutex mutex_;  // For moments: nothing is copied, allocated or freed under it.
+    mutable std::mutex mutex_;  // Held briefly: no copy, allocation or free under it.
     std::condition_variable published_;
     std::vector<PublishedChange> places_;
-    std::size_t next_ = 0;   // Where to publish. The worker's alone; the places in use end there.
-    std::size_t count_ = 0;  // Places in use.
+    std::size_t next_ = 0;   // Place to fill; used by the worker only. The used places end here.
+    std::size_t count_ = 0;  // Used places.
     TrackerId owner_ = k_no_tracker;
     bool lost_ = false;
     bool waits_ended_ = false;

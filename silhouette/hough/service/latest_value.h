@@ -1,16 +1,16 @@
 #pragma once
 
-// A mailbox for one value, where a newer one replaces an older one that nobody has read.
+// A mailbox for one value. A newer value replaces an older one that was not read.
 //
-// Three places: the writer owns one, the reader owns one, and the third lies between them. To store is
-// to fill the writer's place and exchange it for the middle one, to take is to exchange the reader's
-// place for the middle one, so both are wait-free: a writer that is stopped half way through holds up
-// no reader, nor the other way round. (Under a lock for a copy of some bytes, a thread that loses its
-// processor there holds up the other for a time slice; two places would let them meet.)
+// It is a triple buffer: the writer owns one place, the reader owns one, and the third is the middle.
+// store() fills the writer's place and exchanges it for the middle one. take() exchanges the reader's
+// place for the middle one. Both are wait-free: an interrupted writer does not block the reader, and
+// an interrupted reader does not block the writer. (With a lock, a thread that is preempted during the
+// copy would block the other for a time slice. With two places, both could access the same place.)
 //
 //     writer  [ back ] --store-->  [ middle | unread ]  --take--> [ front ]  reader
 //
-// One thread at a time stores, one thread at a time takes.
+// One thread at a time may store, and one thread at a time may take.
 
 #include <array>
 #include <atomic>
@@ -24,7 +24,7 @@ class LatestValue {
     static_assert(std::is_nothrow_copy_assignable_v<Value>);
 
 public:
-    /// True when `value` replaces one that was never taken.
+    /// Returns true if `value` replaces one that was not taken.
     bool store(const Value& value) noexcept {
         places_[back_] = value;
         const std::uint8_t old = middle_.exchange(static_cast<std::uint8_t>(back_ | k_unread),
@@ -33,7 +33,7 @@ public:
         return (old & k_unread) != 0;
     }
 
-    /// False, and `value` as it was, when nothing was stored since the last call.
+    /// Returns false and leaves `value` unchanged if nothing was stored since the last call.
     bool take(Value& value) noexcept {
         if (!has_unread()) return false;
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & k_place;
@@ -41,7 +41,7 @@ public:
         return true;
     }
 
-    /// Whether the reader would get something now. Any thread may ask.
+    /// Whether take() would succeed now. Any thread may call this.
     bool has_unread() const noexcept {
         return (middle_.load(std::memory_order_acquire) & k_unread) != 0;
     }
@@ -51,9 +51,9 @@ private:
     static constexpr std::uint8_t k_unread = 4;
 
     std::array<Value, 3> places_{};
-    std::uint8_t back_ = 0;                // The writer's.
-    std::atomic<std::uint8_t> middle_{1};  // A place, and whether it is unread.
-    std::uint8_t front_ = 2;               // The reader's.
+    std::uint8_t back_ = 0;                // The writer's place.
+    std::atomic<std::uint8_t> middle_{1};  // Place number and unread bit.
+    std::uint8_t front_ = 2;               // The reader's place.
 };
 
 }  // namespace rimline

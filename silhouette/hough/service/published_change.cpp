@@ -2,13 +2,15 @@
 
 #include <span>
 
+#include "silhouette/hough/silhouette_tracker.h"
+
 namespace rimline {
 
 namespace {
 
 template <typename T>
 void copy(std::span<const T> from, std::vector<T>& to) {
-    // Sizes differ from frame to frame: with no slack, every frame larger than all before would allocate.
+    // Sizes differ between frames. Without extra capacity, every new maximum would allocate.
     if (from.size() > to.capacity()) {
         to.clear();
         to.reserve(from.size() + from.size() / 2);

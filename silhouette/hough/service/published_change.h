@@ -1,44 +1,54 @@
 #pragma once
 
-// What a SilhouetteService hands out: change sets and whole states that own what they show.
+// The output of a SilhouetteService: change sets and whole states that own their data.
 //
-// A tracker's change set is gone when the tracker moves again, and here another thread moves it. So
-// what is published is a copy. Its memory is kept and used again: give the same object to the next
-// take() or snapshot(), and after some frames nothing is allocated any more.
+// A tracker's change set is invalid after the next move, and in a service another thread moves the
+// tracker. So the service publishes copies. They reuse their memory: pass the same object to the next
+// take() or snapshot(), and after some frames no call allocates.
 
 #include <chrono>
 #include <cstdint>
 #include <vector>
 
 #include "silhouette/hough/change_set.h"
-#include "silhouette/hough/silhouette_tracker.h"
 
 namespace rimline {
 
-/// A tracker in a service. Ids are not used again: one of a tracker that was removed stays invalid.
+class SilhouetteTracker;
+
+/// A tracker in a service. Ids are not reused: the id of a removed tracker stays invalid.
 enum class TrackerId : std::uint64_t {};
 
-/// No tracker's.
+/// The id of no tracker.
 constexpr TrackerId k_no_tracker{0};
+
+/// The result of SilhouetteService::take().
+enum class Taken {
+    nothing,  ///< Nothing is pending.
+    change,   ///< The next change set.
+    gap,      ///< The next change set was lost. The consumer must call snapshot().
+    removed,  ///< The tracker was removed.
+};
 
 class PublishedChange {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Shows what this object holds; the spans live until it is assigned to, taken into or destroyed.
+    /// A view of this object's data. Its spans are valid until this object is assigned, passed to
+    /// take() or destroyed.
     ChangeSet view() const noexcept;
 
     Clock::time_point posted() const noexcept { return posted_; }
     Clock::time_point published() const noexcept { return published_; }
 
-    /// Copies `changes`. Allocates only for more than was ever held before, and then half as much
-    /// again. Throws std::bad_alloc; what is held is then neither the old nor the new.
+    /// Copies `changes`. Allocates only if a size exceeds its previous maximum, and then 50% more
+    /// than needed. Throws std::bad_alloc; the contents are then undefined.
     void assign(const ChangeSet& changes, Clock::time_point posted);
-    /// Says that this is published now.
+    /// Sets the time of publication to now.
     void stamp() noexcept { published_ = Clock::now(); }
 
 private:
-    ChangeSet changes_;  // Without its spans.
+    ChangeSet changes_;  // Its spans are unused.
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> added_;
     std::vector<EdgeId> removed_;
@@ -48,8 +58,8 @@ private:
     Clock::time_point published_{};
 };
 
-/// All that a consumer holds of one tracker: what the change set of `sequence` led to. The one of
-/// sequence + 1 can be applied to it.
+/// The whole state of one tracker after the change set of `sequence`. The change set of sequence + 1
+/// can be applied to it.
 struct SilhouetteSnapshot {
     HomogeneousPoint point{};
     std::uint64_t sequence = 0;

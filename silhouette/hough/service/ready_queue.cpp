@@ -14,18 +14,18 @@ void CountingSemaphore::acquire() noexcept {
     int result = 0;
     do {
         result = sem_wait(&semaphore_);
-    } while (result != 0 && errno == EINTR);  // By a signal's handler.
+    } while (result != 0 && errno == EINTR);  // Interrupted by a signal handler.
     RIMLINE_CHECK(result == 0);
 }
 
 void CountingSemaphore::release() noexcept { RIMLINE_CHECK(sem_post(&semaphore_) == 0); }
 
-// Sequential consistency is needed where one thread writes a and reads b while another writes b and
-// reads a: a pusher fills incoming_ and then looks for sleepers, a worker counts itself among the
-// sleepers, or says that it has arrived, and then looks into incoming_. One of the two sees the other.
+// These atomics need sequential consistency. A pusher writes incoming_ and then reads sleepers_. A
+// worker writes sleepers_, when it goes to sleep or arrives, and then reads incoming_. At least one of
+// the two must see the other's write.
 
 void ReadyQueue::push(Node& node) noexcept {
-    // Only pushes and a take of everything: a node cannot leave and return below another's feet.
+    // No ABA problem: consumers only take the whole stack.
     node.next_ready = incoming_.load(std::memory_order_relaxed);
     while (!incoming_.compare_exchange_weak(node.next_ready, &node)) {
     }
@@ -36,19 +36,20 @@ ReadyQueue::Node* ReadyQueue::pop() noexcept {
     while (!closed_) {
         if (Node* node = take()) return node;
         ++sleepers_;
-        // Up again, unless somebody has counted us out and calls: then that call is ours to take.
+        // Do not sleep if work has arrived, unless another thread has already removed this worker from
+        // the count and signals it. The worker must then consume that signal.
         if ((closed_ || !is_empty()) && withdraw()) continue;
-        calls_.acquire();
-        sleepers_ &= ~k_on_its_way;
+        wakeups_.acquire();
+        sleepers_ &= ~k_worker_woken;
     }
     return nullptr;
 }
 
 void ReadyQueue::close() noexcept {
     closed_ = true;
-    // Without the throttle of wake_one(): who sleeps now is woken, who would sleep sees closed_.
-    const std::uint32_t asleep = sleepers_.exchange(0) & ~k_on_its_way;
-    for (std::uint32_t call = 0; call < asleep; ++call) calls_.release();
+    // Without the limit of wake_one(): wakes all sleepers. Later sleepers see closed_.
+    const std::uint32_t asleep = sleepers_.exchange(0) & ~k_worker_woken;
+    for (std::uint32_t call = 0; call < asleep; ++call) wakeups_.release();
 }
 
 ReadyQueue::Node* ReadyQueue::take() noexcept {
@@ -81,16 +82,16 @@ bool ReadyQueue::is_empty() noexcept {
 
 bool ReadyQueue::withdraw() noexcept {
     std::uint32_t state = sleepers_;
-    while ((state & ~k_on_its_way) != 0)
+    while ((state & ~k_worker_woken) != 0)
         if (sleepers_.compare_exchange_weak(state, state - 1)) return true;
     return false;
 }
 
 void ReadyQueue::wake_one() noexcept {
     std::uint32_t state = sleepers_;
-    while (state != 0 && (state & k_on_its_way) == 0)
-        if (sleepers_.compare_exchange_weak(state, (state - 1) | k_on_its_way)) {
-            calls_.release();
+    while (state != 0 && (state & k_worker_woken) == 0)
+        if (sleepers_.compare_exchange_weak(state, (state - 1) | k_worker_woken)) {
+            wakeups_.release();
             return;
         }
 }

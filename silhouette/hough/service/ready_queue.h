@@ -1,16 +1,16 @@
 #pragma once
 
-// Who is to be worked on next: pushed from anywhere without a lock, popped by workers, which sleep
-// while there is nothing.
+// A queue of nodes that have work. Any thread pushes without a lock. Workers pop, and sleep while the queue
+// is empty.
 //
-//     push --> incoming, a stack without a lock --reversed, all at once--> first_, the workers' list
+//     push --> incoming_, a lock-free stack --reversed, all at once--> first_, the workers' list
 //
-// Workers empty their list before they look at what came in, so whoever is pushed anew after every
-// piece of work waits for all the others: nobody starves. Pushers never meet the workers' lock.
+// Workers empty their list before they read `incoming_`. A node that is pushed again after each piece of work
+// therefore waits for all others, so no node starves. push() never takes the workers' lock.
 //
-// Waking a thread is a system call of microseconds, more than a push by a hundred times, and a burst of
-// pushes needs one, not one each: while a worker that was called has not arrived, nobody calls another.
-// One that arrives and finds more than it takes calls the next.
+// Waking a thread is a system call that takes microseconds, a hundred times more than a push. A burst of
+// pushes needs only one. So no thread wakes a worker while another woken worker has not yet arrived. A worker
+// that arrives and finds more than one node wakes the next worker.
 
 #include <semaphore.h>
 
@@ -20,8 +20,8 @@
 
 namespace rimline {
 
-/// POSIX's. libstdc++'s own loses wake-ups (its bugs 98033 and 104928): who read the count a moment ago may go
-/// to sleep on one that is above zero.
+/// A POSIX semaphore. That of libstdc++ loses wake-ups (its bugs 98033 and 104928): a thread may sleep
+/// although the count has just become positive.
 class CountingSemaphore {
 public:
     CountingSemaphore() noexcept;
@@ -38,17 +38,18 @@ private:
 
 class ReadyQueue {
 public:
-    /// What can be queued derives from this. It is in the queue at most once at a time, and stays
-    /// where it is while there.
+    /// Base class of elements. An element may be in the queue only once at a time, and must not move while it
+    /// is there.
     struct Node {
         Node* next_ready = nullptr;
     };
 
-    /// Any thread. Never waits; wakes a worker when one sleeps and none is on its way.
+    /// May be called from any thread. Never waits. Wakes a sleeping worker unless one is already on its way.
     void push(Node& node) noexcept;
-    /// The longest in the queue. Sleeps while there is none. Null after close(), whatever is left.
+    /// Returns the oldest element. Sleeps while the queue is empty. Returns null after close(), even if
+    /// elements are left.
     Node* pop() noexcept;
-    /// Ends all calls of pop(), now and later.
+    /// Ends all present and future calls of pop().
     void close() noexcept;
 
 private:
@@ -57,14 +58,15 @@ private:
     bool withdraw() noexcept;
     void wake_one() noexcept;
 
-    // The sleepers: their number, and whether a worker was called and has not arrived.
-    static constexpr std::uint32_t k_on_its_way = 0x80000000u;
+    // A bit of `sleepers_`: a worker was woken and has not arrived. The other bits are the number of
+    // sleepers.
+    static constexpr std::uint32_t k_worker_woken = 0x80000000u;
 
     std::atomic<Node*> incoming_{nullptr};
     std::atomic<std::uint32_t> sleepers_{0};
     std::atomic<bool> closed_{false};
-    CountingSemaphore calls_;
-    std::mutex mutex_;  // Among workers only.
+    CountingSemaphore wakeups_;
+    std::mutex mutex_;  // Taken by workers only.
     Node* first_ = nullptr;
 };
 

@@ -1,17 +1,17 @@
 #pragma once
 
-// A consumer of one tracker of a SilhouetteService that needs the silhouette of an exact point, such as
-// that of the frame it is about to draw.
+// Connects one tracker of a SilhouetteService to a consumer that needs the silhouette for an exact point,
+// for example for the next frame.
 //
 //     announce(point of frame t + 1)         draw frame t          follow(point of frame t + 1)
-//             |                                                        ^ waits only for what is left
+//             |                                                        ^ waits only for the rest
 //             +--> service: the tracker moves on a worker's thread ----+
 //
-// The service promises that the latest point posted is reached, and that change sets come in order. So
-// the follower posts its point, where that was not announced, and takes change sets up to that post's:
-// then the consumer, the tracker and the point are at one, and nothing is on its way. Where change sets
-// will not do, because one is missing or because the consumer has no state or finds the whole smaller, one
-// snapshot replaces them.
+// The service guarantees that the tracker reaches the latest posted point, and that change sets are in
+// order. follow() posts its point unless it was announced, and takes change sets up to the one of that
+// post. The consumer and the tracker are then at the point, and nothing is pending. One snapshot replaces
+// the change sets if one is missing, if the consumer has no state, or if the consumer prefers the whole
+// state.
 
 #include "silhouette/hough/service/silhouette_service.h"
 
@@ -19,8 +19,8 @@ namespace rimline {
 
 class SilhouetteFollower {
 public:
-    /// Adds a tracker at `point`, and removes it in the end. The service and the octree must outlive the
-    /// follower. Throws what SilhouetteService::add() does.
+    /// Adds a tracker at `point`. The destructor removes it. The service and the octree must outlive the
+    /// follower. Throws the same errors as SilhouetteService::add().
     SilhouetteFollower(SilhouetteService& service, const HoughOctree& octree,
                        const HomogeneousPoint& point)
         : service_(&service), tracker_(service.add(octree, point)), posted_(point) {}
@@ -28,60 +28,62 @@ public:
     SilhouetteFollower(const SilhouetteFollower&) = delete;
     SilhouetteFollower& operator=(const SilhouetteFollower&) = delete;
 
-    /// Says where the next follow() will probably lead. Does not wait. A wrong guess costs its move.
+    /// Posts the probable point of the next follow(). Does not wait. A wrong guess costs one move.
     void announce(const HomogeneousPoint& point) noexcept {
         if (point == posted_) return;
         posted_at_ = PublishedChange::Clock::now();
-        // False for a stopped service; follow() will say so.
+        // The service was stopped. follow() will throw.
         if (!service_->post(tracker_, point)) return;
         posted_ = point;
-        is_on_its_way_ = true;
+        is_pending_ = true;
     }
 
-    /// Leads a consumer that has seen all earlier calls, but for invalidate(), to `point`: calls
-    ///     bool consumer.apply(const ChangeSet&)          once for each change set on the way, until it
-    ///                                                    says that only the whole state will do, and
-    ///     void consumer.resend(const SilhouetteSnapshot&) once at most, with the state at `point`.
-    /// Throws Error{cancelled} when the service was stopped before it got there, std::bad_alloc, and what
-    /// the consumer throws; call invalidate() then, as after everything that leaves the consumer behind.
+    /// Brings the consumer to `point`. It must be the consumer of all earlier calls, except after
+    /// invalidate(). Calls
+    ///     bool consumer.apply(const ChangeSet&)          for each change set, until it returns false
+    ///                                                    because it needs the whole state, and
+    ///     void consumer.resend(const SilhouetteSnapshot&) at most once, with the state at `point`.
+    /// Throws Error{cancelled} if the service was stopped before it reached `point`, std::bad_alloc, and
+    /// what the consumer throws. Then, or if the consumer has lost its state, call invalidate().
     template <typename Consumer>
     void follow(const HomogeneousPoint& point, Consumer& consumer) {
         announce(point);
         if (!(point == posted_)) throw_stopped();
-        while (is_on_its_way_) {
+        while (is_pending_) {
             const Taken taken = service_->take(tracker_, change_);
             if (taken == Taken::nothing) {
                 wait_for_change();
                 continue;
             }
-            if (taken != Taken::change) break;  // Only a snapshot leads on.
-            // First: it is taken even where the consumer throws, and would be waited for in vain.
-            is_on_its_way_ = change_.posted() < posted_at_ || !(change_.view().point == posted_);
-            needs_whole_ = needs_whole_ || !consumer.apply(change_.view());
+            if (taken != Taken::change) break;  // Only a snapshot helps.
+            // Before apply(), which may throw: the change set is taken, so waiting for it would never end.
+            is_pending_ = change_.posted() < posted_at_ || !(change_.view().point == posted_);
+            needs_snapshot_ = needs_snapshot_ || !consumer.apply(change_.view());
         }
-        if (needs_whole_ || is_on_its_way_) {
-            needs_whole_ = true;
+        if (needs_snapshot_ || is_pending_) {
+            needs_snapshot_ = true;
             read_tracker(snapshot_);
-            is_on_its_way_ = false;
+            is_pending_ = false;
             consumer.resend(snapshot_);
-            needs_whole_ = false;
+            needs_snapshot_ = false;
         }
         reached_ = point;
     }
 
-    /// The consumer has lost its state: the next follow() sends all of it.
-    void invalidate() noexcept { needs_whole_ = true; }
+    /// Call this if the consumer has lost its state. The next follow() sends the whole state.
+    void invalidate() noexcept { needs_snapshot_ = true; }
 
-    /// Where the last follow() led.
+    /// The point of the last follow().
     const HomogeneousPoint& point() const noexcept { return reached_; }
-    /// The tracker's own state there: an oracle for the consumer's. Only while nothing was announced since.
+    /// The tracker's state there, for comparison with the consumer's state. Not allowed after announce()
+    /// until the next follow().
     void read_state(SilhouetteSnapshot& snapshot) {
-        RIMLINE_CHECK(!is_on_its_way_);
+        RIMLINE_CHECK(!is_pending_);
         read_tracker(snapshot);
     }
 
     TrackerId tracker() const noexcept { return tracker_; }
-    /// Memory that the tracker has reserved. Waits for the worker that moves it, if one does.
+    /// Memory reserved by the tracker. Waits if a worker is moving it.
     std::uint64_t tracker_bytes() const noexcept { return service_->size_bytes(tracker_); }
 
 private:
@@ -92,7 +94,7 @@ private:
     void wait_for_change() {
         if (!service_->wait_for_change(tracker_)) throw_stopped();
     }
-    // The tracker's state at the point posted last.
+    // Reads the tracker's state at the last posted point.
     void read_tracker(SilhouetteSnapshot& snapshot) {
         for (;;) {
             service_->snapshot(tracker_, snapshot);
@@ -104,11 +106,11 @@ private:
     SilhouetteService* service_;
     TrackerId tracker_;
     HomogeneousPoint posted_;
-    PublishedChange::Clock::time_point posted_at_{};  // Between the last post and the one before.
-    bool is_on_its_way_ = false;  // The change set of the last post has not been taken.
-    bool needs_whole_ = true;
+    PublishedChange::Clock::time_point posted_at_{};  // Between the last two posts.
+    bool is_pending_ = false;  // The change set of the last post was not taken yet.
+    bool needs_snapshot_ = true;
     HomogeneousPoint reached_{};
-    PublishedChange change_;  // Kept for their memory.
+    PublishedChange change_;  // Members, to reuse their memory.
     SilhouetteSnapshot snapshot_;
 };
 

@@ -5,7 +5,10 @@
 #include <system_error>
 #include <utility>
 
+#include "silhouette/hough/service/change_outbox.h"
 #include "silhouette/hough/service/latest_value.h"
+#include "silhouette/hough/service/ready_queue.h"
+#include "silhouette/hough/silhouette_tracker.h"
 
 namespace rimline {
 
@@ -17,7 +20,7 @@ std::uint32_t worker_count(std::uint32_t asked) noexcept {
     return at_once > 1 ? at_once - 1 : 1;
 }
 
-// The slot's number, and how often it has been used, from 1 on.
+// The slot's number, and the number of its uses, from 1.
 constexpr TrackerId make_id(std::uint32_t use, std::uint32_t index) noexcept {
     return TrackerId{std::uint64_t{use} << 32 | index};
 }
@@ -25,14 +28,15 @@ constexpr std::uint32_t index_of(TrackerId id) noexcept { return static_cast<std
 
 }  // namespace
 
-// A place for one tracker after another. Which tracker it is may change under the feet of whoever
-// finds it by an old id or pops it from the queue, so each looks again under a lock of its own:
+// A slot holds one tracker after another. The tracker may change after a thread finds the slot by an
+// old id or pops it from the queue. Such a thread checks `owner` again under one of two locks, which
+// protect:
 //
-//     posting   the mailbox's writing end; never held by a worker
-//     moving    the tracker, the mailbox's reading end, the outbox's writing end
+//     posting   writing to the mailbox; never held by a worker
+//     moving    the tracker, reading from the mailbox, writing to the outbox
 //
 // `owner` is written under both and read under either. `posting` and the outbox's lock are taken
-// inside `moving`, never the other way round. On cache lines of its own, for the poster's sake.
+// inside `moving`, never in the opposite order. Each slot has its own cache lines, to make post() fast.
 struct alignas(64) SilhouetteService::Slot : ReadyQueue::Node {
     struct Posted {
         HomogeneousPoint point{};
@@ -43,7 +47,7 @@ struct alignas(64) SilhouetteService::Slot : ReadyQueue::Node {
 
     std::mutex posting;
     LatestValue<Posted> latest;
-    // In the queue or in a worker's hands, and therefore in those of one worker at most.
+    // Whether the slot is in the queue or at a worker. So at most one worker has it.
     std::atomic<bool> scheduled{false};
 
     std::mutex moving;
@@ -63,7 +67,9 @@ struct SilhouetteService::SlotBlock {
 };
 
 SilhouetteService::SilhouetteService(const SilhouetteServiceOptions& options)
-    : max_pending_(options.max_pending), worker_count_(rimline::worker_count(options.workers)) {
+    : max_pending_(options.max_pending),
+      worker_count_(rimline::worker_count(options.workers)),
+      ready_(std::make_unique<ReadyQueue>()) {
     RIMLINE_CHECK(options.max_pending > 0);
     workers_.reserve(worker_count_);
     try {
@@ -106,16 +112,16 @@ bool SilhouetteService::remove(TrackerId id) {
             const std::lock_guard posting(place.posting);
             if (place.owner != id) return false;
             place.owner = k_no_tracker;
-            // Its memory takes a while to free; nobody should wait for that.
+            // Freeing its memory takes time, so it happens outside the locks.
             place.tracker.swap(tracker);
             Slot::Posted dropped;
-            place.latest.take(dropped);  // The next tracker does not go there.
+            place.latest.take(dropped);  // The next tracker must not move there.
             place.outbox.close();
         }
         place.outbox.free_buffers();
     }
-    // The slot may still be scheduled. Whoever pops it finds no tracker, or the next one with nothing
-    // to do, or with something, and then it was scheduled for that as well.
+    // The slot may still be scheduled. The worker that pops it finds no tracker, or the next one. This
+    // is harmless: the next one has no new point, or it is scheduled for that point anyway.
     const std::lock_guard lock(slots_mutex_);
     free_slots_.push_back(index_of(id));
     return true;
@@ -140,8 +146,8 @@ bool SilhouetteService::post(TrackerId id, const HomogeneousPoint& point) noexce
 Taken SilhouetteService::take(TrackerId id, PublishedChange& change) noexcept {
     Slot& place = slot(id);
     const ChangeOutbox::TakeResult result = place.outbox.take(id, change);
-    // A worker that found no room has left the tracker. One that finds it now, with the outbox's lock
-    // after ours, finds room.
+    // A worker that found no room has skipped the tracker. A worker that takes the outbox's lock after
+    // this call finds room.
     if (result.made_room && place.latest.has_unread()) schedule(place);
     return result.taken;
 }
@@ -185,11 +191,11 @@ void SilhouetteService::wait_idle() noexcept {
 void SilhouetteService::stop() noexcept {
     const std::lock_guard lock(stop_mutex_);
     stopped_ = true;
-    ready_.close();
+    ready_->close();
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
     {
-        // As in count_unscheduled().
+        // For the same reason as in count_unscheduled().
         const std::lock_guard idle(idle_mutex_);
     }
     idle_.notify_all();
@@ -214,7 +220,7 @@ SilhouetteService::Slot& SilhouetteService::slot(TrackerId id) noexcept {
 
 std::uint32_t SilhouetteService::claim_slot() {
     const std::lock_guard lock(slots_mutex_);
-    // Under the lock: stop() ends the waits of all slots that were claimed before.
+    // Tested under the lock, because stop() ends the waits of all slots claimed before.
     if (stopped_) throw Error(ErrorCode::cancelled, "the silhouette service has been stopped");
     if (!free_slots_.empty()) {
         const std::uint32_t index = free_slots_.back();
@@ -233,24 +239,25 @@ std::uint32_t SilhouetteService::claim_slot() {
 }
 
 void SilhouetteService::schedule(Slot& slot) noexcept {
-    ++scheduled_;  // First: whoever finds the slot scheduled may go on to wait_idle().
+    ++scheduled_;  // Before the exchange: a caller that finds the slot scheduled may next call wait_idle().
     if (slot.scheduled.exchange(true, std::memory_order_acq_rel))
         count_unscheduled();
     else
-        ready_.push(slot);
+        ready_->push(slot);
 }
 
 void SilhouetteService::count_unscheduled() noexcept {
     if (--scheduled_ > 0) return;
     {
-        // Empty, but after it every wait either sees the count or hears the notification.
+        // The empty critical section ensures that every waiter sees either the count or the
+        // notification.
         const std::lock_guard lock(idle_mutex_);
     }
     idle_.notify_all();
 }
 
 void SilhouetteService::work() noexcept {
-    while (ReadyQueue::Node* node = ready_.pop()) {
+    while (ReadyQueue::Node* node = ready_->pop()) {
         Slot& slot = static_cast<Slot&>(*node);
         move(slot);
         give_back(slot);
@@ -258,7 +265,7 @@ void SilhouetteService::work() noexcept {
 }
 
 void SilhouetteService::move(Slot& slot) noexcept {
-    // Among workers it is free; it keeps out snapshot() and remove().
+    // Never contended between workers. It excludes snapshot() and remove().
     const std::lock_guard moving(slot.moving);
     Slot::Posted posted;
     if (!slot.tracker || !slot.outbox.has_room() || !slot.latest.take(posted)) return;
@@ -268,8 +275,8 @@ void SilhouetteService::move(Slot& slot) noexcept {
 }
 
 void SilhouetteService::give_back(Slot& slot) noexcept {
-    // Whoever posted or made room while the slot was scheduled has left it to us: their exchange in
-    // schedule() came before ours here, so what they did before it is seen below.
+    // A thread that posted or made room while the slot was scheduled has not scheduled it again. Its
+    // exchange in schedule() came before this one, so its earlier writes are visible below.
     slot.scheduled.exchange(false, std::memory_order_acq_rel);
     if (slot.latest.has_unread() && slot.outbox.has_room()) schedule(slot);
     count_unscheduled();

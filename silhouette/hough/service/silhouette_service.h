@@ -5,27 +5,27 @@
 //     post(id, point) --> latest point --> ready queue --> a worker: move_to --> outbox --> take(id)
 //     camera, lights      latest_value.h   ready_queue.h                      change_outbox.h   renderer
 //
-// Post where the points are now, draw, and take what changed when the next frame begins: the service
-// computes frame t + 1 while frame t is drawn. Four promises:
+// Post the current points, draw, and take the changes when the next frame begins. The service computes
+// frame t + 1 while frame t is drawn. It guarantees:
 //
-//   Posting does not wait. The newest point replaces one that no worker has begun with. Workers hold
-//   nothing that post() needs: the point goes through a wait-free mailbox, the tracker into a queue
-//   without locks. Only threads that post to the *same* tracker at once take turns, for a copy.
+//   Posting does not wait. The newest point replaces an older one unless a worker has started with it.
+//   Workers hold no lock that post() needs: the point goes through a wait-free mailbox, the tracker
+//   through a lock-free queue. Only threads that post to the *same* tracker at once wait, for one copy.
 //
-//   In order, without gaps. A tracker is in the hands of one worker at a time, its change sets carry
-//   its own sequence, and every one follows on the one before. A consumer that falls behind finds a
-//   bounded number of them; the tracker then waits at its place and makes one larger move later
-//   (change_outbox.h). The one exception is memory that runs out: that gap is told, not hidden.
+//   Change sets are in order, without gaps. One worker at a time moves a tracker. Change sets have
+//   sequence numbers per tracker, and each follows its predecessor. For a slow consumer the number of
+//   pending change sets is bounded: the tracker waits and later makes one larger move
+//   (change_outbox.h). Only if memory runs out is there a gap, and take() reports it.
 //
-//   A whole state at any time. snapshot() has the slots and face words of one sequence and drops what
-//   is pending up to it: how a consumer begins, and begins anew.
+//   The whole state is available at any time. snapshot() returns the slots and face words of one
+//   sequence and drops pending change sets up to it. A consumer starts with it, and restarts with it.
 //
-//   Nobody starves. Trackers with new points are moved in the order in which they became ready, and
-//   one that is posted to again queues behind all the others.
+//   No tracker starves. Trackers with new points are moved in the order in which they became ready. A
+//   tracker with a newer point goes to the end of the queue.
 //
-// All functions may be called from any thread at any time, those on one tracker too. The destructor
-// must come after all other calls have returned; stop() makes those that wait return. A tracker has one
-// consumer: of two that take from it each would miss what the other got.
+// Any thread may call any function at any time, also on the same tracker. All other calls must have
+// returned before the destructor runs. stop() makes waiting calls return. A tracker must have only one
+// consumer, because each change set can be taken only once.
 
 #include <array>
 #include <atomic>
@@ -37,75 +37,75 @@
 #include <vector>
 
 #include "silhouette/hough/hough_octree.h"
-#include "silhouette/hough/service/change_outbox.h"
 #include "silhouette/hough/service/published_change.h"
-#include "silhouette/hough/service/ready_queue.h"
 
 namespace rimline {
 
+class ReadyQueue;
+
 struct SilhouetteServiceOptions {
-    /// Worker threads. 0: one less than the machine runs at once, and at least one.
+    /// Worker threads. 0: one less than the number of hardware threads, but at least one.
     std::uint32_t workers = 0;
-    /// Change sets a tracker that wait to be taken, before it waits itself. Not 0.
+    /// Maximum number of pending change sets per tracker. At this number the tracker waits. Not 0.
     std::uint32_t max_pending = 4;
 };
 
-/// What has been done since the service was made. Read while it works, the numbers need not fit
-/// together.
+/// Counts since the construction of the service. While it works, they may be inconsistent with each
+/// other.
 struct SilhouetteServiceCounters {
     std::uint64_t posts = 0;       ///< Points accepted.
-    std::uint64_t superseded = 0;  ///< Of these, replaced by newer ones before a worker began.
+    std::uint64_t superseded = 0;  ///< Points replaced by newer ones before a worker started.
     std::uint64_t moves = 0;
-    std::uint64_t lost = 0;  ///< Moves whose change sets were not published: memory ran out.
+    std::uint64_t lost = 0;  ///< Moves whose change sets were lost because memory ran out.
 };
 
 class SilhouetteService {
 public:
-    /// Starts the workers. Throws Error{io} when the system refuses a thread.
+    /// Starts the workers. Throws Error{io} if the system cannot start a thread.
     explicit SilhouetteService(const SilhouetteServiceOptions& options = {});
-    /// As stop(). Trackers still there are removed. Nobody may be in a call, nor in a wait.
+    /// Calls stop() and removes all trackers. No thread may be in a call or a wait.
     ~SilhouetteService();
     SilhouetteService(const SilhouetteService&) = delete;
     SilhouetteService& operator=(const SilhouetteService&) = delete;
 
-    /// A new tracker, made on the calling thread: what SilhouetteTracker's constructor throws comes
-    /// from here. `octree` must stay until the tracker is removed or the service destroyed; trackers
-    /// may share it. Begin with snapshot(), whose sequence is 0 unless something was posted before.
-    /// Throws Error{too_large} beyond 16,384 trackers, Error{cancelled} after stop().
+    /// Creates a tracker on the calling thread. Throws what SilhouetteTracker's constructor throws,
+    /// Error{too_large} beyond 16,384 trackers, and Error{cancelled} after stop(). `octree` must exist
+    /// until the tracker is removed or the service destroyed. Trackers may share it. Call snapshot()
+    /// first. Its sequence is 0 unless a point was posted before.
     TrackerId add(const HoughOctree& octree, const HomogeneousPoint& point);
-    TrackerId add(HoughOctree&&, const HomogeneousPoint&) = delete;  // It would be gone.
+    TrackerId add(HoughOctree&&, const HomogeneousPoint&) = delete;  // `octree` must outlive this.
 
-    /// Waits for the worker that moves the tracker, if one does; then nobody uses the octree for it any
-    /// more. What is pending is dropped. False, and no effect, when it was removed before.
+    /// Waits if a worker is moving the tracker. Afterwards no thread uses the octree for it. Drops
+    /// pending change sets. Returns false, without effect, if it was removed before.
     bool remove(TrackerId id);
 
-    /// The tracker is to go to `point`, which must be valid. O(1), see above. False, and no effect, when
-    /// the tracker was removed or the service stopped.
+    /// Requests a move of the tracker to `point`, which must be valid. O(1), see above. Returns false,
+    /// without effect, if the tracker was removed or the service stopped.
     bool post(TrackerId id, const HomogeneousPoint& point) noexcept;
 
-    /// The tracker's next change set, exchanged for what `change` held. Does not wait for workers. What
-    /// was published can still be taken after stop().
+    /// Swaps the tracker's next change set into `change`. Does not wait for workers. Published change
+    /// sets can still be taken after stop().
     Taken take(TrackerId id, PublishedChange& change) noexcept;
 
-    /// The tracker's whole state, between two moves; change sets up to its sequence are dropped. Waits
-    /// for the worker that moves the tracker, if one does. False, and no effect, when the tracker was
-    /// removed. Throws std::bad_alloc; nothing is dropped then.
+    /// Returns the tracker's whole state between two moves, and drops change sets up to its sequence.
+    /// Waits if a worker is moving the tracker. Returns false, without effect, if the tracker was
+    /// removed. Throws std::bad_alloc, and then drops nothing.
     bool snapshot(TrackerId id, SilhouetteSnapshot& snapshot);
 
-    /// Memory that the tracker has reserved (SilhouetteTracker::size_bytes()), which moves do not change.
-    /// Waits for the worker that moves it, if one does. 0 when it was removed.
+    /// Memory reserved by the tracker (SilhouetteTracker::size_bytes()). Moves do not change it. Waits if
+    /// a worker is moving the tracker. Returns 0 if it was removed.
     std::uint64_t size_bytes(TrackerId id) noexcept;
 
-    /// Sleeps until take() has something. False when it will not: the tracker was removed, or the
-    /// service stopped and everything is taken.
+    /// Sleeps until take() would succeed. Returns false if the tracker was removed, or if the service was
+    /// stopped and nothing is pending.
     bool wait_for_change(TrackerId id) noexcept;
 
-    /// Sleeps until no worker has anything to do: each point posted before was moved to, was
-    /// superseded, or is held up by a consumer that does not take. Or until stop().
+    /// Sleeps until no worker has work, or until stop(). Each earlier point is then reached, superseded,
+    /// or blocked by a consumer that does not take.
     void wait_idle() noexcept;
 
-    /// Ends the workers, each after the move it is in, and all waits. Points not moved to are forgotten.
-    /// Returns when the workers are gone; calling it again has no effect.
+    /// Ends all waits, and each worker after its current move. Drops points that were not reached.
+    /// Returns when all workers have ended. Further calls have no effect.
     void stop() noexcept;
 
     SilhouetteServiceCounters counters() const noexcept;
@@ -113,7 +113,7 @@ public:
 
 private:
     struct Slot;
-    // Slots are made in blocks, which stay until the end: post() looks them up unlocked.
+    // Slots are allocated in blocks, which exist until destruction, so post() finds slots without a lock.
     struct SlotBlock;
 
     static constexpr std::uint32_t k_slots_a_block = 64;
@@ -131,17 +131,17 @@ private:
     const std::uint32_t max_pending_;
     const std::uint32_t worker_count_;
     std::array<std::atomic<SlotBlock*>, k_max_blocks> blocks_{};
-    ReadyQueue ready_;
+    const std::unique_ptr<ReadyQueue> ready_;
     std::atomic<bool> stopped_{false};
 
-    std::mutex slots_mutex_;  // Who owns which slot.
+    std::mutex slots_mutex_;  // Protects the assignment of slots.
     std::uint32_t slot_count_ = 0;
     std::vector<std::uint32_t> free_slots_;
 
-    std::mutex stop_mutex_;  // Among callers of stop().
+    std::mutex stop_mutex_;  // Taken by stop() only.
     std::vector<std::thread> workers_;
 
-    std::atomic<std::uint32_t> scheduled_{0};  // Slots in the queue or in a worker's hands.
+    std::atomic<std::uint32_t> scheduled_{0};  // Slots in the queue or at a worker.
     std::mutex idle_mutex_;
     std::condition_variable idle_;
     std::atomic<std::uint32_t> waiting_{0};  // Threads in wait_for_change() and wait_idle().

@@ -38,7 +38,7 @@ float ByteScanner::coordinate(ScalarType type, const char* what, BadPoints bad) 
     const std::size_t place = at_;
     const double value = number(type, what);
     if (!std::isfinite(value) && bad == BadPoints::keep) return static_cast<float>(value);
-    // Compared in double: the conversion of what lies beyond float's range is not defined.
+    // Compared in double, because conversion of values beyond float's range is undefined.
     if (!(std::abs(value) <= static_cast<double>(k_max_coordinate)))
         bad_byte(name_, place,
                  std::string(what) + " is " +

@@ -1,7 +1,7 @@
 #pragma once
 
-// The strict scanner of the binary formats: values of a given type and byte order, none of them past
-// the end of the bytes.
+// The strict scanner of the binary formats. It reads values of a given type and byte order, and
+// never reads beyond the end of the bytes.
 
 #include <bit>
 #include <cstdint>
@@ -39,12 +39,14 @@ constexpr std::size_t size_bytes(ScalarType type) noexcept {
     return 0;
 }
 
-/// The value at `bytes`, which hold all of it. Every scalar type's values are doubles exactly.
+/// The value at `bytes`, which must hold all its bytes. A double represents every value of every
+/// scalar type exactly.
 double load_scalar(const char* bytes, ScalarType type, std::endian order) noexcept;
 
 class ByteScanner {
 public:
-    /// `name` and `bytes` must outlive the scanner, which starts at `offset`, within them.
+    /// `name` and `bytes` must outlive the scanner. It starts at `offset`, which must be within
+    /// `bytes`.
     ByteScanner(std::string_view name, std::string_view bytes, std::size_t offset,
                 std::endian order) noexcept
         : name_(name), bytes_(bytes), at_(offset), order_(order) {}
@@ -56,11 +58,12 @@ public:
         at_ += size_bytes(type);
         return value;
     }
-    /// The next value as a coordinate: within k_max_coordinate, or kept where it is not finite.
+    /// The next value as a coordinate within k_max_coordinate. BadPoints::keep also accepts values
+    /// that are not finite.
     float coordinate(ScalarType type, const char* what, BadPoints bad = BadPoints::refuse);
-    /// The next value as an integer, whatever its type.
+    /// The next value as an integer, from any scalar type.
     std::int64_t integer(ScalarType type, const char* what);
-    /// Steps over `count` elements of `size` bytes.
+    /// Skips `count` elements of `size` bytes.
     void skip(std::uint64_t count, std::size_t size, const char* what) {
         if (size != 0 && count > remaining() / size) fail_truncated(what);
         at_ += static_cast<std::size_t>(count) * size;

@@ -17,8 +17,8 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-// Whether the facet count at byte 80 makes exactly this file. No text does: four letters read as a
-// count are over half a billion facets.
+// Whether the facet count at byte 80 gives exactly this file size. It cannot for text, because four letters
+// read as a count are over half a billion facets.
 bool is_sized_as_binary_stl(const std::string& bytes) {
     if (bytes.size() < 84) return false;
     const double count = load_scalar(bytes.data() + 80, ScalarType::uint32, std::endian::little);
@@ -36,9 +36,9 @@ bool is_off_word(std::string_view word) {
     return word == "OFF";
 }
 
-// By content, and by name where content does not say: a binary STL that is cut short, an OFF that
-// begins with its counts as a point does, an OBJ that begins with anything. Binary STL first: its 80 bytes of header
-// may look like anything, a byte order mark too.
+// Decides by content, then by name. The name is needed for a truncated binary STL, an OFF that begins with
+// its counts, which looks like a point, and an OBJ that begins with an unusual statement. Binary STL is
+// tested first, because its 80 header bytes may look like any format or a byte order mark.
 FileFormat format_of(const SourceFile& file, const std::string& extension) {
     if (is_sized_as_binary_stl(file.bytes)) return FileFormat::stl_binary;
     if (file.bytes.starts_with("glTF")) return FileFormat::glb;
@@ -72,7 +72,7 @@ FileFormat format_of(const SourceFile& file, const std::string& extension) {
 
 SourceFile read_text_or_bytes(const std::filesystem::path& path, const LongCall& call) {
     SourceFile file = read_source_file(path, call);
-    // The mark some editors put before UTF-8 text.
+    // The byte order mark that some editors write before UTF-8 text.
     if (file.bytes.starts_with("\xef\xbb\xbf")) file.text_begin = 3;
     if (file.text().empty()) bad_file(file.name, "the file is empty");
     return file;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What kind of file it is: by its content, and by its name where content does not say.
+// The format of a file: decided by its content, and by its name if the content does not decide.
 
 #include <filesystem>
 
@@ -10,8 +10,8 @@ namespace rimline {
 
 enum class FileFormat { ply, stl_text, stl_binary, off, obj, gltf, glb, point_text };
 
-/// Reads a file and sees what it is. Throws Error{io}, or Error{bad_input} for an empty file and for one
-/// that is nothing known.
+/// Reads a file and finds its format. Throws Error{io}, or Error{bad_input} for an empty file or an
+/// unknown format.
 struct KnownFile {
     KnownFile(const std::filesystem::path& path, const LongCall& call);
 

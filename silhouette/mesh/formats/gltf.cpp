@@ -1,10 +1,10 @@
-// glTF 2 and GLB: gltf_scene.h makes sure of the document, tinygltf builds the model, gltf_buffers.h
-// has the bytes, gltf_accessor.h reads the numbers, and the node tree is flattened here.
+// glTF 2 and GLB: gltf_scene.h checks the document, tinygltf builds the model, gltf_buffers.h reads
+// the bytes, gltf_accessor.h reads the numbers, and this file flattens the node tree.
 //
-// A mesh that two nodes name is there twice. Transforms are applied in double and rounded once. One
-// that mirrors turns triangles inside out, so their corners are turned round again. Skins and morph
-// targets stay at rest. Primitives of points and lines give vertices only; a primitive without
-// positions gives nothing, as the format says.
+// A mesh that two nodes reference appears twice. Transforms are applied in double and rounded once. A
+// mirroring transform reverses triangles, so the order of their corners is reversed again. Skins and
+// morph targets are not applied. Primitives of points and lines give vertices only. A primitive
+// without positions gives nothing, as the format says.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ namespace rimline {
 
 namespace {
 
-// Instances multiply what a file holds; beyond these the machine would be out of memory first.
+// Instances multiply the content of a file. These limits prevent running out of memory.
 constexpr std::size_t k_max_vertices = std::size_t{1} << 28;
 constexpr std::size_t k_max_triangles = std::size_t{1} << 28;
 
@@ -46,7 +46,7 @@ tinygltf::Model parse_model(const SourceFile& file, const GltfScene& scene) {
         error = e.what();
     }
     if (!done) {
-        // It may quote the file at any length.
+        // The error may quote any length of the file.
         constexpr std::size_t k_longest = 200;
         error.resize(std::min(error.size(), k_longest));
         std::replace(error.begin(), error.end(), '\n', ' ');
@@ -97,7 +97,7 @@ public:
         }
         visited_.assign(model_.nodes.size(), false);
         std::vector<int> roots = root_nodes();
-        // A stack of our own: a chain of nodes may be as long as the file.
+        // An explicit stack, because a chain of nodes may be as long as the file.
         std::vector<Visit> stack;
         const auto push = [&](const std::vector<int>& numbers, const glm::dmat4& parent) {
             for (auto i = numbers.rbegin(); i != numbers.rend(); ++i) stack.push_back({*i, parent});
@@ -126,7 +126,7 @@ private:
         glm::dmat4 parent;
     };
 
-    // The default scene, else the first, else every node that is nobody's child.
+    // The roots of the default scene, else of the first scene, else all nodes without a parent.
     std::vector<int> root_nodes() const {
         if (model_.defaultScene >= 0 || !model_.scenes.empty()) {
             const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
@@ -161,7 +161,8 @@ private:
     void add_mesh(std::size_t mesh, const glm::dmat4& transform) {
         const auto& primitives = model_.meshes[mesh].primitives;
         for (std::size_t p = 0; p < primitives.size(); ++p) {
-            // How many instances follow is not known: only cancellation is asked for.
+            // The number of instances is unknown, so this reports no progress and only checks for
+            // cancellation.
             if (call_.stop.stop_requested()) parse_checkpoint(call_, 1.0);
             place_ = "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(p) + "]";
             add_primitive(primitives[p], transform);
@@ -192,7 +193,8 @@ private:
         std::vector<std::uint32_t> corners;
         const auto indices = primitive.attributes.find(k_gltf_indices);
         if (indices != primitive.attributes.end()) {
-            // Triangles are counted, points and lines are not: of these each accessor is read once.
+            // The number of triangles is limited, that of points and lines is not. For points and
+            // lines each accessor is therefore read only once.
             const bool has_triangles = primitive.mode >= TINYGLTF_MODE_TRIANGLES;
             const auto known = min_vertices_.find(indices->second);
             if (!has_triangles && known != min_vertices_.end() && known->second <= positions.size())
@@ -246,7 +248,7 @@ private:
     GltfAccessors accessors_;
     MeshSource source_;
     std::vector<bool> visited_;
-    std::map<int, std::uint64_t> min_vertices_;  // That an accessor of indices asks for.
+    std::map<int, std::uint64_t> min_vertices_;  // The vertices that an index accessor requires.
     std::string place_;
 };
 

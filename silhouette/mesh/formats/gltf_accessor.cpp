@@ -27,7 +27,7 @@ bool is_unsigned(ScalarType type) noexcept {
     return type == ScalarType::uint8 || type == ScalarType::uint16 || type == ScalarType::uint32;
 }
 
-// What a normalized integer stands for (glTF 2, 3.6.2.2).
+// The value of a normalized integer (glTF 2, 3.6.2.2).
 double normalized(double value, ScalarType type) noexcept {
     switch (type) {
         case ScalarType::int8: return std::max(value / 127.0, -1.0);
@@ -69,7 +69,7 @@ GltfAccessors::Elements GltfAccessors::elements(int accessor, const char* part, 
     if (stride < element_bytes)
         fail(accessor, where + "byteStride is less than an element's " +
                            std::to_string(element_bytes) + " bytes");
-    // Counts and strides are below 2^31: the products fit.
+    // Counts and strides are below 2^31, so the products do not overflow.
     if (count > 0 && offset + (count - 1) * stride + element_bytes > view.byteLength)
         fail(accessor, where + std::to_string(count) +
                            " elements reach beyond their bufferView of " +
@@ -121,7 +121,8 @@ void GltfAccessors::apply_sparse(int accessor, int width, std::vector<double>& v
     if (!index_type || !is_unsigned(*index_type))
         fail(accessor, "sparse.indices: componentType should be an unsigned integer");
     const auto count = static_cast<std::uint64_t>(a.sparse.count);
-    // Their indices increase. More of them would cost time that no count of elements shows.
+    // Sparse indices increase, so a larger count is wrong. It would also cost time not limited by
+    // a.count.
     if (count > a.count)
         fail(accessor, "sparse.count: " + std::to_string(count) +
                            " elements are replaced, but there are only " + std::to_string(a.count));

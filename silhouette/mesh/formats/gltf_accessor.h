@@ -1,6 +1,6 @@
 #pragma once
 
-// The numbers an accessor of a glTF model names, with every bound checked against the bytes there are.
+// The numbers of an accessor of a glTF model. All bounds are checked against the available bytes.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -18,15 +18,15 @@ namespace rimline {
 
 class GltfAccessors {
 public:
-    /// `file`, `model` and `buffers` must outlive this. `file_bytes` is the size of the file and its buffers: an
-    /// accessor without a buffer view is as many zeros as it says, and may not say more than that.
+    /// `file`, `model` and `buffers` must outlive this. `file_bytes` is the size of the file and its buffers.
+    /// An accessor without a buffer view holds zeros, and its count may be at most `file_bytes`.
     GltfAccessors(const std::string& file, const tinygltf::Model& model, const GltfBuffers& buffers,
                   std::uint64_t file_bytes)
         : file_(file), model_(model), buffers_(buffers), file_bytes_(file_bytes) {}
 
-    /// Three numbers an element, of any component type, normalized where the accessor says so.
+    /// Three numbers per element, of any component type, normalized if the accessor says so.
     std::vector<glm::dvec3> positions(int accessor) const;
-    /// One unsigned integer an element.
+    /// One unsigned integer per element.
     std::vector<std::uint32_t> indices(int accessor) const;
 
 private:

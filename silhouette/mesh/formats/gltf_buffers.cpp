@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view k_data_scheme = "data:";
 
-// One buffer's URI, and how its errors begin.
+// A buffer's URI, and the beginning of its error messages.
 struct BufferUri {
     const SourceFile& file;
     std::size_t number;
@@ -19,7 +19,7 @@ struct BufferUri {
     std::string place() const { return "buffers[" + std::to_string(number) + "]: "; }
     [[noreturn]] void fail(const std::string& what) const { bad_file(file.name, place() + what); }
 
-    // %20 and its kind.
+    // Decodes escapes such as %20.
     std::string unescaped(std::string_view text) const {
         const auto digit = [&](std::size_t at) {
             const char c = at < text.size() ? text[at] : '\0';
@@ -41,7 +41,7 @@ struct BufferUri {
         return bytes;
     }
 
-    // Padded to fours or not at all: exporters do either.
+    // With or without padding to a multiple of four: exporters write both.
     std::string from_base64(std::string_view text) const {
         const auto bad = [&](const std::string& what) {
             fail("the base64 of uri " + excerpt(uri) + " " + what);
@@ -122,7 +122,7 @@ GltfBuffers::GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& 
                 bytes_read_ += bytes.size();
             } else {
                 const std::filesystem::path path = source.relative_path();
-                // Without "..", a path and its normal one lead to the same file.
+                // Without "..", a path and its normal form name the same file.
                 const auto [found, is_new] = files_.try_emplace(path.lexically_normal());
                 if (is_new) {
                     found->second = source.beside(path, stop);

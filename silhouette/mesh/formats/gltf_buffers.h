@@ -1,10 +1,11 @@
 #pragma once
 
-// The bytes behind a glTF's buffers: the binary chunk of a GLB, a file beside the document, or a data
-// URI (RFC 2397) of any media type, in base64 or not.
+// The bytes of a glTF's buffers: the binary chunk of a GLB, a file in the document's folder, or a data URI
+// (RFC 2397) of any media type, in base64 or not.
 //
-// Buffers that name the same file, however they spell its path, share one copy of it, so a document cannot
-// multiply what it names. Links are not looked through: those lie in the folder, not in the document.
+// Buffers that name the same file share one copy, also if they spell its path differently, so a document
+// cannot multiply the memory. Symbolic links are not resolved: they belong to the folder, not to the
+// document.
 
 #include <cstdint>
 #include <deque>
@@ -22,23 +23,23 @@ namespace rimline {
 
 class GltfBuffers {
 public:
-    /// Reads all of them. `file`, whose folder relative URIs start from, and `binary_chunk` must
-    /// outlive this; without a chunk its data() is null. Throws Error{bad_input} or Error{io} that
-    /// names the buffer: one that is empty, is shorter than its byteLength, lies outside the folder
-    /// or cannot be read; Error{cancelled} where `stop` is requested.
+    /// Reads all buffers. `file` and `binary_chunk` must outlive this. Relative URIs start from the folder
+    /// of `file`. Without a chunk, the data() of `binary_chunk` is null. Throws Error{bad_input} or
+    /// Error{io} that names the buffer if it is empty, shorter than its byteLength, outside the folder or
+    /// not readable. Throws Error{cancelled} if `stop` is requested.
     GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& buffers,
                 std::string_view binary_chunk, const std::stop_token& stop);
 
     std::size_t size() const noexcept { return bytes_.size(); }
-    /// byteLength bytes. data() is null where the document gives neither URI nor chunk, which only
-    /// matters to those who need them.
+    /// The byteLength bytes of a buffer. data() is null if the document gives neither URI nor chunk. This
+    /// is an error only if an accessor uses the buffer.
     std::string_view operator[](std::size_t buffer) const { return bytes_[buffer]; }
-    /// What was read or decoded, beside the document itself.
+    /// The number of bytes read or decoded, without the document itself.
     std::uint64_t bytes_read() const noexcept { return bytes_read_; }
 
 private:
     std::vector<std::string_view> bytes_;
-    // In both a string stays where it is.
+    // `bytes_` points into these two containers, which never move their strings.
     std::map<std::filesystem::path, std::string> files_;  // By normal path below the folder.
     std::deque<std::string> embedded_;
     std::uint64_t bytes_read_ = 0;

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-// A value of the document with the path that leads to it, for messages.
+// A value of the document, with its path for messages.
 class Place {
 public:
     Place(const std::string& file, const json& value, std::string path = {})
@@ -43,7 +43,7 @@ public:
             places.emplace_back(file_, value_[i], path_ + "[" + std::to_string(i) + "]");
         return places;
     }
-    /// The objects of an array that may be missing.
+    /// The objects of an array, or nothing if the array is missing.
     std::vector<Place> objects(const char* key) const {
         std::vector<Place> places;
         if (const auto array = find(key)) places = array->items();
@@ -55,7 +55,7 @@ public:
         if (!value_.is_string()) fail("should be a string");
         return value_.get<std::string>();
     }
-    // tinygltf keeps most of them in an int.
+    // Limited to 31 bits, because tinygltf stores most integers in an int.
     std::int64_t integer() const {
         if (!value_.is_number_unsigned()) fail("should be an integer, 0 or greater");
         const auto i = value_.get<std::uint64_t>();
@@ -138,7 +138,7 @@ json node(const Place& place) {
     return copy;
 }
 
-// Extensions that say nothing about where triangles lie, or nothing that is not done here.
+// Extensions that do not affect the positions of triangles, or that are supported here.
 bool is_harmless(std::string_view extension) noexcept {
     for (const std::string_view prefix :
          {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
@@ -152,12 +152,12 @@ void check_version_and_extensions(const Place& root) {
     const std::string version = asset.at("version").string();
     if (!version.starts_with("2."))
         asset.fail("glTF version " + excerpt(version) + " is not supported; version 2 is");
-    // The least a reader must know; what 2.0 is, later versions may only add to.
-    if (const auto least = asset.find("minVersion")) {
-        const std::string text = least->string();
+    // minVersion is the version that a reader must support. Later versions only add to 2.0.
+    if (const auto min_version = asset.find("minVersion")) {
+        const std::string text = min_version->string();
         if (text != "2.0" && !text.starts_with("1.") && !text.starts_with("0."))
-            least->fail("the file needs a reader of glTF version " + excerpt(text) +
-                        "; this one reads 2.0, so export it for that");
+            min_version->fail("the file needs a reader of glTF version " + excerpt(text) +
+                              "; this one reads 2.0, so export it for that");
     }
     if (const auto required = root.find("extensionsRequired"))
         for (const Place& extension : required->items())
@@ -172,7 +172,7 @@ void check_version_and_extensions(const Place& root) {
                     "them as nodes");
 }
 
-// Deeper than any glTF; what recurses over a document is safe below it.
+// Deeper than any glTF. Recursion over a document of this depth is safe.
 constexpr int k_max_depth = 64;
 
 json parse(const std::string& name, std::string_view text, std::size_t first_byte) {

@@ -1,12 +1,12 @@
 #pragma once
 
-// A strict reading of a glTF file's JSON, before tinygltf parses it.
+// Checks the JSON of a glTF file strictly, before tinygltf parses it.
 //
-// tinygltf cuts integers to 32 bits, takes a property of the wrong type for a missing one, recurses as
-// deep as the file nests, opens every image, knows few data URIs, and refuses index accessors without a buffer view, which
-// the format allows. So it is given a document of our own making: views, accessors, meshes, nodes and
-// scenes, each property of the right type, and nothing else. Buffers are read by gltf_buffers.h. Indices travel as one more
-// vertex attribute, k_gltf_indices.
+// tinygltf truncates integers to 32 bits, treats a property of the wrong type as missing, recurses as deep as
+// the file nests, opens every image, supports few data URIs, and rejects index accessors without a buffer
+// view, which the format allows. So it gets a new document that holds only views, accessors, meshes, nodes
+// and scenes, with properties of the right type. gltf_buffers.h reads the buffers. Indices are passed as an
+// additional vertex attribute, k_gltf_indices.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,22 +18,22 @@
 
 namespace rimline {
 
-/// The attribute that a primitive's indices accessor is handed on as.
+/// The attribute that passes a primitive's index accessor to tinygltf.
 constexpr const char* k_gltf_indices = "_RIMLINE_INDICES";
 
 struct GltfBuffer {
     std::uint64_t size_bytes;
-    std::string uri;  ///< Empty: the binary chunk of a GLB, or nothing.
+    std::string uri;  ///< Empty for the binary chunk of a GLB or a missing buffer.
 };
 
 struct GltfScene {
-    std::string document;  ///< What tinygltf may read.
+    std::string document;  ///< The document for tinygltf.
     std::vector<GltfBuffer> buffers;
 };
 
-/// `json` is the document, `first_byte` where it lies in the file. Throws Error{bad_input} with the
-/// byte of what is no JSON, or the path of what is no glTF 2 or needs an extension that changes
-/// geometry: "accessors[3].count: ...".
+/// `json` is the document and `first_byte` its offset in the file. Throws Error{bad_input}. The message names
+/// the byte of a JSON error. For a violation of glTF 2, or an extension that changes geometry, it names the
+/// path: "accessors[3].count: ...".
 GltfScene read_gltf_scene(const std::string& name, std::string_view json, std::size_t first_byte);
 
 }  // namespace rimline

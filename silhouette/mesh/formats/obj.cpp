@@ -1,7 +1,8 @@
-// OBJ: obj_scan.h makes sure of the file, tinyobjloader takes its faces apart, triangulate.h cuts them.
+// OBJ: obj_scan.h checks the file, tinyobjloader parses its faces, triangulate.h triangulates them.
 //
-// tinyobjloader's own triangulation is not used, as it loses or mangles concave polygons, nor its
-// materials: `mtllib` opens nothing. Lines and points are scanned but have no place in a mesh.
+// The triangulation of tinyobjloader is not used, because it loses or damages concave polygons. Its
+// materials are not used: `mtllib` opens no file. Lines and points are checked, but a mesh has
+// none.
 
 #include <tiny_obj_loader.h>
 
@@ -17,7 +18,7 @@ namespace rimline {
 
 namespace {
 
-// Reads a string that somebody else keeps.
+// Reads from a string, which must outlive the buffer.
 class TextBuffer : public std::streambuf {
 public:
     explicit TextBuffer(const std::string& text) {
@@ -39,7 +40,7 @@ struct FaceReader {
     std::vector<std::uint32_t> polygon;
     Triangulator triangulator;
 
-    // A negative index counts back from the vertices before it; the scan has checked the range.
+    // A negative index counts back from the last vertex. The scan has checked the range.
     void read_face(const tinyobj::index_t* corners, int count) {
         if (++face_count % k_checkpoint_interval == 0)
             parse_checkpoint(call, 0.5 + 0.5 * text.share());
@@ -78,7 +79,7 @@ MeshSource read_obj(const SourceFile& file, const LongCall& call) {
     std::string error;
     if (!tinyobj::LoadObjWithCallback(stream, callback, &reader, nullptr, &warning, &error))
         bad_file(file.name, "tinyobjloader cannot read it: " + error);
-    // Both have read the same file, or one of them is wrong.
+    // The scan and tinyobjloader must agree.
     RIMLINE_CHECK(reader.vertex_count == source.positions.size());
     RIMLINE_CHECK(reader.face_count == scan.face_count);
     RIMLINE_CHECK(reader.corner_count == scan.corner_count);

@@ -11,16 +11,17 @@ namespace rimline {
 
 namespace {
 
-// Statements that say nothing about where faces lie.
+// Statements that do not affect faces.
 constexpr std::array<std::string_view, 34> k_ignored{
     "g",    "s",    "o",        "mg",       "usemtl",     "mtllib",    "usemap", "maplib", "bevel",
     "lod",  "deg",  "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
     "bmat", "step", "curv",     "curv2",    "parm",       "trim",      "hole",   "scrv",   "sp",
     "end",  "con",  "vp",       "vw",       "t",          "csh",       "scmp"};
-// Those of them that hold names, which may be Windows paths: a backslash at the end is part of one.
+// Ignored statements that hold names. Names may be Windows paths, so a final backslash is part of
+// the name.
 constexpr std::array<std::string_view, 9> k_named{
     "g", "s", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"};
-// Statements that make faces in ways that are not understood here.
+// Unsupported statements that make faces.
 constexpr std::array<std::string_view, 7> k_unsupported{"surf", "fo",  "call", "bsp",
                                                         "bzp",  "cdc", "cdp"};
 
@@ -30,7 +31,7 @@ bool holds(std::span<const std::string_view> words, std::string_view word) {
 
 class Scan {
 public:
-    // With `points`, positions, normals and colors go there, and nothing is handed on.
+    // With `points`, the scan stores positions, normals and colors there and makes no statements.
     Scan(const SourceFile& file, const LongCall& call, PointSource* points = nullptr,
          BadPoints bad = BadPoints::refuse)
         : file_(file),
@@ -55,21 +56,21 @@ public:
     }
 
 private:
-    // Without the end mark (Ctrl-Z) of DOS.
+    // Removes the end mark (Ctrl-Z) of DOS.
     static std::string_view text_of(const SourceFile& file) {
         std::string_view text = file.text();
         if (text.ends_with('\x1a')) text.remove_suffix(1);
         return text;
     }
 
-    // What an index counts, with the greatest one used before that many were there. Most files list
-    // vertices first; the format does not ask for it.
+    // A kind of element that indices count. `max_early` is the largest index that was used
+    // before its element. The format allows this, although most files list vertices first.
     struct Numbered {
         const char* name;
-        const char* number;  // One of the numbers that one has.
+        const char* number;  // The name of one of its numbers.
         std::uint64_t count = 0;
-        std::int64_t greatest_early = 0;
-        std::uint64_t line_of_greatest = 0;
+        std::int64_t max_early = 0;
+        std::uint64_t line_of_max = 0;
     };
 
     void read_statement(std::string_view keyword) {
@@ -94,7 +95,7 @@ private:
             scanner_.fail(excerpt(keyword) + " is no OBJ statement");
     }
 
-    // x y z, then perhaps a weight, or a color (with or without alpha).
+    // x y z, then optionally a weight or a color (with or without alpha).
     void read_vertex() {
         if (points_)
             read_exact_position();
@@ -113,7 +114,7 @@ private:
             throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 vertices");
         ++vertices_.count;
         if (!points_ || more < 3) return;
-        // Most files give all vertices a color or none; those without are black.
+        // Most files give a color to all vertices or to none. A vertex without a color is black.
         colors_.resize(vertices_.count, glm::vec3(0.0f));
         colors_.back() = color;
     }
@@ -124,7 +125,7 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view token = scanner_.token();
             position[axis] = scanner_.coordinate(token, "a vertex's coordinate");
-            hand_on(token);
+            append_token(token);
         }
         result_.statements += '\n';
         result_.positions.push_back(position);
@@ -149,9 +150,9 @@ private:
         normal_values_.push_back(normal);
     }
 
-    void read_numbers(Numbered& kind, int least, int most) {
-        for (int i = 0; i < least; ++i) scanner_.skip_number(kind.number);
-        for (int i = least; i < most; ++i) {
+    void read_numbers(Numbered& kind, int min_count, int max_count) {
+        for (int i = 0; i < min_count; ++i) scanner_.skip_number(kind.number);
+        for (int i = min_count; i < max_count; ++i) {
             const std::string_view token = scanner_.token();
             if (token.empty()) break;
             scanner_.skip_number(token, kind.number);
@@ -163,29 +164,29 @@ private:
     void read_face() {
         if (!points_) result_.statements += 'f';
         const std::uint64_t corners =
-            read_references("a face", 3, [this](std::string_view vertex) { hand_on(vertex); });
+            read_references("a face", 3, [this](std::string_view vertex) { append_token(vertex); });
         if (!points_) result_.statements += '\n';
         ++result_.face_count;
         result_.corner_count += corners;
     }
 
-    void hand_on(std::string_view token) {
+    void append_token(std::string_view token) {
         if (points_) return;
         result_.statements.append(1, ' ').append(token);
     }
 
     template <typename TakeVertex>
-    std::uint64_t read_references(const char* what, std::uint64_t least, TakeVertex&& take) {
+    std::uint64_t read_references(const char* what, std::uint64_t min_count, TakeVertex&& take) {
         std::uint64_t count = 0;
         for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++count)
             take(read_reference(t));
-        if (count < least)
+        if (count < min_count)
             scanner_.fail(std::string(what) + " has " + std::to_string(count) +
-                          " corners; it needs " + std::to_string(least) + " or more");
+                          " corners; it needs " + std::to_string(min_count) + " or more");
         return count;
     }
 
-    // v, v/vt, v//vn or v/vt/vn. Exporters also write v/ and v//, which say as much as v. Gives v.
+    // v, v/vt, v//vn or v/vt/vn. Exporters also write v/ and v//, which mean v. Returns v.
     std::string_view read_reference(std::string_view token) {
         const std::array<Numbered*, 3> kinds{&vertices_, &textures_, &normals_};
         std::string_view rest = token;
@@ -204,7 +205,7 @@ private:
         scanner_.fail(excerpt(token) + " has more than three parts; a corner is v/vt/vn");
     }
 
-    // The number itself, from 1.
+    // Returns the element's number, from 1.
     std::int64_t check_index(Numbered& kind, std::string_view digits, std::string_view token) {
         const auto index = parse_integer(digits);
         if (!index)
@@ -213,9 +214,9 @@ private:
         // tinyobjloader's indices are 32 bits wide.
         if (*index == 0 || *index < -count || *index > 0x7fffffff)
             fail_index(*index, kind, scanner_.line());
-        if (*index > count && *index > kind.greatest_early) {
-            kind.greatest_early = *index;
-            kind.line_of_greatest = scanner_.line();
+        if (*index > count && *index > kind.max_early) {
+            kind.max_early = *index;
+            kind.line_of_max = scanner_.line();
         }
         return *index < 0 ? count + *index + 1 : *index;
     }
@@ -231,8 +232,8 @@ private:
 
     void check_forward_references() const {
         for (const Numbered* kind : {&vertices_, &textures_, &normals_})
-            if (kind->greatest_early > static_cast<std::int64_t>(kind->count))
-                fail_index(kind->greatest_early, *kind, kind->line_of_greatest);
+            if (kind->max_early > static_cast<std::int64_t>(kind->count))
+                fail_index(kind->max_early, *kind, kind->line_of_max);
     }
 
     const SourceFile& file_;
@@ -241,9 +242,9 @@ private:
     BadPoints bad_;
     TextScanner scanner_;
     ObjScan result_;
-    std::vector<glm::vec3> colors_;  // As they are written; for points only, as normals.
+    std::vector<glm::vec3> colors_;  // As in the file. Used for points only, as are the normals.
     std::vector<glm::vec3> normal_values_;
-    bool normals_are_points_ = true;  // Each corner with a normal names its vertex's number.
+    bool normals_are_points_ = true;  // Every normal index equals its corner's vertex index.
     Numbered vertices_{"the vertices", "a vertex's coordinate"};
     Numbered textures_{"the texture coordinates", "a texture coordinate"};
     Numbered normals_{"the normals", "a normal's component"};

@@ -1,11 +1,11 @@
 #pragma once
 
-// A strict look at every line of an OBJ file, before tinyobjloader reads it.
+// Checks every line of an OBJ file strictly, before tinyobjloader reads it.
 //
-// tinyobjloader takes `v x 1 0` for numbers, adds decimals up in floating point, lets indices point
-// anywhere, takes a comment after a face for corners and knows no continued lines. This scan refuses
-// what it would guess at, keeps the positions, correctly rounded, and hands on plain statements that
-// can be understood in one way only.
+// tinyobjloader reads `v x 1 0` as numbers, sums decimals in floating point, does not check indices,
+// reads a comment after a face as corners and does not support continued lines. This scan rejects
+// invalid input, stores correctly rounded positions and passes unambiguous statements to
+// tinyobjloader.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -20,15 +20,15 @@ namespace rimline {
 struct ObjScan {
     std::vector<glm::vec3> positions;
     std::uint64_t face_count = 0;
-    std::uint64_t corner_count = 0;  ///< Of all faces together.
-    /// The file's `v` and `f` statements, one a line, in order; of a corner only the vertex.
+    std::uint64_t corner_count = 0;  ///< Sum over all faces.
+    /// The file's `v` and `f` statements, one per line, in order. A corner holds only its vertex.
     std::string statements;
 };
 
-/// Throws Error{bad_input} with the line of: words where numbers belong, coordinates that are not
-/// finite, indices that are 0 or out of range (negative ones count back from the line they are on),
-/// faces with fewer than three corners, keywords that are not OBJ, and statements that make geometry
-/// but cannot be kept (free-form surfaces, included files).
+/// Throws Error{bad_input} with the line of the fault. Faults are: words instead of numbers,
+/// coordinates that are not finite, indices that are 0 or out of range (negative indices count back
+/// from their line), faces with fewer than three corners, keywords that are not OBJ, and unsupported
+/// statements that make geometry (free-form surfaces, included files).
 ObjScan scan_obj(const SourceFile& file, const LongCall& call);
 
 }  // namespace rimline

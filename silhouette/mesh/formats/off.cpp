@@ -1,9 +1,10 @@
-// OFF and its kin: [ST][C][N]OFF, then counts, then vertices, then a line for each face. As Geomview
-// reads it: numbers, but for those at a face's end, may be spread over lines as one likes.
+// OFF and its variants: [ST][C][N]OFF, then counts, then vertices, then one line per face. As in
+// Geomview, numbers may be on any lines. Only a face must end its line.
 //
-// A vertex is x y z, with N a normal (3 numbers), with C a color (3 or 4), with ST a texture
-// coordinate (2), in this order. A face is its corner count, its corners and up to four numbers of
-// color. The kinds with a fourth coordinate or n of them, and the binary form, are refused by name.
+// A vertex is x y z, then a normal (3 numbers) with N, a color (3 or 4) with C, and a texture
+// coordinate (2) with ST, in this order. A face is its corner count, its corners and up to four
+// color numbers. Variants with four or n coordinates, and the binary form, are rejected with an
+// error that names them.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
     return kind;
 }
 
-// The next token of this line or of later ones.
+// The next token of this line or of a later line.
 std::string_view word_or_fail(TextScanner& scanner, const char* what) {
     const std::string_view word = scanner.word();
     if (word.empty()) scanner.fail(std::string("the file ends where ") + what + " should follow");
@@ -57,8 +58,8 @@ public:
         const std::uint64_t line = scanner_.line();
         if (line == last_line_ && crowded_line_ == 0) crowded_line_ = line;
         const int fixed = 3 + (kind_.normal ? 3 : 0) + (kind_.texture ? 2 : 0);
-        // Geomview writes four numbers of color, others three: where a vertex has a line to itself,
-        // the line says how many.
+        // Geomview writes four color numbers, other programs three. If a vertex has its own line,
+        // the line's length tells how many.
         if (kind_.color && line != last_line_) colors_ = tokens_left() + 1 == fixed + 3 ? 3 : 4;
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis) {
@@ -73,7 +74,7 @@ public:
         return position;
     }
 
-    // A face ends its line, as up to four numbers of color may follow its corners there.
+    // A face must end its line, because up to four color numbers may follow its corners.
     void read_face(std::uint64_t vertex_count, std::vector<std::uint32_t>& polygon) {
         const std::int64_t corners =
             scanner_.integer(word_or_fail(scanner_, "another face"), "a face's corner count");
@@ -104,7 +105,8 @@ private:
         return count;
     }
 
-    // Undeclared colors shift every number behind them: then the vertices are where to look.
+    // Undeclared colors shift all later numbers. The message then names the vertex line that is too
+    // long.
     [[noreturn]] void fail(const std::string& what) const {
         scanner_.fail(crowded_line_ == 0
                           ? what
@@ -116,8 +118,8 @@ private:
     OffKind kind_;
     BadPoints bad_;
     int colors_ = 4;
-    std::uint64_t last_line_ = 0;     // Where the last vertex ended.
-    std::uint64_t crowded_line_ = 0;  // The first where one vertex ends and another begins.
+    std::uint64_t last_line_ = 0;     // The line where the last vertex ended.
+    std::uint64_t crowded_line_ = 0;  // The first line where one vertex ends and another begins.
 };
 
 std::uint64_t read_count(TextScanner& scanner, std::string_view token, const char* what) {
@@ -133,7 +135,7 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
     scanner.expect_line("OFF's first word");
     std::string_view token = scanner.token();
     OffKind kind;
-    if (!parse_float(token)) {  // The word may be missing: then the counts come first.
+    if (!parse_float(token)) {  // The word is optional. Without it, the counts come first.
         kind = read_kind(scanner, token);
         token = scanner.token();
         if (token == "BINARY")
@@ -144,7 +146,7 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
     const std::uint64_t counts_line = scanner.line();
     const std::uint64_t face_count =
         read_count(scanner, word_or_fail(scanner, "the face count"), "the face count");
-    // Nobody counts edges right, and the count is not used. Some leave it out, at the line's end.
+    // The edge count is often wrong and is not used. Some files omit it at the end of the line.
     const std::string_view edges =
         scanner.line() == counts_line ? scanner.token() : word_or_fail(scanner, "the edge count");
     if (!edges.empty()) read_count(scanner, edges, "the edge count");
@@ -164,7 +166,7 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
         source.positions.push_back(reader.read_vertex());
     }
-    // No polygon is taken apart where a corner may be nowhere.
+    // Polygons are not triangulated if a position is not finite.
     const bool all_finite = std::ranges::all_of(source.positions, [](const glm::vec3& p) {
         return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
     });

@@ -1,6 +1,6 @@
 // PLY: an element is a record of typed properties, and a file is a list of elements in any order.
 // Only `vertex` (x, y, z), `face` (vertex_indices or vertex_index) and `tristrips` (vertex_indices,
-// strips separated by -1) are understood; everything else is stepped over by its declared type.
+// strips separated by -1) are used. Everything else is skipped by its declared type.
 
 #include <array>
 #include <span>
@@ -120,7 +120,7 @@ private:
         });
     }
 
-    // Strip corners a b c d e ... are triangles abc, cbd, cde, ...: every other one is turned round.
+    // Strip corners a b c d e ... are triangles abc, cbd, cde, ... Every second one is reversed.
     void read_strips(const PlyElement& element) {
         for_each_index_list(element, [&](std::uint64_t count, ScalarType type) {
             std::array<std::uint32_t, 2> previous{};

@@ -1,7 +1,7 @@
 #pragma once
 
-// The elements of a PLY file's body, one after another: the two encodings behind one set of operations,
-// and how what nobody reads is stepped over. An element of a text file is a line.
+// Reads the elements of a PLY file's body in order. The text and binary encodings have the same
+// operations. Unused elements and properties are skipped. An element of a text file is one line.
 
 #include <bit>
 #include <cstdint>
@@ -20,7 +20,8 @@ constexpr bool is_floating(ScalarType type) noexcept {
     return type == ScalarType::float32 || type == ScalarType::float64;
 }
 
-// The least and the greatest value of a type, which is a floating-point one only where indices are.
+// The minimum and maximum value of a type. A floating-point type, which occurs only for indices,
+// has no limit here.
 constexpr std::pair<std::int64_t, std::int64_t> range_of(ScalarType type) noexcept {
     switch (type) {
         case ScalarType::int8: return {-0x80, 0x7f};
@@ -47,17 +48,17 @@ public:
         if (is_floating(type)) return scanner_.coordinate(what);
         return static_cast<float>(integer(type, what));
     }
-    /// Any number, NaN and infinities too.
+    /// Any number, including NaN and infinities.
     double number(ScalarType type, const char* what) {
         if (is_floating(type)) return scanner_.number(what);
         return static_cast<double>(integer(type, what));
     }
     std::int64_t integer(ScalarType type, const char* what) {
         const std::int64_t value = scanner_.integer(what);
-        if (const auto [least, most] = range_of(type); value < least || value > most)
+        if (const auto [min, max] = range_of(type); value < min || value > max)
             scanner_.fail(std::string(what) + " is " + std::to_string(value) +
                           ", which its declared type cannot hold; that goes from " +
-                          std::to_string(least) + " to " + std::to_string(most));
+                          std::to_string(min) + " to " + std::to_string(max));
         return value;
     }
     void skip(ScalarType type, std::uint64_t count, const char* what) {
@@ -79,7 +80,7 @@ public:
     }
     double share() const noexcept { return scanner_.share(); }
     [[noreturn]] void fail(const std::string& what) const { scanner_.fail(what); }
-    /// Names the place where the element begins.
+    /// Throws an error that names the place where the element begins.
     [[noreturn]] void fail_element(const std::string& what) const { scanner_.fail(what); }
 
 private:
@@ -107,7 +108,7 @@ public:
         return count <= scanner_.remaining() / size_bytes(type);
     }
     void expect_end() {
-        // Some writers end the last line, though the data has none.
+        // Some writers add a line end after the binary data.
         const std::size_t left = scanner_.remaining();
         if (left != 0 && !(left <= 2 && bytes_.ends_with(left == 1 ? "\n" : "\r\n")))
             scanner_.fail(std::to_string(scanner_.remaining()) +
@@ -127,7 +128,7 @@ private:
     std::size_t element_ = 0;
 };
 
-/// Walks a body's elements. What it is made of must outlive it.
+/// Iterates over the elements of a body. The constructor's arguments must outlive it.
 template <typename Body>
 struct PlyElements {
     PlyElements(const SourceFile& file, const PlyHeader& header, const LongCall& long_call)
@@ -136,12 +137,12 @@ struct PlyElements {
     const LongCall& call;
     Body body;
 
-    /// Call it with the number of each element.
+    /// Call it for every element, with the element's number.
     void checkpoint(std::uint64_t i) {
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, body.share());
     }
 
-    /// The count of a list that comes next, borne out by the bytes that are left.
+    /// The count of the next list, checked against the remaining bytes.
     std::uint64_t list_count(const PlyProperty& property) {
         const std::int64_t count = body.integer(*property.count_type, "the count of a list");
         if (count < 0) body.fail("the count of a list is negative");

@@ -87,7 +87,7 @@ PlyEncoding read_encoding(TextScanner& scanner) {
     return encoding;
 }
 
-// The names that one kind of thing has so far. Ordered, not hashed: no choice of names makes it slow.
+// The names declared so far. A tree, not a hash table, so no choice of names makes it slow.
 using Names = std::set<std::string>;
 
 void add_name(const TextScanner& scanner, Names& names, const char* kind, const std::string& name) {
@@ -95,12 +95,13 @@ void add_name(const TextScanner& scanner, Names& names, const char* kind, const 
         scanner.fail(std::string(kind) + " " + excerpt(name) + " is declared twice");
 }
 
-// No element may claim more bytes than there are: what is reserved for it is then bounded by the file.
+// No element may declare more bytes than the file has. The file size then bounds the memory reserved
+// for it.
 void check_counts(const SourceFile& file, const PlyHeader& header) {
     std::uint64_t left = file.bytes.size() - header.body_offset;
     if (header.encoding == PlyEncoding::ascii) ++left;  // The last line may lack its end.
     for (const PlyElement& element : header.elements) {
-        // In text a value takes a digit and what separates it from the next.
+        // In text a value takes at least a digit and a separator.
         const std::size_t size = header.encoding == PlyEncoding::ascii
                                      ? 2 * element.properties.size()
                                      : element.min_binary_size();
@@ -162,7 +163,8 @@ PlyHeader read_ply_header(const SourceFile& file, const LongCall& call) {
     scanner.expect_line("'ply'");
     if (scanner.token() != "ply") scanner.fail("a PLY file begins with a line 'ply'");
     scanner.expect_end_of_line("'ply'");
-    // Where lines end with a bare CR, a line feed after end_header's is the first byte of the data.
+    // If lines end with a single CR, a line feed after the CR of end_header is the first byte of the
+    // data.
     const std::size_t newline = bytes.find_first_of("\r\n");
     const bool bare_cr = newline != std::string_view::npos && bytes[newline] == '\r' &&
                          newline + 1 < bytes.size() && bytes[newline + 1] != '\n';
@@ -171,7 +173,7 @@ PlyHeader read_ply_header(const SourceFile& file, const LongCall& call) {
     Names element_names;
     Names property_names;  // Of the last element.
     for (std::uint64_t i = 0;; ++i) {
-        // No greater share than where the body's begins.
+        // The share must not exceed the body's first share.
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, 0.0);
         scanner.expect_line("the rest of the header, up to 'end_header',");
         const std::string_view keyword = scanner.token();

@@ -1,4 +1,5 @@
-// The points of a PLY: of its element `vertex` x, y, z in double, nx, ny, nz and red, green, blue.
+// The points of a PLY. Reads x, y, z in double, nx, ny, nz and red, green, blue of the element
+// `vertex`.
 
 #include <array>
 
@@ -9,13 +10,13 @@ namespace rimline {
 
 namespace {
 
-// What is read, in the order of a record.
+// The properties that are read, in the order of a record.
 constexpr std::array<const char*, 9> k_names{"x",  "y",   "z",     "nx",  "ny",
                                              "nz", "red", "green", "blue"};
 constexpr std::size_t k_first_normal = 3;
 constexpr std::size_t k_first_color = 6;
 
-// What makes a color of this type a share of 255.
+// Scales a color of this type to [0, 255].
 float color_scale(ScalarType type) {
     if (is_floating(type)) return 255.0f;
     return type == ScalarType::uint16 ? 255.0f / 65535.0f : 1.0f;
@@ -44,8 +45,8 @@ public:
     }
 
 private:
-    // For each property the place of its value in a record, -1 for those that are stepped over: of
-    // normals and colors all three are kept or none.
+    // For each property, the index of its value in a record, or -1 if it is skipped. A normal or
+    // color is used only if all three properties exist.
     std::vector<int> slots_of(const PlyElement& element) const {
         std::vector<int> slots(element.properties.size(), -1);
         for (std::size_t i = 0; i < k_first_normal; ++i)

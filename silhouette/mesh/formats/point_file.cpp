@@ -26,7 +26,7 @@ PointSource read_points(const KnownFile& known, BadPoints bad, const LongCall& c
         default: records.source = points_of(read_mesh(known, bad, call));
     }
     PointSource& source = records.source;
-    // Of a mesh with positions that are not finite nothing is true.
+    // Faces are useless as a reference if a position is not finite.
     if (!std::ranges::all_of(source.positions, is_finite))
         source.triangles.clear();
     else if (records.has_faces)

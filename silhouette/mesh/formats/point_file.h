@@ -1,22 +1,22 @@
 #pragma once
 
-// Reads the points of a file into a PointSource: PLY, OBJ, XYZ and PTS text in double precision; STL, OFF,
-// glTF and GLB in the float of mesh_file.h. As strict as mesh_file.h: a file gives exactly what its bytes
-// say or an Error that names the file and the line or byte.
+// Reads the points of a file into a PointSource: PLY, OBJ, XYZ and PTS text in double precision, and STL,
+// OFF, glTF and GLB in float as mesh_file.h. It is as strict as mesh_file.h: a file gives exactly its
+// content, or an Error that names the file and the line or byte.
 //
-//   PLY   x y z; nx ny nz; red green blue, whole numbers or shares of 1. All other properties are
-//         stepped over.
-//   OBJ   `v x y z [r g b]`, colors as shares of 1, or of 255 where one is above 1. `vn` are normals of
-//         corners; where there are as many as vertices, and no face gives a vertex another than the one of
-//         its number, they are the points'. Else they are not kept.
-//   XYZ   a point a line, numbers separated by blanks, as many in every line; lines that begin with # or
-//         // are comments. Three numbers are x y z. Of 4, 7 or 10 the fourth is an intensity; what
-//         then remains are triples. A triple whose values are all of length 1 (within
-//         1%, or zero) is a normal, a triple of whole numbers from 0 to 255 a color, whichever comes
-//         first of each kind. Other columns are stepped over.
-//   PTS   the same, with the number of points alone in the line before them, once or several times.
+//   PLY   x y z; nx ny nz; red green blue, as integers or as numbers in [0, 1]. All other properties
+//         are skipped.
+//   OBJ   `v x y z [r g b]`, with colors in [0, 1], or in [0, 255] if one is above 1. `vn` are normals
+//         of corners. They are used as normals of the points if there are as many as vertices and every
+//         face corner has equal vertex and normal indices. Otherwise they are ignored.
+//   XYZ   One point per line: numbers separated by blanks, equally many in every line. Lines that begin
+//         with # or // are comments. The first three numbers are x y z. With 4, 7 or 10 numbers, the
+//         fourth is an intensity. The remaining numbers are triples. The first triple of columns whose
+//         values all have length 1 (within 1%) or 0 is the normal. The first triple of integers from 0
+//         to 255 is the color. Other columns are skipped.
+//   PTS   The same, after a line that holds only the number of points. This may repeat.
 //
-// Points are numbered as the file numbers them, from 0, as mesh_file.h does.
+// Points are numbered as in the file, from 0, as in mesh_file.h.
 
 #include <filesystem>
 
@@ -25,8 +25,8 @@
 
 namespace rimline {
 
-/// Throws what read_mesh_file throws; a file without points is an error. Cost: O(file), at most a few
-/// times its length in memory. A PLY or OBJ with faces is understood twice.
+/// Throws the same errors as read_mesh_file. A file without points is an error. Cost: O(file), at most a
+/// few times its length in memory. A PLY or OBJ with faces is parsed twice.
 PointSource read_point_file(const std::filesystem::path& path, BadPoints bad = BadPoints::refuse,
                             const LongCall& call = {});
 

@@ -1,4 +1,4 @@
-// XYZ and PTS: a point a line. What its columns are is said in point_file.h.
+// XYZ and PTS: one point per line. point_file.h describes the columns.
 
 #include <array>
 #include <cmath>
@@ -18,10 +18,10 @@ constexpr float k_unit_tolerance = 0.01f;
 
 bool is_zero(const glm::vec3& v) { return v == glm::vec3(0.0f); }
 
-// A triple of columns, and what all its values so far could be.
+// A triple of columns, and the meanings that all its values so far allow.
 struct Triple {
     std::vector<glm::vec3> values;
-    bool are_units = true;  // Or zero.
+    bool are_units = true;  // Unit vectors or zero.
     bool are_bytes = true;
     bool are_zero = true;
 
@@ -59,7 +59,8 @@ public:
     }
 
 private:
-    // False for a comment. A # within a line is none: old exporters write NaN as -1.#IND.
+    // Returns false for a comment. A # within a line does not begin a comment, because old
+    // exporters write NaN as -1.#IND.
     bool read_numbers() {
         count_ = 0;
         for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token()) {
@@ -73,12 +74,12 @@ private:
         return true;
     }
 
-    // A line with one number says how many points follow it.
+    // A line with one number is the count of the points that follow.
     void begin_scan() {
         if (left_ > 0 || (!expected_ && !records_.source.positions.empty()))
             scanner_.fail("a line with one number where a point should stand; it has 3 or more");
         const std::int64_t count = scanner_.integer(first_token_, "the number of points");
-        // A point takes at least "0 0 0" and a line's end, which the last may lack.
+        // A point takes at least "0 0 0" and a line end, which the last line may lack.
         if (count < 0 || static_cast<std::uint64_t>(count) > (scanner_.remaining() + 1) / 6)
             scanner_.fail(std::to_string(count) +
                           " points are more than the rest of the file can hold; it is truncated or "
@@ -138,12 +139,12 @@ private:
     TextScanner scanner_;
     PointRecords records_;
     std::array<double, k_max_columns> numbers_{};
-    std::size_t count_ = 0;  // Of the current line.
+    std::size_t count_ = 0;  // Numbers in the current line.
     std::string_view first_token_;
-    std::size_t columns_ = 0;  // Of every point.
+    std::size_t columns_ = 0;  // Numbers per point.
     std::size_t first_triple_ = 0;
     std::vector<Triple> triples_;
-    std::optional<std::uint64_t> expected_;  // Of the scan that is being read.
+    std::optional<std::uint64_t> expected_;  // Points of the current scan.
     std::uint64_t left_ = 0;
 };
 

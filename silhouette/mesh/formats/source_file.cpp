@@ -36,7 +36,7 @@ std::string reason(int error_number) { return std::generic_category().message(er
 
 SourceFile read_source_file(const std::filesystem::path& path, const LongCall& call) {
     SourceFile file{path.string(), {}, path.parent_path(), 0};
-    // Without O_NONBLOCK, opening a pipe would wait for its writer.
+    // Without O_NONBLOCK, opening a pipe would wait for a writer.
     const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (descriptor.get() < 0) io_error(file.name, "cannot open it: " + reason(errno));
     struct stat status {};
@@ -48,7 +48,7 @@ SourceFile read_source_file(const std::filesystem::path& path, const LongCall& c
 
     constexpr std::size_t k_chunk = std::size_t{1} << 24;
     const auto expected = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
-    // The end of the file is seen, by a read that gives nothing, not assumed.
+    // The size may be wrong, so reading continues until a read returns no bytes.
     constexpr std::size_t k_beyond = 4096;
     file.bytes.reserve(expected + k_beyond);
     for (;;) {

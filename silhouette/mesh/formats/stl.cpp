@@ -1,8 +1,8 @@
-// STL: a soup of triangles; facet f's corners are vertices 3f, 3f + 1 and 3f + 2.
+// STL: separate triangles. The corners of facet f are vertices 3f, 3f + 1 and 3f + 2.
 //
-// Binary: 80 bytes of anything, a facet count, then 50 bytes a facet: normal, three corners, two more
-// bytes. Text: `solid`, facets in words, `endsolid`, any number of times. The normals are not used, as
-// the order of the corners says the same; degenerate facets often carry NaN there.
+// Binary: 80 arbitrary bytes, a facet count, then 50 bytes per facet: normal, three corners, two more
+// bytes. Text: `solid`, facets in words, `endsolid`, any number of times. The normals are not used,
+// because the order of the corners defines them. Degenerate facets often have NaN normals.
 
 #include <cctype>
 #include <limits>

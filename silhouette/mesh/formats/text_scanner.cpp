@@ -15,15 +15,15 @@ namespace {
 bool is_space(char c) noexcept { return c == ' ' || c == '\t'; }
 bool is_newline(char c) noexcept { return c == '\n' || c == '\r'; }
 
-// std::from_chars knows no leading plus.
+// std::from_chars does not accept a leading plus.
 std::string_view without_plus(std::string_view token) noexcept {
     if (token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+')
         token.remove_prefix(1);
     return token;
 }
 
-// Whether a decimal number out of range is too small rather than too large: where its first
-// digit that counts stands, with the exponent. from_chars reports both as the same error.
+// Whether a decimal number out of range is too small, not too large. from_chars reports both as the
+// same error. The position of the first nonzero digit and the exponent decide.
 bool is_below_one(std::string_view number) noexcept {
     const std::size_t e = number.find_first_of("eE");
     const std::string_view mantissa = number.substr(0, e);
@@ -37,7 +37,7 @@ bool is_below_one(std::string_view number) noexcept {
     if (first == std::string_view::npos) return true;
     const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
     const auto place = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
-    // Without overflow: |place| is at most the token's length.
+    // Does not overflow: |place| is at most the token's length.
     return exponent < -place;
 }
 
@@ -57,8 +57,8 @@ std::optional<Real> parse_real(std::string_view token) noexcept {
     return value;
 }
 
-// What printf of Microsoft's C library made of NaN and infinity until 2015, cut or filled up with zeros
-// to the precision that was asked for.
+// How printf of Microsoft's C library wrote NaN and infinity until 2015. It shortened them to the
+// requested precision or filled them with zeros.
 bool is_old_microsoft_nan(std::string_view token) noexcept {
     if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
     if (!token.starts_with("1.#")) return false;
@@ -91,7 +91,7 @@ void TextScanner::step_over_newline() {
     ++at_;
 }
 
-// Stands at the next token (false) or at the end of the line (true), not yet past its newline.
+// Skips to the next token (returns false) or to the newline (returns true).
 bool TextScanner::at_line_end() {
     while (at_ < text_.size()) {
         const char c = text_[at_];

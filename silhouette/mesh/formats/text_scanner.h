@@ -2,9 +2,9 @@
 
 // The strict scanner of the text formats: lines of tokens, and tokens as numbers.
 //
-// A number is a whole token or an error: no prefix of one is taken, no locale is asked, NaN and
-// infinity are named and refused. Lines end with LF, CRLF or CR; tokens are separated by spaces and
-// tabs; any other control character is part of a token, and so an error where a number belongs.
+// A number is a whole token, otherwise it is an error. Locales are not used. NaN and infinity are
+// rejected with an error that names them. Lines end with LF, CRLF or CR. Spaces and tabs separate
+// tokens. Any other control character is part of a token, so it is an error in a number.
 
 #include <cstdint>
 #include <optional>
@@ -18,8 +18,8 @@ namespace rimline {
 
 /// How a format's lines are read.
 struct TextRules {
-    char comment = '\0';         ///< What follows it on a line is skipped; none when 0.
-    bool continuations = false;  ///< A backslash at a line's end joins the next line to it.
+    char comment = '\0';         ///< Begins a comment up to the end of the line. 0 for none.
+    bool continuations = false;  ///< A backslash at the end of a line continues the line.
 };
 
 class TextScanner {
@@ -29,33 +29,35 @@ public:
                 std::uint64_t first_line = 1)
         : name_(name), text_(text), rules_(rules), line_(first_line - 1) {}
 
-    /// Moves to the next line that holds a token; false at the end of the text.
+    /// Moves to the next line that holds a token. Returns false at the end of the text.
     bool next_line();
-    /// The same, or an error that says `what` is missing.
+    /// The same, but throws an error that `what` is missing at the end of the text.
     void expect_line(const char* what);
 
-    /// The next token of the current line, empty at its end.
+    /// The next token of the current line. Empty at its end.
     std::string_view token();
-    /// The next token of this line or of later ones, empty at the end of the text.
+    /// The next token of this line or of a later line. Empty at the end of the text.
     std::string_view word();
-    /// Fails when the current line holds another token. `what` names what it should have held.
+    /// Throws an error if the current line holds another token. `what` names what should end the
+    /// line.
     void expect_end_of_line(const char* what);
-    /// Ends the current line, whatever it still holds.
+    /// Skips the rest of the current line.
     void skip_line();
-    /// The same, where what it holds is free text: a backslash at its end joins nothing to it.
+    /// The same for free text: a backslash at its end does not continue the line.
     void skip_free_text();
 
     /// The next token of the current line as a number. `what` names it in errors.
     float coordinate(const char* what) { return coordinate(token(), what); }
     std::int64_t integer(const char* what) { return integer(token(), what); }
-    /// Any number, in double: NaN and infinities too, also in the way of Microsoft's C library before
-    /// 2015: -1.#IND, 1.#QNAN. Too large for a double is an infinity.
+    /// Any number in double, including NaN and infinities. Also reads the forms of Microsoft's C
+    /// library before 2015: -1.#IND, 1.#QNAN. Returns infinity for a number that is too large.
     double number(const char* what) { return number(token(), what); }
-    /// A number that is not used: NaN and infinities are let pass, as exporters write them.
+    /// Skips a number that is not used. NaN and infinities are allowed, because exporters write
+    /// them.
     void skip_number(const char* what) { skip_number(token(), what); }
 
-    /// A given token of the current line as a number. A coordinate is within k_max_coordinate, or is
-    /// kept where the file calls it NaN or infinite.
+    /// A given token of the current line as a number. A coordinate is within k_max_coordinate.
+    /// BadPoints::keep also accepts NaN and infinity if the file spells them so.
     float coordinate(std::string_view token, const char* what,
                      BadPoints bad = BadPoints::refuse) const;
     std::int64_t integer(std::string_view token, const char* what) const;
@@ -63,7 +65,7 @@ public:
     void skip_number(std::string_view token, const char* what) const;
 
     std::uint64_t line() const noexcept { return line_; }
-    /// Bytes that lie before what is read next. After next_line(): where the line's tokens begin.
+    /// Offset of the next byte to read. After next_line(), the offset of the line's first token.
     std::size_t offset() const noexcept { return at_; }
     std::size_t remaining() const noexcept { return text_.size() - at_; }
     double share() const noexcept {
@@ -86,12 +88,12 @@ private:
     State state_ = State::between_lines;
 };
 
-/// The number that all of `token` spells, correctly rounded; nothing where it spells none. Too small
-/// for a float is zero, too large an infinity; "nan" and "inf" give what they say.
+/// The number that the whole `token` spells, correctly rounded. Empty if it is not a number. Numbers
+/// too small for a float give zero, too large ones infinity. "nan" and "inf" are accepted.
 std::optional<float> parse_float(std::string_view token) noexcept;
 /// The same for doubles.
 std::optional<double> parse_double(std::string_view token) noexcept;
-/// Nothing where `token` is not a whole decimal integer of 64 bits.
+/// Empty if the whole `token` is not a decimal integer of 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view token) noexcept;
 
 }  // namespace rimline

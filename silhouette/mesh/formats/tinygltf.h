@@ -1,6 +1,6 @@
 #pragma once
 
-// tinygltf, declarations only: models and the parser, without image decoders.
+// Declarations of tinygltf: models and the parser, without image decoders.
 
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE

@@ -13,17 +13,17 @@ namespace rimline {
 
 namespace {
 
-using Corner = std::uint32_t;  // A position in the polygon, not in the mesh.
+using Corner = std::uint32_t;  // An index into the polygon, not into the mesh.
 constexpr Corner k_no_corner = 0xffffffffu;
 constexpr std::uint32_t k_no_waiting = 0xffffffffu;
-// What a polygon that crosses itself may cost. Where its corners lie scattered over the memory a test
-// takes tens of nanoseconds: the second bound is some seconds.
+// Limits for polygons that cross themselves. A test takes tens of nanoseconds if the corners are
+// scattered in memory, so the second limit is some seconds.
 constexpr std::uint64_t k_tests_a_corner = 2048;
 constexpr std::uint64_t k_max_tests = std::uint64_t{1} << 27;
-// Corners or tests between two looks at the stop token.
+// Corners or tests between two checks of the stop token.
 constexpr std::uint32_t k_stop_interval = 1 << 13;
 
-// Twice the signed area.
+// Twice the signed area of triangle abc.
 double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) noexcept {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -39,7 +39,7 @@ double shape(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) noexcept {
 
 glm::dvec3 twice_area_vector(std::span<const glm::vec3> positions,
                              std::span<const std::uint32_t> polygon) noexcept {
-    // Relative to a corner, so that a small polygon far from the origin keeps its digits.
+    // Relative to a corner, so that a small polygon far from the origin keeps its precision.
     const glm::dvec3 base = positions[polygon[0]];
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -48,7 +48,7 @@ glm::dvec3 twice_area_vector(std::span<const glm::vec3> positions,
     return sum;
 }
 
-// Where a point lies in the plane: its coordinates but for the normal's greatest axis, in the order
+// A point's position in the plane: its coordinates without the normal's largest axis, in the order
 // that makes the polygon counter-clockwise.
 struct Projection {
     int u = 0;
@@ -66,9 +66,9 @@ struct Projection {
 
 }  // namespace
 
-// Ear clipping over a ring of corners. A corner is an ear when it turns left and no reflex corner lies
-// in its triangle. Reflex corners only ever become convex or vanish, so an ear stays one, and a corner
-// that is blocked waits at the reflex corner that blocks it until that one is gone.
+// Ear clipping over a ring of corners. A corner is an ear if it turns left and no reflex corner lies
+// in its triangle. Reflex corners only become convex or are removed, so an ear stays an ear. A blocked
+// corner waits in the list of the reflex corner that blocks it, until that corner is no longer reflex.
 class Triangulator::EarClipper {
 public:
     explicit EarClipper(std::stop_token stop) : stop_(std::move(stop)) {}
@@ -80,8 +80,8 @@ private:
     struct Node {
         glm::dvec2 at;
         Corner before, after;
-        std::uint32_t version;  // Counts changes of the triangle; older candidates are stale.
-        std::uint32_t waiting;  // The corners it blocks: a list in waiting_.
+        std::uint32_t version;  // Counts changes of the triangle. Older candidates are invalid.
+        std::uint32_t waiting;  // Head of a list in `waiting_` of the corners it blocks.
         bool alive, reflex;
     };
     struct Waiting {
@@ -135,11 +135,12 @@ private:
     std::span<const std::uint32_t> polygon_;
     std::vector<Node> nodes_;
     std::vector<Candidate> open_;     // Not known to be blocked.
-    std::vector<Candidate> blocked_;  // Taken when nothing is open: the polygon crosses itself.
+    std::vector<Candidate> blocked_;  // Used if `open_` is empty: the polygon crosses itself.
     std::vector<Waiting> waiting_;
     Corner some_corner_ = 0;
-    // Reflex corners by cell of a grid over all of them, about as many cells as corners and those
-    // square: the tips of a comb's teeth lie in one row. Rebuilt as they become fewer.
+    // Reflex corners in a grid over all of them, with about as many cells as corners. Cells are
+    // square: a row of a comb's tips then spans many cells. The grid is rebuilt when the number of
+    // reflex corners has halved.
     std::vector<std::uint32_t> cell_begin_;
     std::vector<Corner> cell_corners_;
     glm::dvec2 low_{};
@@ -153,7 +154,7 @@ private:
 void Triangulator::EarClipper::build_grid() {
     gridded_count_ = reflex_count_;
     bool first = true;
-    low_ = {};  // Not the last polygon's, where none is reflex.
+    low_ = {};  // Reset for polygons without reflex corners.
     glm::dvec2 high{};
     for (const Node& n : nodes_) {
         if (!n.alive || !n.reflex) continue;
@@ -163,7 +164,7 @@ void Triangulator::EarClipper::build_grid() {
     }
     const glm::dvec2 extent = high - low_;
     const double cells = static_cast<double>(std::max<std::size_t>(reflex_count_, 1));
-    // Not below extent / cells, where the corners lie on a line or nearly so.
+    // At least extent / cells, for corners that lie nearly on a line.
     cell_size_ =
         std::max(std::sqrt(extent.x * extent.y / cells), std::max(extent.x, extent.y) / cells);
     const auto count = [&](double size) {
@@ -179,15 +180,16 @@ void Triangulator::EarClipper::build_grid() {
         if (n.alive && n.reflex) ++cell_begin_[cell(n) + 1];
     for (std::size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
     cell_corners_.resize(reflex_count_);
-    // Filled from each cell's end, which leaves cell_begin_ one cell ahead; the shift undoes it.
+    // Filling advances cell_begin_ to the end of each cell. The shift restores it.
     for (Corner i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].alive && nodes_[i].reflex) cell_corners_[cell_begin_[cell(nodes_[i])]++] = i;
     std::copy_backward(cell_begin_.begin(), cell_begin_.end() - 1, cell_begin_.end());
     cell_begin_[0] = 0;
 }
 
-// A reflex corner in the corner's triangle, its border included. One at the place of a corner of the
-// triangle does not block: keyholes and touching rings would never be done.
+// A reflex corner inside or on the border of the corner's triangle. A reflex corner at the position of
+// one of the triangle's corners does not block, because keyholes and touching rings would otherwise
+// block forever.
 Corner Triangulator::EarClipper::blocker_of(Corner corner) {
     if (reflex_count_ == 0 || tests_left_ == 0) return k_no_corner;
     const Node& node = nodes_[corner];
@@ -205,7 +207,7 @@ Corner Triangulator::EarClipper::blocker_of(Corner corner) {
         const std::uint32_t end = cell_begin_[first + (last_column - first_column) + 1];
         count_test();
         for (std::uint32_t i = begin; i < end; ++i) {
-            // Only what is looked at: the first corner of a long row often blocks.
+            // Counts actual tests only: the first corner of a long row often blocks.
             count_test();
             const Node& other = nodes_[cell_corners_[i]];
             if (!other.alive || !other.reflex) continue;
@@ -218,13 +220,13 @@ Corner Triangulator::EarClipper::blocker_of(Corner corner) {
     return k_no_corner;
 }
 
-// Looks again at a corner whose triangle is new.
+// Updates a corner whose triangle has changed.
 void Triangulator::EarClipper::consider(Corner corner) {
     Node& node = nodes_[corner];
     ++node.version;
     const double area = turn(nodes_[node.before].at, node.at, nodes_[node.after].at);
     if (area <= 0.0) {
-        // A corner on a straight line can go without loss, but only when nothing better is left.
+        // A corner on a straight line can be removed, but only as the last choice.
         if (area == 0.0) push(open_, {-1.0, corner, node.version});
         return;
     }
@@ -331,8 +333,8 @@ void Triangulator::triangulate(std::span<const glm::vec3> positions,
     }
     const glm::dvec3 normal = twice_area_vector(positions, polygon);
     if (polygon.size() == 4) {
-        // The two ways to cut, each with the lesser of its two areas along the normal: a concave quad
-        // has a negative one for the diagonal that lies outside it.
+        // The two diagonals, each with the smaller of its two triangle areas along the normal. In a
+        // concave quad the diagonal outside has a negative area.
         const auto corner = [&](int i) { return glm::dvec3(positions[polygon[i]]); };
         const auto area = [&](int i, int j, int k) {
             return glm::dot(normal, glm::cross(corner(j) - corner(i), corner(k) - corner(i)));
@@ -352,7 +354,7 @@ void Triangulator::triangulate(std::span<const glm::vec3> positions,
         return;
     }
     if (normal == glm::dvec3(0.0)) {
-        // No side is the inner one.
+        // Inside and outside are not defined.
         for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
             triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
         return;

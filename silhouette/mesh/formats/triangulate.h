@@ -1,15 +1,16 @@
 #pragma once
 
-// Polygons to triangles.
+// Triangulates polygons.
 //
-// Any triangulation that only joins corners keeps the polygon's area vector, ½ Σ pᵢ × pᵢ₊₁, exactly:
-// the fan does it even for concave polygons, but with triangles that overlap and face backwards. Here
-// ears are clipped in the plane of the polygon's area vector (Newell's normal), projected along its
-// greatest axis so that the corners' own floats decide. The best-shaped ear goes first: slivers have
-// unreliable normals, and a flat face would show edges. A quad takes its shorter inner diagonal.
+// Any triangulation of the corners keeps the polygon's area vector, ½ Σ pᵢ × pᵢ₊₁, exactly. A fan does so
+// for concave polygons, too, but its triangles overlap and some are reversed. This code clips ears in the
+// plane perpendicular to the area vector (Newell's normal). It projects along the vector's largest axis,
+// so the original float coordinates decide. The ear with the best shape is clipped first, because slivers
+// have unreliable normals and a flat face would then show edges. A quad is split at its shorter inner
+// diagonal.
 //
-// Polygons that touch or cross themselves, or have no area, still give corners - 2 triangles and the
-// same area vector.
+// Polygons that touch or cross themselves, or have no area, also give corners - 2 triangles and the same
+// area vector.
 
 #include <array>
 #include <cstdint>
@@ -23,20 +24,20 @@ namespace rimline {
 
 class Triangulator {
 public:
-    /// Where `stop` is requested, triangulate() ends with Error{cancelled} for a polygon that is being cut
-    /// by ears, within some thousands of corners and tests; a part of its triangles is then there.
+    /// If `stop` is requested, triangulate() throws Error{cancelled} within some thousands of corners and
+    /// tests. This applies to polygons with ear clipping. Some of the polygon's triangles may already be
+    /// appended.
     explicit Triangulator(std::stop_token stop = {});
     ~Triangulator();
     Triangulator(Triangulator&&) noexcept;
     Triangulator& operator=(Triangulator&&) noexcept;
 
-    /// Appends polygon.size() - 2 triangles to `triangles`, whose corners run the same way round.
-    /// `polygon` holds three or more indices into `positions`. About O(n log n) for polygons as they
-    /// occur; never more than about 2,000 corner tests a corner nor than about 2^27 in all, after which
-    /// what is left is clipped best shape first without them: the area vector still holds, but
-    /// triangles may then be degenerate or overlap (of a comb of 300,002 corners whose tips lie in one
-    /// straight line, nearly half are degenerate; with scattered tips none). Keeps its memory from call
-    /// to call.
+    /// Appends polygon.size() - 2 triangles to `triangles`, with the orientation of the polygon.
+    /// `polygon` holds three or more indices into `positions`. About O(n log n) for usual polygons. There
+    /// are at most about 2,000 corner tests per corner and about 2^27 in total. After that the rest is
+    /// clipped by best shape without tests: the area vector stays exact, but triangles may be degenerate
+    /// or overlap. For a comb of 300,002 corners with its tips on one straight line, nearly half are
+    /// degenerate; with scattered tips none. Reuses its memory between calls.
     void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> polygon,
                      std::vector<std::array<std::uint32_t, 3>>& triangles);
 

@@ -7,8 +7,8 @@ namespace rimline {
 
 namespace {
 
-// The points of an (n + 1)^3 lattice that lie on its surface, numbered layer by layer in k:
-// whole squares at k = 0 and k = n, rings of 4n between.
+// The surface points of an (n + 1)^3 lattice, numbered by layers in k: full squares at k = 0 and k
+// = n, rings of 4n points between them.
 class SurfaceLattice {
 public:
     explicit SurfaceLattice(std::uint32_t n) : n_(n) {}
@@ -44,7 +44,7 @@ MeshSource make_box(std::uint32_t faces) {
     MeshSource box;
     box.positions.resize(6 * std::size_t{n} * n + 2);
     box.triangles.reserve(12 * std::size_t{n} * n);
-    // Six sides: axis k is fixed at 0 or n; (i, j, k) is a cyclic turn of (x, y, z), so that i x j
+    // Six sides, with k fixed at 0 or n. (i, j, k) is a cyclic permutation of (x, y, z), so i x j
     // points along +k.
     for (std::uint32_t axis = 0; axis < 3; ++axis)
         for (const std::uint32_t k : {0u, n}) {

@@ -1,10 +1,10 @@
 #pragma once
 
-// Sine and cosine that are the same on every machine.
+// Sine and cosine with the same results on every machine.
 //
-// The standard library's differ in the last bit between systems, and a shape's vertices would too.
-// Here: an exact reduction to an eighth of a turn, then the Taylor series, with additions and
-// multiplications only. Angles are in turns, so quarter turns give exact zeros and ones.
+// Those of the standard library differ in the last bit between systems, so vertices of shapes would
+// differ, too. These functions reduce the angle exactly to an eighth of a turn and then use the
+// Taylor series. Angles are in turns, so quarter turns give exactly 0 and 1.
 
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,8 @@ struct CosSin {
     double cos, sin;
 };
 
-/// Of `turns` full turns; finite, of moderate size. Within 2^-50 of the true values.
+/// Cosine and sine of `turns` full turns, which must be finite and not huge. The error is below
+/// 2^-50.
 inline CosSin cos_sin_of_turns(double turns) noexcept {
     const double in_turn = turns - std::floor(turns);
     const double quarter = std::floor(4.0 * in_turn + 0.5);
@@ -23,7 +24,7 @@ inline CosSin cos_sin_of_turns(double turns) noexcept {
     const double xx = x * x;
     double cos = 1.0;
     double sin = 1.0;
-    for (int k = 9; k >= 1; --k) {  // The terms left out are below 2^-60.
+    for (int k = 9; k >= 1; --k) {  // Omitted terms are below 2^-60.
         cos = 1.0 - xx / ((2 * k - 1) * (2 * k)) * cos;
         sin = 1.0 - xx / ((2 * k) * (2 * k + 1)) * sin;
     }

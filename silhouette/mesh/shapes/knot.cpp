@@ -10,8 +10,9 @@ namespace rimline {
 
 namespace {
 
-// The curve winds twice around the axis and three times around the middle of a torus. Its strands
-// stay 0.89 apart and it bends no tighter than a radius of 0.73, so the tube stays clear of itself.
+// The curve winds twice around the axis of a torus and three times around its center circle. Its
+// strands are at least 0.89 apart and its radius of curvature is at least 0.73, so the tube does
+// not intersect itself.
 constexpr double k_major_radius = 1.0;
 constexpr double k_minor_radius = 0.45;
 constexpr double k_tube_radius = 0.25;
@@ -21,8 +22,8 @@ struct Frame {
     glm::dvec3 point, normal, binormal;
 };
 
-// The torus's own normal is at right angles to every curve on it and comes back to itself: a frame
-// that closes without a seam, and needs no transport along the curve.
+// The normal of the torus is perpendicular to every curve on it. After a full loop it has its first
+// value again, so the frame closes without a seam and needs no transport along the curve.
 Frame frame_at(double t) {
     const CosSin around = cos_sin_of_turns(2.0 * t);
     const CosSin section = cos_sin_of_turns(3.0 * t);

@@ -24,12 +24,12 @@ struct Neighborhood {
     std::uint32_t crease_count = 0;
 };
 
-// Weights are exact or correctly rounded multiples of the input and sums are in double: scaling by a
-// power of two scales the result exactly.
+// All operations are correctly rounded in double, so scaling the input by a power of two scales the
+// result exactly.
 glm::dvec3 moved(const glm::dvec3& v, const Neighborhood& around) {
     if (around.crease_count == 2) return 0.75 * v + 0.125 * around.crease_sum;
     if (around.crease_count > 2 || around.count == 0) return v;
-    // A single crease that ends here pins nothing.
+    // A single crease that ends here does not fix the vertex.
     const double n = around.count;
     const double n_beta = around.count == 3 ? 0.5625 : 0.375;
     return (1.0 - n_beta) * v + n_beta * (around.sum / n);
@@ -41,7 +41,7 @@ VertexId opposite_corner(const Triangle& t, const Edge& edge) {
     return t[0];  // Not reached: triangles with equal corners have no edges.
 }
 
-/// One step. `checkpoint` is called now and then with the step's finished share.
+/// One step. Calls `checkpoint` at intervals with the step's finished share.
 template <typename Checkpoint>
 MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
     const std::uint32_t vertex_count = mesh.vertex_count();
@@ -52,7 +52,7 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
 
     MeshSource refined;
     refined.up = mesh.up();
-    // The vertices, then one for each edge: vertex_count + e.
+    // First the vertices, then one vertex per edge e: vertex_count + e.
     refined.positions.resize(std::size_t{vertex_count} + mesh.edge_count());
     std::vector<Neighborhood> around(vertex_count);
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
@@ -70,15 +70,15 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
             hood.crease_sum += neighbor;
             ++hood.crease_count;
         }
-        glm::dvec3 middle = 0.5 * (a + b);
+        glm::dvec3 edge_point = 0.5 * (a + b);
         if (!crease) {
             const glm::dvec3 c =
                 position(opposite_corner(mesh.triangles()[index(edge.faces[0])], edge));
             const glm::dvec3 d =
                 position(opposite_corner(mesh.triangles()[index(edge.faces[1])], edge));
-            middle = 0.375 * (a + b) + 0.125 * (c + d);
+            edge_point = 0.375 * (a + b) + 0.125 * (c + d);
         }
-        refined.positions[std::size_t{vertex_count} + e] = glm::vec3(middle);
+        refined.positions[std::size_t{vertex_count} + e] = glm::vec3(edge_point);
     }
     for (std::uint32_t v = 0; v < vertex_count; ++v)
         refined.positions[v] = glm::vec3(moved(position(VertexId{v}), around[v]));
@@ -89,7 +89,7 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
         const auto [a, b, c] = mesh.triangles()[f];
         const auto [ab, bc, ca] = mesh.edges_of(FaceId{f});
         if (ab == k_no_edge) {
-            // Nothing to split, and no neighbor: four of it keep the count.
+            // A triangle with equal corners has no edges to split. Four copies keep the face count.
             refined.triangles.insert(refined.triangles.end(), 4, {index(a), index(b), index(c)});
             continue;
         }
@@ -115,7 +115,7 @@ MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const L
                                               " times would be more than 268435456");
     if (faces == 0) return refine(Mesh(source), [](double) {});
 
-    // Each step is four times the work of the one before.
+    // Each step takes four times the work of the previous one.
     double total = 0.0;
     for (std::uint32_t step = 0; step < steps; ++step)
         total += double(std::uint64_t{1} << 2 * step);

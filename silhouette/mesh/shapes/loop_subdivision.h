@@ -1,6 +1,6 @@
 #pragma once
 
-// Loop's subdivision: each step splits every triangle into four and smooths.
+// Loop's subdivision: each step splits every triangle into four and smooths the mesh.
 //
 //            /\             a new vertex on each edge ab of triangles abc, abd:
 //           /  \                3/8 (a + b) + 1/8 (c + d)
@@ -9,11 +9,11 @@
 //        /  \  /  \             beta = 3/16 for n = 3, else 3 / (8 n)
 //       /____\/____\        .
 //
-// C. Loop, Smooth Subdivision Surfaces Based on Triangles (1987), with Warren's simpler beta. Creases,
-// which are borders and edges where more than two faces meet, follow the cubic B-spline of the crease:
-// 1/2 (a + b) on an edge, 1/8 a + 3/4 v + 1/8 b at a vertex between two; a vertex where three creases
-// or more meet stays. Both sides of a crease see the same curve, so open and non-manifold meshes
-// refine without cracks. Orientation plays no part.
+// C. Loop, Smooth Subdivision Surfaces Based on Triangles (1987), with Warren's simpler beta. Creases
+// are borders and edges with more than two faces. They follow a cubic B-spline: 1/2 (a + b) on an
+// edge, 1/8 a + 3/4 v + 1/8 b at a vertex between two creases. A vertex of three or more creases does
+// not move. Both sides of a crease get the same curve, so open and non-manifold meshes have no cracks.
+// Orientation is not used.
 
 #include <cstdint>
 
@@ -22,12 +22,12 @@
 
 namespace rimline {
 
-/// `steps` refinements of `source`, welded first (equal positions are one vertex): exactly 4^steps
-/// times the faces, those of face f at 4^steps * f on, oriented as f. Degenerate triangles stay
-/// degenerate where two corners are equal. The numbering of vertices is new, unused ones are gone.
-/// The result's coordinates lie within the bounds of the source's. With no steps, `source` itself.
-/// O(faces of the result) in time and memory. Throws Error{too_large} when the result would pass 2^28
-/// faces, before anything is done, and Error{cancelled}.
+/// Welds `source` (equal positions are one vertex) and refines it `steps` times. The result has
+/// exactly 4^steps times the faces. Those of face f begin at 4^steps * f and have the orientation of
+/// f. Triangles with two equal corners stay degenerate. Vertices get new numbers, and unused ones are
+/// dropped. The coordinates stay within the bounds of `source`. Zero steps return `source` unchanged.
+/// O(faces of the result) in time and memory. Throws Error{too_large} at once if the result would have
+/// more than 2^28 faces, and Error{cancelled}.
 MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const LongCall& call = {});
 
 }  // namespace rimline

@@ -1,7 +1,7 @@
-// A still life on a round slab: a knot on a pedestal, a ball in its shadow, a ring that leans on a
-// block, an arch behind and a small ball in front. Composed for a viewer in front (+z), somewhat
-// above, and a light from the upper left, direction (-0.5, 0.9, 0.6): shadows fall to the right and
-// back by 0.87 of the height above the ground, and the knot's lies on the ball.
+// A scene on a round slab: a knot on a pedestal, a ball in its shadow, a ring that leans on a block,
+// an arch behind them and a small ball in front. It is composed for a viewpoint in front (+z) and
+// slightly above, and a light from the upper left, in the direction (-0.5, 0.9, 0.6). Shadows fall to
+// the right and back by 0.87 of the height above the ground. The knot's shadow falls on the ball.
 
 #include <algorithm>
 #include <array>
@@ -18,16 +18,16 @@ namespace rimline {
 
 namespace {
 
-// What rests on something hovers this far above it: too little to be seen, but no two surfaces share a
-// plane, and the edges where parts meet are silhouettes that can be drawn.
+// A part that stands on another has this gap below it. The gap is too small to be visible, but no two
+// surfaces share a plane, and edges where parts meet are silhouettes that can be drawn.
 constexpr double k_gap = 0.003;
 constexpr double k_pedestal_height = 0.86;
 
 struct Placement {
     glm::dmat3 rotation{1.0};
     glm::dvec3 scale{1.0};
-    double x = 0.0, z = 0.0;  // Where the part's own origin comes to lie.
-    double rests_on = 0.0;    // The height under its lowest point.
+    double x = 0.0, z = 0.0;  // Position of the part's origin.
+    double rests_on = 0.0;    // Height of the support below its lowest point.
 };
 
 glm::dmat3 turned_around_y(double turns) {
@@ -58,7 +58,7 @@ struct ProfilePoint {
     double radius, height;
 };
 
-// A surface of revolution around y with flat ends; the profile runs upwards on the outside.
+// A surface of revolution around y with flat ends. The profile goes upwards on the outside.
 MeshSource turned_profile(std::span<const ProfilePoint> profile, double faces) {
     const double rings = static_cast<double>(profile.size());
     const double sides = std::max(8.0, std::round(0.5 * faces / rings));
@@ -77,7 +77,7 @@ MeshSource turned_profile(std::span<const ProfilePoint> profile, double faces) {
 
 // A round arch in the xy plane with a rectangular section, on legs.
 MeshSource arch(double faces) {
-    constexpr double k_radius = 0.62;  // To the middle of the section.
+    constexpr double k_radius = 0.62;  // To the center of the section.
     constexpr double k_leg = 1.15;
     constexpr double k_half_height = 0.16;
     constexpr double k_half_depth = 0.24;
@@ -94,16 +94,16 @@ MeshSource arch(double faces) {
     append_tube(
         shape, {last + 1, 4},
         [&](std::uint32_t ring, std::uint32_t side) {
-            const auto [middle, outward] = center_line(ring);
+            const auto [center, outward] = center_line(ring);
             const double out = side < 2 ? k_half_height : -k_half_height;
             const double front = side == 1 || side == 2 ? k_half_depth : -k_half_depth;
-            return middle + out * outward + glm::dvec3(0.0, 0.0, front);
+            return center + out * outward + glm::dvec3(0.0, 0.0, front);
         },
         Poles{center_line(0)[0], center_line(last)[0]});
     return shape;
 }
 
-// Its top is the ground, at height 0.
+// The top of the slab is the ground, at height 0.
 MeshSource slab(double faces) {
     constexpr double k_radius = 2.75;
     constexpr double k_thickness = 0.24;
@@ -132,7 +132,7 @@ void place_knot_on_pedestal(MeshSource& scene, double pedestal_faces, double kno
                                                       {0.64, 0.78},
                                                       {0.64, k_pedestal_height - k_gap}}};
     place(scene, turned_profile(k_profile, pedestal_faces), {.x = k_x, .z = k_z});
-    // It stands on two of its three bows, turned a little towards the light.
+    // The knot stands on two of its three lobes, turned slightly towards the light.
     place(scene, make_knot(static_cast<std::uint32_t>(knot_faces)),
           {.rotation = turned_around_y(0.045) * turned_around_z(-1.0 / 12.0),
            .scale = glm::dvec3(0.5),

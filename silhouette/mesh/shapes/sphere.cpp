@@ -45,18 +45,18 @@ MeshSource make_sphere(std::uint32_t faces) {
     };
     for (const glm::dvec3& corner : corners) push(corner);
 
-    // The first point of edge (a, b), a < b; its points run from a to b.
+    // The first point of edge (a, b), a < b. Its points go from a to b.
     std::array<std::array<std::uint32_t, 12>, 12> edge_begin{};
     for (const auto& face : k_icosahedron)
         for (std::uint32_t c = 0; c < 3; ++c) {
             const std::uint32_t a = face[c];
             const std::uint32_t b = face[(c + 1) % 3];
-            if (a > b) continue;  // Its other face runs it upwards.
+            if (a > b) continue;  // The other face has a < b.
             edge_begin[a][b] = static_cast<std::uint32_t>(sphere.positions.size());
             for (std::uint32_t i = 1; i < n; ++i)
                 push(double(n - i) * corners[a] + double(i) * corners[b]);
         }
-    // Point i of n on the way from corner a to corner b.
+    // Point i of n from corner a to corner b.
     const auto on_edge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t i) {
         if (i == 0) return a;
         if (i == n) return b;
@@ -64,7 +64,7 @@ MeshSource make_sphere(std::uint32_t faces) {
     };
 
     for (const auto& [a, b, c] : k_icosahedron) {
-        // Row i runs parallel to bc, from ab to ac, and has i + 1 points.
+        // Row i is parallel to bc, goes from ab to ac and has i + 1 points.
         std::vector<std::uint32_t> above{a};
         for (std::uint32_t i = 1; i <= n; ++i) {
             std::vector<std::uint32_t> row{on_edge(a, b, i)};

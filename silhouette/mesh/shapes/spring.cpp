@@ -12,10 +12,10 @@ namespace {
 
 constexpr double k_turns = 4.0;
 constexpr double k_radius = 0.8;
-constexpr double k_rise = 0.55;  // A turn; neighboring coils leave a gap of a third of it.
+constexpr double k_rise = 0.55;  // Per turn. The gap between coils is a third of it.
 constexpr double k_wire_radius = 0.18;
 
-// The helix in closed form: outward and binormal are at right angles to the tangent everywhere.
+// The helix in closed form. `outward` and `binormal` are perpendicular to the tangent.
 struct HelixFrame {
     glm::dvec3 point, tangent, outward, binormal;
 };
@@ -35,14 +35,14 @@ HelixFrame helix_at(double turns) {
 }  // namespace
 
 MeshSource make_spring(std::uint32_t faces) {
-    // The rounded ends add the area of a tube one tube radius long, twice.
+    // Each rounded end adds the area of a tube that is one tube radius long.
     const double across = 2.0 * std::numbers::pi * k_radius;
     const double length =
         k_turns * std::sqrt(across * across + k_rise * k_rise) + 2.0 * k_wire_radius;
     const TubeGrid whole =
         tube_grid(0.5 * faces, length / (2.0 * std::numbers::pi * k_wire_radius), {29, 3});
     const std::uint32_t sides = whole.sides;
-    // Rings of a rounded end besides the one it shares with the tube; its pole is not a ring.
+    // Rings of a rounded end, without the one shared with the tube. The pole is not a ring.
     const std::uint32_t cap_rings = sides < 6 ? 0 : (sides + 2) / 4 - 1;
     const std::uint32_t body = std::max(whole.rings, 29 + 2 * cap_rings) - 2 * cap_rings;
     const std::uint32_t rings = body + 2 * cap_rings;

@@ -8,8 +8,8 @@ namespace rimline {
 
 namespace {
 
-// A random number in [-1, 1) for each point of an integer lattice: an integer hash, exact
-// everywhere.
+// A random number in [-1, 1) for each point of an integer lattice. It is an integer hash, equal on
+// every machine.
 double lattice_value(std::int64_t x, std::int64_t z, std::uint32_t octave) {
     constexpr std::uint64_t k_seed = 0x52696d6c696e65u;
     std::uint64_t h = k_seed + octave * 0x9e3779b97f4a7c15u;
@@ -19,7 +19,7 @@ double lattice_value(std::int64_t x, std::int64_t z, std::uint32_t octave) {
     return static_cast<double>(h >> 11) * 0x1p-52 - 1.0;
 }
 
-// Blends with zero first and second derivatives at both ends: no creases along the lattice.
+// Zero first and second derivatives at both ends, so the lattice causes no creases.
 double smooth_step(double t) { return t * t * t * (t * (6.0 * t - 15.0) + 10.0); }
 
 double value_noise(double x, double z, std::uint32_t octave) {
@@ -36,8 +36,8 @@ double value_noise(double x, double z, std::uint32_t octave) {
     return near * (1.0 - v) + far * v;
 }
 
-// Hills: octaves of noise, each on a lattice turned against the one before, rougher where it is
-// high and smooth in the valleys.
+// Hills: octaves of noise, each on a lattice rotated relative to the previous one. The noise is
+// rough at large heights and smooth in the valleys.
 double height_at(double x, double z) {
     constexpr std::uint32_t k_octaves = 7;
     const CosSin turn = cos_sin_of_turns(0.103);
@@ -75,7 +75,7 @@ MeshSource make_terrain(std::uint32_t faces) {
             const std::uint32_t b = a + 1;
             const std::uint32_t d = a + n + 1;
             const std::uint32_t c = d + 1;
-            // Diagonals alternate, so that slopes are no rougher one way than the other.
+            // Diagonals alternate, so slopes are equally rough in both directions.
             if ((i + j) % 2 == 0) {
                 terrain.triangles.push_back({a, d, c});
                 terrain.triangles.push_back({a, c, b});

@@ -7,9 +7,9 @@
 
 namespace rimline {
 
-TubeGrid tube_grid(double quads, double aspect, TubeGrid least) noexcept {
-    const double sides = std::max(std::round(std::sqrt(quads / aspect)), double(least.sides));
-    const double rings = std::max(std::round(quads / sides), double(least.rings));
+TubeGrid tube_grid(double quads, double aspect, TubeGrid min_grid) noexcept {
+    const double sides = std::max(std::round(std::sqrt(quads / aspect)), double(min_grid.sides));
+    const double rings = std::max(std::round(quads / sides), double(min_grid.rings));
     return {static_cast<std::uint32_t>(rings), static_cast<std::uint32_t>(sides)};
 }
 

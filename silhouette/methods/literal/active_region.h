@@ -1,13 +1,13 @@
 #pragma once
 
-// The active region (thesis 3.4): the symmetric difference of two v-spheres, where the Hough points of
-// the faces lie that turn between two silhouette points.
+// The active region (thesis 3.4): the symmetric difference of two v-spheres. The faces that turn
+// between two silhouette points have their Hough points in it.
 
 #include "silhouette/hough/v_sphere.h"
 
 namespace rimline {
 
-/// How a box lies to the two v-spheres; `mixed` in either is "not certain".
+/// The position of a box relative to the two v-spheres; `mixed` means "not certain".
 struct RegionSides {
     VSphereSide before;
     VSphereSide after;

@@ -1,18 +1,18 @@
 #pragma once
 
-// Which nodes may be in the active set (thesis 3.4.4): neither leaves, which make walks long, nor nodes
-// so high that a walk is a traversal. Every leaf has exactly one active-set candidate, an ASC, at or
+// The nodes that may be in the active set (thesis 3.4.4). Leaves would make walks long; with nodes near the
+// root a walk would be a full traversal. Every leaf has exactly one active-set candidate (ASC) at or
 // above it, so candidates and empty octants beside or above them fill the root.
 //
 //     cost(node) = w1 * depth / children + w2 * mean over neighbors n of |depth - depth(n)|
 //
 // A node whose children are all leaves is a candidate. A node whose children are leaves and candidates
 // replaces them when its cost is less than the mean of its candidates'. Costs do not change, so one pass
-// from the deepest nodes up is the text's "iterate until no changes".
+// from the deepest nodes up has the result of the text's "iterate until no changes".
 //
-// Where the text is open or wrong: all is divided as reals (as integers most costs would be equal);
-// leaves have no children and no cost, and do not count in the mean; and a leaf beside a child that never
-// became a candidate would be left without one above it, and so is one itself.
+// Where the text is ambiguous or wrong: divisions are of reals (of integers most costs would be equal);
+// leaves have no children and no cost, and do not count in the mean; a leaf beside a child that never became
+// a candidate would have no candidate above it, so the leaf becomes one itself.
 
 #include <cstdint>
 #include <span>
@@ -34,9 +34,9 @@ double asc_cost(std::span<const OctreeNode> nodes, std::span<const NeighborNodes
 
 struct ActiveSetCandidates {
     std::vector<std::uint32_t> candidates;  ///< Ascending.
-    /// For each node: the candidate that it is or that is above it; k_no_node above all candidates.
+    /// For each node: itself or its ancestor that is a candidate; k_no_node above all candidates.
     std::vector<std::uint32_t> candidate_above;
-    std::uint32_t uncovered_leaves = 0;  ///< Candidates that the text does not make any.
+    std::uint32_t uncovered_leaves = 0;  ///< Candidates that are none in the text.
 };
 
 /// O(nodes).

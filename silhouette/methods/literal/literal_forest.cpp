@@ -6,7 +6,7 @@ namespace rimline {
 
 namespace {
 
-// From one origin: whether an edge of two faces is not SFO for certain.
+// Whether an edge of two faces is certainly not SFO from one origin.
 bool is_seen_apart(int side0, int side1, bool is_inconsistent) {
     return side0 != 0 && side1 != 0 && (side0 == side1) != is_inconsistent;
 }
@@ -54,7 +54,7 @@ private:
         const std::span<const TreeEdge> edges =
             std::span(tree.edges)
                 .subspan(tree.first_edge[i], tree.first_edge[i + 1] - tree.first_edge[i]);
-        // Without a side, its edges are all listed.
+        // All edges of a face without a side are listed.
         if (tree.sides[i] == 0) return;
         if (edges.empty() && forest_.culling_ == LiteralCulling::straddling) return;
         const bool is_inside = inside(tree.faces[i], tree.sides[i]);
@@ -135,7 +135,7 @@ LiteralForest::LiteralForest(const Mesh& mesh, std::span<const glm::dvec3> origi
     }
 }
 
-// `owner`: the face that an edge belongs to, where that is one.
+// `owner` receives the face that an edge belongs to, if there is one.
 bool LiteralForest::is_listed(EdgeId edge, std::span<const glm::dvec3> origins,
                               std::span<const std::uint32_t> groups, FaceId& owner) const {
     const EdgeClass edge_class = mesh_->edge_class(edge);
@@ -143,7 +143,7 @@ bool LiteralForest::is_listed(EdgeId edge, std::span<const glm::dvec3> origins,
     const std::array<FaceId, 2>& faces = mesh_->edge(edge).faces;
     for (const FaceId face : faces)
         if (!mesh_->plane(face).has_normal()) return true;
-    int sides[2][2];  // By origin, by face.
+    int sides[2][2];  // [origin][face].
     bool is_apart[2];
     for (std::size_t g = 0; g < 2; ++g) {
         for (std::size_t f = 0; f < 2; ++f)
@@ -159,7 +159,7 @@ bool LiteralForest::is_listed(EdgeId edge, std::span<const glm::dvec3> origins,
     return !is_apart[0] || !is_apart[1] || sides[0][0] != sides[1][0] || sides[0][1] != sides[1][1];
 }
 
-// From the leaves up: children come after their parents.
+// From the leaves up: children are stored after their parents.
 void LiteralForest::bound(Tree& tree, std::span<const HoughPoint> points) const {
     const std::vector<OctreeNode>& nodes = tree.octree.nodes;
     tree.point_boxes.resize(nodes.size());

@@ -1,19 +1,19 @@
 #pragma once
 
-// The thesis's index with several origins (4.4.5): an octree of one-point leaves for each group of faces,
-// over their Hough points as seen from the group's origin. Static extraction alone, and two ways to skip
-// subtrees, to count what each costs (Table 4.2, Figure 4.9).
+// The thesis's index with several origins (4.4.5): for each group of faces, an octree with one point a leaf
+// over the faces' Hough points relative to the group's origin. It has static extraction only, with two ways
+// to skip subtrees, to count the cost of each (Table 4.2, Figure 4.9).
 //
-//   points_and_edges  The thesis's: what has its PBV outside or its EBV inside is skipped, and an edge is
+//   points_and_edges  The thesis's way. A node with its PBV outside or its EBV inside is skipped. An edge is
 //                     found from the one of its faces that is inside. That face must be the same from both
-//                     faces' origins, or the edge is found twice or never: so an edge is in the trees where
-//                     it is SFO from neither origin and each of its faces lies on the same side of both.
-//                     (The text leaves out the second half.)
+//                     faces' origins, or the edge is found twice or never. So the trees contain an edge if
+//                     it is SFO from neither origin and each of its faces lies on the same side of both
+//                     origins. (The text does not have the second condition.)
 //   straddling        An edge belongs to the first of its faces from whose origin it is not SFO. A box
-//                     holds both points of all edges that belong to a subtree, and what lies wholly
+//                     contains both points of all edges that belong to a subtree. A node whose box is
 //                     inside or outside is skipped.
 //
-// All other edges are listed, and tested at every extraction. Every result equals brute force.
+// All other edges are listed and tested at every extraction. Every result equals brute force.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -37,16 +37,16 @@ struct LiteralForestStatistics {
 /// Immutable: any number of threads may use one.
 class LiteralForest {
 public:
-    /// One group for each face, a number in `origins`; those of faces without a plane count for nothing
-    /// (HoughOctree::face_groups()). `mesh` must outlive the forest and stay where it is.
-    /// O(faces * depth).
+    /// `face_groups` has an index into `origins` for each face, as HoughOctree::face_groups() has; the
+    /// entries of faces without a plane have no meaning. `mesh` must outlive the forest and stay where it
+    /// is. O(faces * depth).
     LiteralForest(const Mesh& mesh, std::span<const glm::dvec3> origins,
                   std::span<const std::uint32_t> face_groups, LiteralCulling culling,
                   const PointOctreeOptions& octree = {});
     LiteralForest(Mesh&&, std::span<const glm::dvec3>, std::span<const std::uint32_t>,
-                  LiteralCulling, const PointOctreeOptions& = {}) = delete;  // It would be gone.
+                  LiteralCulling, const PointOctreeOptions& = {}) = delete;  // It would dangle.
 
-    /// As LiteralOctree::extract. With `straddling` a box is one EBV check.
+    /// The same as LiteralOctree::extract. With `straddling` a box counts as one EBV check.
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  LiteralCounters& counters) const;
 
@@ -55,7 +55,7 @@ public:
 private:
     class Extraction;
 
-    // From a face, as seen from its group's origin.
+    // An edge of a face, with the other face's point relative to the origin of the first face's group.
     struct TreeEdge {
         EdgeId edge;
         FaceId other;
@@ -69,11 +69,11 @@ private:
         glm::dvec3 origin{0.0};
         float greatest_reach = 0.0f;
         PointOctree octree;
-        std::vector<Box> point_boxes, edge_boxes;  // By node; the first not where straddling.
+        std::vector<Box> point_boxes, edge_boxes;  // One a node; no point boxes for `straddling`.
         // In tree order.
         std::vector<FaceId> faces;
         std::vector<std::int8_t> sides;
-        std::vector<std::uint32_t> first_edge;  // One more than faces.
+        std::vector<std::uint32_t> first_edge;  // Size: faces + 1.
         std::vector<TreeEdge> edges;
     };
 

@@ -45,13 +45,13 @@ LiteralOctree::LiteralOctree(const Mesh& mesh, const LiteralOctreeOptions& optio
     neighbors_ = build_neighbor_graph(octree_.nodes);
     candidates_ = choose_active_set_candidates(octree_.nodes, neighbors_, options.asc_weights);
     cells_ = build_search_cells(octree_, candidates_, greatest_error);
-    // All boxes of points lie within the root's octant, which was widened by as much as any of them.
+    // All point boxes lie within the root's octant, which was widened by as much as any of them.
     if (!cells_.reaches.empty()) greatest_reach_ = cells_.reaches[0];
     measure();
 }
 
-// Corollary 1 speaks of edges with two faces whose planes miss the origin. Those of them that are not
-// SFO are the tree's.
+// Corollary 1 holds for edges with two faces whose planes do not contain the origin. The tree contains those
+// of them that are not SFO.
 void LiteralOctree::list_edges() {
     const Mesh::EdgeRange inconsistent = mesh_->edges_of_class(EdgeClass::inconsistent);
     is_in_tree_.assign(mesh_->edge_count(), false);
@@ -72,7 +72,7 @@ void LiteralOctree::list_edges() {
         inconsistent.last - statistics_.undecided_edges - statistics_.sfo_edges;
 }
 
-// PBVs and EBVs (3.3), from the leaves up: children come after their parents.
+// PBVs and EBVs (3.3), from the leaves up: children are stored after their parents.
 void LiteralOctree::bound_nodes(std::span<const HoughPoint> points,
                                 std::span<const std::uint32_t> position_of) {
     point_boxes_.resize(octree_.nodes.size());

@@ -1,30 +1,20 @@
 #include "silhouette/methods/literal/literal_tracker.h"
 
-#include <algorithm>
-
 namespace rimline {
-
-namespace {
-
-constexpr std::uint32_t k_no_slot = 0xffffffffu;
-
-}  // namespace
 
 LiteralTracker::LiteralTracker(const LiteralOctree& octree, const HomogeneousPoint& point,
                                const LiteralTrackerOptions& options)
-    : octree_(&octree), options_(options), point_(point) {
+    : octree_(&octree), options_(options), point_(point), followed_(octree.mesh()) {
     RIMLINE_CHECK(point.is_valid());
     const Mesh& mesh = octree.mesh();
-    face_words_.assign(face_word_count(mesh.face_count()), 0);
+    std::vector<std::uint32_t> face_words(face_word_count(mesh.face_count()), 0);
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-        if (is_front(mesh.plane(FaceId{f}), point)) face_words_[f / 32] |= 1u << (f % 32);
+        if (is_front(mesh.plane(FaceId{f}), point)) face_words[f / 32] |= 1u << (f % 32);
     counters_.face_checks += mesh.face_count();
 
-    octree.extract(point, silhouette_, counters_);
-    // Borders come last and never join.
-    slot_of_.assign(mesh.edges_of_class(EdgeClass::border).first, k_no_slot);
-    for (std::uint32_t slot = 0; slot < silhouette_.size(); ++slot)
-        slot_of_[index(silhouette_[slot])] = slot;
+    std::vector<EdgeId> silhouette;
+    octree.extract(point, silhouette, counters_);
+    followed_.start(face_words, silhouette);
 
     if (options.update == LiteralUpdate::full_traversal) return;
     const std::size_t vertices = options.update == LiteralUpdate::incremental
@@ -50,7 +40,7 @@ const LiteralCounters& LiteralTracker::move_to(const HomogeneousPoint& point) {
             case LiteralUpdate::incremental_as_written: walk_as_written(region); break;
         }
     }
-    update_edges();
+    counters_.edge_tests += followed_.update_edges(turned_);
     return counters_;
 }
 
@@ -74,7 +64,7 @@ void LiteralTracker::begin_active_set(const ActiveRegion& region, std::uint32_t 
         if (child != k_no_node) begin_active_set(region, child);
 }
 
-// 3.4.3, with what the header says starts and carries a walk.
+// 3.4.3, with the starts and cells that the header describes.
 void LiteralTracker::walk(const ActiveRegion& region) {
     const SearchCells& cells = octree_->search_cells();
     queue_.clear();
@@ -87,7 +77,7 @@ void LiteralTracker::walk(const ActiveRegion& region) {
         const RegionSides sides = sides_of_cell(region, cell);
         if (sides.is_apart()) continue;
         if (!cells.cells[cell].is_leaf()) {
-            // Some tile's neighbor, as large as the tile and divided further.
+            // A neighbor of a tile, as large as the tile and divided further.
             for (const std::uint32_t child : cells.cells[cell].children) enqueue(child);
             continue;
         }
@@ -131,7 +121,7 @@ RegionSides LiteralTracker::sides_of_cell(const ActiveRegion& region, std::uint3
     return sides_[cell];
 }
 
-// 3.4.2 from any node downwards.
+// 3.4.2, from any node downwards.
 void LiteralTracker::search(const ActiveRegion& region, std::uint32_t number) {
     const OctreeNode& node = octree_->nodes()[number];
     if (!octree_->is_small_leaf(node)) {
@@ -149,7 +139,8 @@ void LiteralTracker::search(const ActiveRegion& region, std::uint32_t number) {
         if (child != k_no_node) search(region, child);
 }
 
-// All its faces, whose points are certainly on one side of the new v-sphere and so not on the origin.
+// Turns all faces of a node. Their points are certainly on one side of the new v-sphere, so none is the
+// origin.
 void LiteralTracker::turn_node(const OctreeNode& node, VSphereSide after) {
     counters_.contained_faces += node.size();
     for (std::uint32_t i = node.begin; i < node.end; ++i)
@@ -165,32 +156,7 @@ void LiteralTracker::check_faces(const OctreeNode& node) {
 }
 
 void LiteralTracker::set_bit(FaceId face, bool front) {
-    if (face_bit(face_words_, face) == front) return;
-    face_words_[index(face) / 32] ^= 1u << (index(face) % 32);
-    turned_.push_back(face);
-}
-
-void LiteralTracker::update_edges() {
-    const Mesh& mesh = octree_->mesh();
-    for (const FaceId face : turned_) {
-        for (const EdgeId edge : mesh.edges_of(face)) {
-            if (index(edge) >= slot_of_.size()) continue;  // A border, or none.
-            ++counters_.edge_tests;
-            std::uint32_t& slot = slot_of_[index(edge)];
-            const bool was = slot != k_no_slot;
-            if (was == is_on_silhouette(mesh, edge, face_words_)) continue;
-            if (was) {
-                const EdgeId last = silhouette_.back();
-                silhouette_[slot] = last;
-                slot_of_[index(last)] = slot;
-                silhouette_.pop_back();
-                slot = k_no_slot;
-            } else {
-                slot = static_cast<std::uint32_t>(silhouette_.size());
-                silhouette_.push_back(edge);
-            }
-        }
-    }
+    if (followed_.set_bit(face, front)) turned_.push_back(face);
 }
 
 }  // namespace rimline

@@ -7,44 +7,45 @@
 // all its faces, untested, as 3.4.4 says; 3.4.2 and 3.4.3 would test them, which `contained_faces`
 // counts.
 //
-//   full traversal   From the root, down every node whose PBV is not certainly apart from the region.
+//   full traversal   Starts at the root and enters every node whose PBV is not certainly apart from the
+//                    region.
 //
-//   incremental      Breadth-first from the active set, the tiles (search_cells.h) that may meet the
-//                    previous v-sphere, to neighbors whose OBV may meet the region, and within them
-//                    as above. Those that may meet the new v-sphere are the next active set.
+//   incremental      Walks breadth-first from the active set, the tiles (search_cells.h) that may meet the
+//                    previous v-sphere, to neighbors whose OBV may meet the region, and searches within
+//                    them as above. The tiles that may meet the new v-sphere are the next active set.
 //
-// Why the walk misses nothing. Let Z be the thin shell around a v-sphere where bits are uncertain, and A
-// the active region with the shells of both v-spheres. Every face that turns has its point in A. From
-// any point of A a path within A leads to the previous v-sphere's shell: along the ray from the origin,
-// inwards if the point is outside the previous v-sphere, outwards if inside, since every such ray is
-// inside a v-sphere up to one place and outside from there on. (A point in the new v-sphere's shell moves
-// to that v-sphere first. Where the place is infinitely far, the v-sphere is the plane of a direction,
-// and the path goes around to it far out, or into the origin, which lies on both.) The path crosses
-// tiles that meet A, each beside the next. If it stays within the root, it ends in a tile of the active
-// set; if not, it leaves through a tile at the root's boundary. So the walk starts from both: from the
-// active set, and from the tiles at the boundary that meet A, which are found from the root by their
-// OBVs. Those lie along curves and are few.
+// Why the walk is complete. Let Z be the thin shell around a v-sphere where bits are uncertain, and A the
+// active region with the shells of both v-spheres. Every face that turns has its point in A. From any point
+// of A a path within A leads to the previous v-sphere's shell: along the ray from the origin, inwards if the
+// point is outside the previous v-sphere, outwards if it is inside, since every such ray is inside a v-sphere
+// up to one place and outside from there on. (A point in the new v-sphere's shell moves to that v-sphere
+// first. Where the place is infinitely far, the v-sphere is the plane of a direction, and the path goes
+// around to it far out, or into the origin, which lies on both.) The path crosses adjacent tiles that meet A.
+// If it stays within the root, it ends in a tile of the active set; if not, it leaves through a tile at the
+// root's boundary. So the walk starts from both: from the active set, and from the tiles at the boundary that
+// meet A, which are found from the root by their OBVs. These lie along curves and are few.
 //
-// The text starts from the active set alone, tests PBVs, and knows no empty octants. What it loses is
-// shown by `incremental_as_written`: whatever is reached only across empty octants, such as those around
-// the origin of a sphere; what enters the root from outside; and everything, from then on, once the
-// active set is empty. It is there to be counted. Its silhouettes are not right.
+// The text starts from the active set only, tests PBVs, and has no empty octants. `incremental_as_written`
+// shows the faces that it misses: those that are reached only across empty octants, such as the octants
+// around the origin of a sphere; those where the region enters the root from outside; and, once the active
+// set is empty, all. Its silhouettes are wrong. It exists to count its work.
 //
-// What the walk costs. It is meant to spare the nodes near the root, but PBVs make those few. Boxes a
-// move on the bunny (69k faces, radius 2, steps of 1°):
+// Cost of the walk. It is meant to avoid the nodes near the root, but PBVs make those few. Boxes a move
+// on the bunny (69k faces, radius 2, steps of 1°):
 //
 //     faces a leaf    full traversal    as written    walk
 //           1              2,957           3,496     10,693
 //          32              1,493           1,510      1,680
 //
-// Of the walk's 9,700 octants 2,671 are empty ones that it has to cross, and 4,141 are beside the region.
-// Going on only to the facing side of a divided neighbor saved 4% of them.
+// Of the walk's 9,700 octants 2,671 are empty octants that it must cross, and 4,141 are beside the region. A
+// walk that continued only to the facing side of a divided neighbor tested 4% fewer.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "silhouette/mesh/face_bits.h"
+#include "silhouette/methods/followed_silhouette.h"
 #include "silhouette/methods/literal/active_region.h"
 #include "silhouette/methods/literal/literal_counters.h"
 #include "silhouette/methods/literal/literal_octree.h"
@@ -55,7 +56,7 @@ enum class LiteralUpdate : std::uint8_t { full_traversal, incremental, increment
 
 struct LiteralTrackerOptions {
     LiteralUpdate update = LiteralUpdate::incremental;
-    /// Without it, a node contained in the region is descended into like any other that meets it.
+    /// If false, a node contained in the region is searched like any other node that meets it.
     bool turn_contained_nodes = true;
 };
 
@@ -66,20 +67,21 @@ public:
     LiteralTracker(const LiteralOctree& octree, const HomogeneousPoint& point,
                    const LiteralTrackerOptions& options = {});
     LiteralTracker(LiteralOctree&&, const HomogeneousPoint&,
-                   const LiteralTrackerOptions& = {}) = delete;  // It would be gone.
+                   const LiteralTrackerOptions& = {}) = delete;  // It would dangle.
 
-    /// Moves to `point`. Returns the work of this move. One thread at a time.
+    /// Moves to `point` and returns the work of this move. One thread at a time.
     const LiteralCounters& move_to(const HomogeneousPoint& point);
 
     const HomogeneousPoint& point() const noexcept { return point_; }
-    /// In no particular order. Valid until the tracker moves, as the other spans are.
-    std::span<const EdgeId> silhouette() const noexcept { return silhouette_; }
-    std::span<const std::uint32_t> face_words() const noexcept { return face_words_; }
+    /// In no particular order. Valid until the tracker moves, like the other spans.
+    std::span<const EdgeId> silhouette() const noexcept { return followed_.edges(); }
+    std::span<const std::uint32_t> face_words() const noexcept { return followed_.face_words(); }
     /// The faces that turned in the last move, each once.
     std::span<const FaceId> turned() const noexcept { return turned_; }
-    /// Tiles, or nodes as written, that the next incremental move starts from; none otherwise.
+    /// The number of tiles, or of nodes for `incremental_as_written`, that the next move starts from; 0 for
+    /// full traversal.
     std::size_t active_set_size() const noexcept { return active_.size(); }
-    /// Of the last move; of the construction before the first.
+    /// The work of the last move, or of the construction before the first move.
     const LiteralCounters& counters() const noexcept { return counters_; }
 
 private:
@@ -98,19 +100,16 @@ private:
     void turn_node(const OctreeNode& node, VSphereSide side);
     void check_faces(const OctreeNode& node);
     void set_bit(FaceId face, bool front);
-    void update_edges();
 
     const LiteralOctree* octree_;
     LiteralTrackerOptions options_;
     HomogeneousPoint point_;
     LiteralCounters counters_;
 
-    std::vector<std::uint32_t> face_words_;
+    FollowedSilhouette followed_;
     std::vector<FaceId> turned_;
-    std::vector<EdgeId> silhouette_;
-    std::vector<std::uint32_t> slot_of_;  // By edge: where it is in silhouette_, or k_no_slot.
 
-    // The walk. What a move has tested and enqueued is stamped with its number.
+    // The walk. Cells that a move has tested or enqueued have the number of the move.
     std::vector<std::uint32_t> active_;
     std::vector<std::uint32_t> next_active_;
     std::vector<std::uint32_t> queue_;

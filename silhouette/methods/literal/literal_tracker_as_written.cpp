@@ -1,6 +1,6 @@
-// The incremental update as 3.4.3 has it, with the kinder reading wherever there is a choice: a walk that
-// comes to a node below a candidate goes on from the candidate, and one that comes to an ancestor searches
-// all of the ancestor. It still loses faces (literal_tracker.h).
+// The incremental update as 3.4.3 describes it, in the more favorable reading where the text is ambiguous: a
+// walk that reaches a node below a candidate continues from the candidate, and one that reaches an ancestor
+// searches the whole ancestor. It still misses faces (literal_tracker.h).
 
 #include "silhouette/methods/literal/literal_tracker.h"
 
@@ -8,7 +8,7 @@ namespace rimline {
 
 namespace {
 
-// A leaf is a candidate only by our repair.
+// A leaf is no candidate in the text.
 bool is_candidate(const LiteralOctree& octree, std::uint32_t node) {
     return octree.candidates().candidate_above[node] == node && !octree.nodes()[node].is_leaf();
 }
@@ -45,7 +45,7 @@ void LiteralTracker::walk_as_written(const ActiveRegion& region) {
 }
 
 void LiteralTracker::search_as_written(const ActiveRegion& region, std::uint32_t number) {
-    // Already searched, from a node above or from the queue.
+    // Searched before, from a node above or from the queue.
     if (tested_at_[number] == move_) return;
     tested_at_[number] = move_;
     const OctreeNode& node = octree_->nodes()[number];

@@ -14,10 +14,10 @@ std::vector<NeighborNodes> build_neighbor_graph(std::span<const OctreeNode> node
                 const std::uint32_t axis = direction / 2;
                 const std::uint32_t mirrored = octant ^ (1u << axis);
                 const bool leaves_parent = (octant >> axis & 1u) == direction % 2;
-                // Whose octant holds the neighbor point, as far up as the parent's depth.
+                // The node that contains the neighbor point, no deeper than the parent.
                 const std::uint32_t around = leaves_parent ? graph[parent][direction] : parent;
                 if (around == k_no_node) continue;
-                // A shallower one holds it in an octant that is empty, or is a leaf.
+                // A shallower node is a leaf, or contains the point in an empty octant.
                 const bool may_have_it = nodes[around].depth == nodes[parent].depth;
                 const std::uint32_t same_size =
                     may_have_it ? nodes[around].children[mirrored] : k_no_node;

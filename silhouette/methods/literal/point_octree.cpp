@@ -50,7 +50,7 @@ private:
                            [&](std::uint32_t point) { return points_[point] == first; });
     }
 
-    // Orders the points of a node by octant, stably; octant i's are then [parts[i], parts[i + 1]).
+    // Sorts the points of a node by octant, stably. Octant i then has [parts[i], parts[i + 1]).
     std::array<std::uint32_t, 9> partition(std::uint32_t begin, std::uint32_t end,
                                            const glm::dvec3& center) {
         std::array<std::uint32_t, 9> parts{};

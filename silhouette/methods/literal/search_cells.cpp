@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::uint8_t k_all_root_faces = 0b111111;
 
-// The root's faces that a child touches, of those that its parent does.
+// Those of the root's faces touched by a parent that the child touches too.
 std::uint8_t root_faces_of_child(std::uint8_t parents, std::uint32_t octant) {
     std::uint8_t kept = 0;
     for (std::uint32_t axis = 0; axis < 3; ++axis)

@@ -1,12 +1,12 @@
 #pragma once
 
-// What the incremental update walks on (thesis 3.4.3): the octree cut off below its active-set
-// candidates, with its empty octants filled in. Its leaves, the tiles, are candidates and empty octants;
-// they fill the root, side by side, without gaps.
+// The cells that the incremental update walks on (thesis 3.4.3): the octree without the nodes below its
+// active-set candidates, with its empty octants added. Its leaves, the tiles, are candidates and empty
+// octants; they fill the root without gaps.
 //
-// The text walks from node to node along their neighbor links, and those lead to an ancestor where an
-// octant is empty: a walk then goes on in a part of the tree that it has no place in, or stops, and the
-// active region beyond is lost. An empty octant costs one box, and a walk crosses it like any other.
+// The text walks from node to node along their neighbor links. Where an octant is empty, its link leads to an
+// ancestor: the walk then continues in a wrong part of the tree, or stops, and misses the active region
+// beyond the octant. Here an empty octant costs one box, and a walk crosses it like any other.
 
 #include <cstdint>
 #include <span>
@@ -22,17 +22,17 @@ namespace rimline {
 struct SearchCells {
     /// A full octree: eight children or none. The root is cell 0; tiles have no children.
     std::vector<OctreeNode> cells;
-    std::vector<NeighborNodes> neighbors;  ///< Of cells; no tile's neighbor is below a tile.
+    std::vector<NeighborNodes> neighbors;  ///< One a cell; no tile's neighbor is below a tile.
     std::vector<std::uint32_t> node_of;    ///< The octree's node; k_no_node for empty octants.
-    std::vector<HoughBox> boxes;           ///< OBVs, widened as asked.
+    std::vector<HoughBox> boxes;           ///< OBVs, widened by `error`.
     std::vector<float> reaches;            ///< Of the boxes.
-    /// By cell: bit i, when it touches the root's face in direction i (NeighborNodes).
+    /// One a cell: bit i is set if the cell touches the root's face in direction i (NeighborNodes).
     std::vector<std::uint8_t> root_faces;
     std::uint32_t empty_tiles = 0;
 };
 
-/// Every OBV is the octant widened by `error` on all sides, so that it holds the exact foot point of
-/// each plane whose rounded one is in the octant.
+/// Every OBV is the octant widened by `error` on all sides, so that it contains the exact foot point of each
+/// plane whose rounded foot point is in the octant.
 SearchCells build_search_cells(const PointOctree& octree, const ActiveSetCandidates& candidates,
                                double error);
 

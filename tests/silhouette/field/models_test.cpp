@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "silhouette/field/discounted_field.h"
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/points_of_interest.h"
 #include "silhouette/mesh/formats/mesh_file.h"
@@ -31,9 +32,7 @@ std::vector<glm::dvec3> lattice(const SearchDomain& domain, int half, std::size_
     return points;
 }
 
-SearchDomain domain_of(const NamedFunction& named) {
-    return {named.min_radius, named.greatest_radius};
-}
+SearchDomain domain_of(const NamedFunction& named) { return {named.min_radius, named.max_radius}; }
 
 void check_bounds(const UnitPlanes& planes, const NamedFunction& named, std::size_t stride) {
     CAPTURE(named.name);

@@ -34,8 +34,8 @@ TEST_CASE("named functions are found by their names and stay within 0 and 1") {
     for (const NamedFunction& named : named_functions()) {
         CAPTURE(named.name);
         CHECK(find_named_function(named.name) == &named);
-        CHECK(named.function.least() >= -1e-15);
-        CHECK(named.function.greatest() == doctest::Approx(1.0));
+        CHECK(named.function.min_value() >= -1e-15);
+        CHECK(named.function.max_value() == doctest::Approx(1.0));
     }
     CHECK(find_named_function("no such") == nullptr);
 }

@@ -23,30 +23,30 @@ TEST_CASE("viewpoints around a model beyond the coordinates are an error") {
 
 TEST_CASE("origins lie within three radii and are the same for any number of threads") {
     const Mesh mesh(make_built_in_shape("knot", 4000));
-    FoundOrigins alone;
+    OriginSet alone;
     {
         const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
         alone = find_origins(mesh, 4);
     }
     const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
-    const FoundOrigins together = find_origins(mesh, 4);
+    const OriginSet together = find_origins(mesh, 4);
     REQUIRE(alone.origins.size() == 4);
     CHECK(alone.origins == together.origins);
     CHECK(alone.votes == together.votes);
     for (const glm::dvec3& origin : alone.origins)
         CHECK(glm::distance(origin, mesh.center()) <= 3.0 * mesh.radius() * (1.0 + 1e-12));
     for (std::size_t i = 1; i < 4; ++i) CHECK(alone.votes[i] <= alone.votes[i - 1]);
-    const FoundOrigins two = find_origins(mesh, 2);
+    const OriginSet two = find_origins(mesh, 2);
     CHECK(two.origins[1] == alone.origins[1]);
 }
 
 TEST_CASE("origins follow a mesh that is scaled by a power of two") {
     const MeshSource source = make_built_in_shape("spring", 2000);
-    const FoundOrigins found = find_origins(Mesh(source), 3);
+    const OriginSet found = find_origins(Mesh(source), 3);
     for (const float scale : {0x1p-60f, 0x1p40f}) {
         MeshSource scaled = source;
         for (glm::vec3& p : scaled.positions) p *= scale;
-        const FoundOrigins other = find_origins(Mesh(scaled), 3);
+        const OriginSet other = find_origins(Mesh(scaled), 3);
         REQUIRE(other.origins.size() == found.origins.size());
         for (std::size_t i = 0; i < found.origins.size(); ++i)
             CHECK(other.origins[i] == found.origins[i] * double{scale});
@@ -55,7 +55,7 @@ TEST_CASE("origins follow a mesh that is scaled by a power of two") {
 
 TEST_CASE("a trial counts the work of the extractions it stands for") {
     const Mesh mesh(make_built_in_shape("torus", 3000));
-    const FoundOrigins found = find_origins(mesh, 2);
+    const OriginSet found = find_origins(mesh, 2);
     const OriginTrial trial = try_origins(mesh, found.origins, 100);
     const HoughOctree octree(mesh, {found.origins});
     TraversalCounters sum;
@@ -85,7 +85,7 @@ TEST_CASE("origins of meshes that have little to choose from are defined") {
     CHECK(choose_origins(none, 3, 10).trials.size() == 2);
 
     const Mesh one(MeshSource{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}});
-    const FoundOrigins found = find_origins(one, 3);
+    const OriginSet found = find_origins(one, 3);
     REQUIRE(found.origins.size() == 1);
     CHECK(found.votes[0] == doctest::Approx(1.0));
     CHECK(try_origins(one, found.origins, 10).statistics.group_faces[0] == 1);

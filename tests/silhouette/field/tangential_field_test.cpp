@@ -30,7 +30,7 @@ TEST_CASE("a field is within its bound of the sum over all planes") {
                     CAPTURE(named.name);
                     CAPTURE(tolerance);
                     const TangentialField field(planes, named.function, {tolerance, weight});
-                    CHECK(field.error_bound() <= (tolerance + 1e-5) * field.greatest_value());
+                    CHECK(field.error_bound() <= (tolerance + 1e-5) * field.max_value());
                     for (const glm::dvec3& p : points)
                         CHECK(std::abs(field.value(p) -
                                        tests::reference_sum(planes, named.function, weight, p)) <=
@@ -100,7 +100,7 @@ TEST_CASE("the gradient is the values' derivative") {
                            value(p + glm::dvec3(0, h, 0)) - value(p - glm::dvec3(0, h, 0)),
                            value(p + glm::dvec3(0, 0, h)) - value(p - glm::dvec3(0, 0, h))) /
                 (2.0 * h);
-            CHECK(glm::distance(field.gradient(p), expected) < 1e-5 * field.greatest_value());
+            CHECK(glm::distance(field.gradient(p), expected) < 1e-5 * field.max_value());
         }
     }
 }

@@ -33,9 +33,9 @@ TEST_CASE("the step between two knots is 3x^2 - 2x^3") {
     CHECK(f.value(-1e30) == 2.0);
     CHECK(f.value(1e30) == 5.0);
     CHECK(f.slope(-1e30) == 0.0);
-    CHECK(f.least() == 2.0);
-    CHECK(f.greatest() == 5.0);
-    CHECK(f.greatest_slope() == doctest::Approx(3.0 * 1.5 / 4.0));
+    CHECK(f.min_value() == 2.0);
+    CHECK(f.max_value() == 5.0);
+    CHECK(f.max_slope() == doctest::Approx(3.0 * 1.5 / 4.0));
 }
 
 TEST_CASE("a function passes its knots with their slopes and is C1 there") {
@@ -76,12 +76,12 @@ TEST_CASE("least, greatest and steepest are those of a fine scan") {
             greatest = std::max(greatest, f.value(s));
             steepest = std::max(steepest, std::abs(f.slope(s)));
         }
-        CHECK(f.least() <= least + 1e-14);
-        CHECK(f.least() == doctest::Approx(least).epsilon(1e-5));
-        CHECK(f.greatest() >= greatest - 1e-14);
-        CHECK(f.greatest() == doctest::Approx(greatest).epsilon(1e-5));
-        CHECK(f.greatest_slope() >= steepest * (1.0 - 1e-12));
-        CHECK(f.greatest_slope() <= steepest + 0.05);
+        CHECK(f.min_value() <= least + 1e-14);
+        CHECK(f.min_value() == doctest::Approx(least).epsilon(1e-5));
+        CHECK(f.max_value() >= greatest - 1e-14);
+        CHECK(f.max_value() == doctest::Approx(greatest).epsilon(1e-5));
+        CHECK(f.max_slope() >= steepest * (1.0 - 1e-12));
+        CHECK(f.max_slope() <= steepest + 0.05);
     }
 }
 
@@ -91,10 +91,10 @@ TEST_CASE("least and greatest are those of the knots, wherever these lie") {
         CAPTURE(n);
         const double a = double{random.signed_unit()} - 1.5, b = double{random.signed_unit()} / 3.0;
         const TangentialFunction rising({{a, 0.0}, {b, 1.0}});
-        CHECK(std::abs(rising.least()) < 1e-12);
-        CHECK(std::abs(rising.greatest() - 1.0) < 1e-12);
-        CHECK(std::abs(TangentialFunction({{a, 1.0}, {b, -2.0}}).least() + 2.0) < 1e-12);
-        CHECK(rising.greatest_slope() >= 1.5 / (b - a) * (1.0 - 1e-12));
+        CHECK(std::abs(rising.min_value()) < 1e-12);
+        CHECK(std::abs(rising.max_value() - 1.0) < 1e-12);
+        CHECK(std::abs(TangentialFunction({{a, 1.0}, {b, -2.0}}).min_value() + 2.0) < 1e-12);
+        CHECK(rising.max_slope() >= 1.5 / (b - a) * (1.0 - 1e-12));
     }
 }
 

@@ -55,7 +55,7 @@ TEST_CASE("planes of a box that is not mixed have equal bits, from every kind of
                 const HomogeneousPoint p = probes.next();
                 std::uint64_t nodes = 0;
                 const std::uint32_t count = kernels::find_mixed(
-                    boxes.tree, boxes.frames, BoxQuery(p, origins[0], boxes.tree.greatest_reach()),
+                    boxes.tree, boxes.frames, BoxQuery(p, origins[0], boxes.tree.max_reach()),
                     BlockPoint(p, origins[0], 1.0), kernels::SettledBy::box, scratch, nodes);
                 std::vector<bool> is_mixed(boxes.planes.size(), false);
                 for (std::uint32_t j = 0; j < count; ++j) {
@@ -90,8 +90,7 @@ TEST_CASE("every depth of tree holds every block once") {
         // The v-sphere of this viewpoint runs through the point.
         const HomogeneousPoint p = HomogeneousPoint::viewpoint({1.0f, 2.0f, 0.0f});
         std::uint64_t nodes = 0;
-        REQUIRE(kernels::find_mixed(tree, frames,
-                                    BoxQuery(p, glm::dvec3(0.0), tree.greatest_reach()),
+        REQUIRE(kernels::find_mixed(tree, frames, BoxQuery(p, glm::dvec3(0.0), tree.max_reach()),
                                     BlockPoint(p, glm::dvec3(0.0), 1.0), kernels::SettledBy::box,
                                     scratch, nodes) == count);
         for (std::uint32_t b = 0; b < count; ++b) REQUIRE(scratch.block[b] == b);

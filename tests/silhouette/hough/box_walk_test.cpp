@@ -23,7 +23,7 @@ TEST_CASE(
         for (const HomogeneousPoint& point : {HomogeneousPoint::viewpoint({2.0f, 0.7f, 3.0f}),
                                               HomogeneousPoint::direction({0.3f, -1.0f, 0.2f})}) {
             const auto boxes =
-                walk_boxes(tree, BoxQuery(point, octree.origins()[origin], tree.greatest_reach()));
+                walk_boxes(tree, BoxQuery(point, octree.origins()[origin], tree.max_reach()));
             std::vector<int> times(tree.block_count());
             std::uint32_t settled = 0;
             for (const WalkedBox& box : boxes) {
@@ -61,5 +61,5 @@ TEST_CASE("a mesh without planes has an empty tree to walk") {
     const HoughOctree octree(mesh);
     const BoxTree tree = make_face_tree(octree, 0);
     const HomogeneousPoint point = HomogeneousPoint::viewpoint({0.0f, 1.0f, 0.0f});
-    CHECK(walk_boxes(tree, BoxQuery(point, octree.origins()[0], tree.greatest_reach())).empty());
+    CHECK(walk_boxes(tree, BoxQuery(point, octree.origins()[0], tree.max_reach())).empty());
 }

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "silhouette/mesh/brute_force.h"
+#include "silhouette/mesh/face_bits.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/hough/against_brute_force.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
@@ -44,6 +45,22 @@ TEST_CASE("extraction equals brute force from every origin and with several") {
             CAPTURE(origins[0].x);
             tests::check_extraction(HoughOctree(mesh, {origins}), points, 22);
         }
+    }
+}
+
+TEST_CASE("face words hold the bits of all faces as a point sees them") {
+    for (const auto& [name, source] : tests::made_meshes(1000)) {
+        CAPTURE(name);
+        const Mesh mesh(source);
+        const HoughOctree octree(mesh);
+        BlockScratch scratch = octree.make_scratch();
+        std::vector<std::uint16_t> bits(octree.block_count());
+        const auto point = HomogeneousPoint::direction({0.3f, -0.7f, 0.5f});
+        octree.evaluate_faces(point, bits, scratch);
+        std::vector<std::uint32_t> expected(face_word_count(mesh.face_count()), 0);
+        for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+            if (is_front(mesh.plane(FaceId{f}), point)) expected[f / 32] |= 1u << f % 32;
+        CHECK(octree.face_words(bits) == expected);
     }
 }
 

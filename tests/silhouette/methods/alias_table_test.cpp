@@ -31,14 +31,14 @@ TEST_CASE("numbers are drawn as often as their weights say") {
     }
 }
 
-TEST_CASE("an empty table says so") {
+TEST_CASE("an empty table reports that it is empty") {
     CHECK(AliasTable().is_empty());
     CHECK(AliasTable(std::vector<double>{}).is_empty());
     CHECK_FALSE(AliasTable(std::vector<double>{1.0}).is_empty());
 }
 
 TEST_CASE("random bits are those of SplitMix64") {
-    // Its authors' reference, from seed 1234567.
+    // The authors' reference values, from seed 1234567.
     RandomBits random(1234567);
     CHECK(random.next() == 6457827717110365317u);
     CHECK(random.next() == 3203168211198807973u);

@@ -33,8 +33,8 @@ TEST_CASE("packed brute force equals the plain one, bit for bit, on every kind o
 }
 
 TEST_CASE("packed brute force keeps to its edges where classes end within a block") {
-    // Soup whose faces share some edges once, some the wrong way, some three times: with one face more
-    // each time, every boundary of a class passes through every place of a block.
+    // Triangle soup with shared edges, inconsistent edges and edges of three faces. With one face more each
+    // time, every boundary of a class passes through every position of a block.
     MeshSource source;
     for (std::uint32_t n = 0; n < 80; ++n) {
         CAPTURE(n);

@@ -27,7 +27,7 @@ std::vector<Id> sorted(std::span<const Id> ids) {
     return result;
 }
 
-// What follows a tracker by its writes alone.
+// Follows a tracker by its writes alone.
 struct Consumer {
     std::vector<EdgeId> slots;
     std::vector<std::uint32_t> words;
@@ -103,7 +103,7 @@ TEST_CASE("a move of brute force that follows a point does not allocate") {
         tests::RandomWalk walk(mesh, 52);
         const std::uint64_t before_construction = tests::allocation_count();
         BruteForceTracker tracker(mesh, walk.point());
-        CHECK(tests::allocation_count() > before_construction);  // The count counts.
+        CHECK(tests::allocation_count() > before_construction);  // The counter works.
         for (std::uint32_t i = 0; i < 100; ++i) {
             const HomogeneousPoint p = walk.next();
             const std::uint64_t before = tests::allocation_count();

@@ -38,7 +38,7 @@ TEST_CASE("leaves and the rest together have every edge but borders, each once")
     for (const auto& [name, source] : tests::made_meshes(500)) {
         CAPTURE(name);
         const Mesh mesh(source);
-        // Any regular edges in any order will do for leaves.
+        // Leaves may have any regular edges in any order.
         std::vector<EdgeId> treed;
         for (std::uint32_t e = 0; e < mesh.edges_of_class(EdgeClass::regular).last; ++e)
             if (e % 7 != 3) treed.push_back(EdgeId{e});

@@ -74,7 +74,7 @@ TEST_CASE("a walk that enters everything visits every leaf once") {
     }
 }
 
-TEST_CASE("a walk enters what it is told to and nothing else") {
+TEST_CASE("a walk enters the nodes of the mask and no others") {
     const PackedTree tree(20000);
     const std::uint32_t wanted = 777;  // A leaf.
     std::vector<std::uint32_t> visited;

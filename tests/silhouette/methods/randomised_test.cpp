@@ -16,7 +16,7 @@ namespace {
 enum class Step : std::uint8_t { extract, update };
 
 std::vector<EdgeId> found_by(Randomised& method, Step step, const HomogeneousPoint& point) {
-    std::vector<EdgeId> edges{k_no_edge};  // Replaced, not appended to.
+    std::vector<EdgeId> edges{k_no_edge};  // extract() must replace it.
     TraversalCounters counters;
     if (step == Step::extract)
         method.extract(point, edges, counters);
@@ -46,7 +46,7 @@ TEST_CASE("what a random search finds is on the silhouette, each edge once") {
     }
 }
 
-// The share of all silhouettes' edges that is found, over viewpoints around a shape.
+// The share of all silhouettes' edges that the method finds, over viewpoints around a shape.
 double recall(const Mesh& mesh, Step step) {
     Randomised method(mesh, 5);
     std::size_t found = 0;
@@ -84,7 +84,7 @@ TEST_CASE("a random search looks at a small part of a large mesh") {
 }
 
 TEST_CASE("a random search is the same for the same seed and another for another") {
-    // Small parts that seeds easily miss.
+    // Small parts that seeds often miss.
     MeshSource source;
     for (std::uint32_t i = 0; i < 400; ++i) {
         const glm::dvec3 offset(4.0 * (i % 20), 4.0 * (i / 20), 0.0);
@@ -98,15 +98,15 @@ TEST_CASE("a random search is the same for the same seed and another for another
     Randomised other(mesh, 2);
     const std::vector<EdgeId> found = found_by(a, Step::extract, p);
     CHECK(found.size() > 100);
-    CHECK(found.size() < brute_force_silhouette(mesh, p).size());  // Not exact, and known to be.
+    CHECK(found.size() < brute_force_silhouette(mesh, p).size());  // The method is not exact.
     CHECK(found_by(b, Step::extract, p) == found);
     CHECK(found_by(other, Step::extract, p) != found);
-    // Updates go on with what is remembered; extracting starts anew.
+    // Updates continue with the stored state; extract() starts anew.
     CHECK(found_by(a, Step::update, p).size() >= found.size());
     CHECK(found_by(a, Step::extract, p) == found);
 }
 
-TEST_CASE("a random search says how many edges it tried at random") {
+TEST_CASE("a random search reports how many random edges it tried") {
     const Mesh mesh(make_built_in_shape("sphere", 5000));
     Randomised method(mesh, 1);
     found_by(method, Step::extract, HomogeneousPoint::viewpoint({3.0f, 0.0f, 0.0f}));

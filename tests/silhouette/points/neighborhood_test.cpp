@@ -39,7 +39,7 @@ struct Around {
     explicit Around(std::vector<glm::dvec3> all) : points(std::move(all)), list(points.size() - 1) {
         std::iota(list.begin(), list.end(), 1u);
         std::ranges::sort(list, {}, [&](std::uint32_t i) { return glm::length(points[i]); });
-        neighborhood.look_from(points, 0, list);
+        neighborhood.assign(points, 0, list);
     }
 };
 

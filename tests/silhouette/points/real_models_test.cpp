@@ -1,9 +1,11 @@
 // Real meshes without their faces: at most as many border points missed and extra as were measured when the
-// rules were made (docs/points.md), and never more undecided. Skipped without RIMLINE_MODELS.
+// rules were made (docs/results/points.md), and never more undecided. Skipped where models are missing.
 
 #include <doctest/doctest.h>
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "silhouette/mesh/formats/mesh_file.h"
@@ -11,6 +13,7 @@
 #include "silhouette/points/point_surface.h"
 #include "tests/models.h"
 #include "tests/silhouette/points/soundness.h"
+#include "tests/skip.h"
 
 namespace rimline {
 namespace {
@@ -20,13 +23,10 @@ struct Cloud {
     std::vector<bool> is_border;
 };
 
-// The vertices that have faces.
+// The vertices that have faces. Nothing where the model is missing.
 std::optional<Cloud> read_cloud(const std::string& file_name) {
     const auto path = tests::find_model(file_name);
-    if (!path) {
-        MESSAGE("skipped, no " << file_name);
-        return std::nullopt;
-    }
+    if (!path) return std::nullopt;
     const Mesh mesh(read_mesh_file(*path));
     std::vector<bool> is_border(mesh.positions().size(), false);
     const Mesh::EdgeRange borders = mesh.edges_of_class(EdgeClass::border);
@@ -44,12 +44,17 @@ struct Bound {
     PointSurfaceOptions::Method method = PointSurfaceOptions::Method::robust;
 };
 
+// Checks the models that are there. Skipped where any is missing.
 void check(std::span<const Bound> bounds) {
+    std::string missing;
     for (const Bound& bound : bounds) {
         const std::string file = bound.file;
         CAPTURE(file);
         const auto cloud = read_cloud(file);
-        if (!cloud) continue;
+        if (!cloud) {
+            missing += " " + file;
+            continue;
+        }
         PointSurfaceOptions options;
         options.method = bound.method;
         const PointSurface surface(cloud->points, options);
@@ -65,6 +70,7 @@ void check(std::span<const Bound> bounds) {
         CHECK(surface.count(PointLabel::undecided) <= bound.undecided);
         CHECK(surface.inconsistent_edge_count() <= bound.inconsistent);
     }
+    if (!missing.empty()) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds" + missing);
 }
 
 TEST_CASE("borders of real models are missed and invented no more often than measured") {
@@ -82,12 +88,8 @@ TEST_CASE("borders of real models are missed and invented no more often than mea
     check(k_bounds);
 }
 
-// Those that tools/fetch_meshes.sh fetches and docs/points.md counts: wide open ones and smooth ones.
+// Those that tools/fetch_meshes.sh fetches and docs/results/points.md counts: wide open ones and smooth ones.
 TEST_CASE("borders of the meshes of the figures are found as well as measured") {
-    if (!tests::find_model("armadillo.off")) {
-        MESSAGE("skipped, no meshes of tools/fetch_meshes.sh");
-        return;
-    }
     constexpr Bound k_bounds[] = {
         {"armadillo.off"},
         {"bear.off"},
@@ -131,7 +133,7 @@ TEST_CASE("borders of the meshes of the figures are found as well as measured") 
 TEST_SUITE("long") {
     TEST_CASE("igea is closed in all its 134345 points") {
         const auto cloud = read_cloud("igea.ply");
-        if (!cloud) return;
+        if (!cloud) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds igea.ply");
         const PointSurface surface(cloud->points);
         CHECK(surface.count(PointLabel::border) == 0);
         CHECK(surface.count(PointLabel::undecided) <= 1);

@@ -35,7 +35,7 @@ std::uint32_t total(const std::vector<std::uint32_t>& counts) {
 
 }  // namespace
 
-TEST_CASE("figures count every point, frame and viewpoint that was asked for") {
+TEST_CASE("figures count every requested point, frame and viewpoint") {
     const Mesh mesh(make_built_in_shape("knot", 3000));
     const FigureData data = bench_figures("knot", mesh, few(), k_context);
     CHECK(data.difference == "");
@@ -70,7 +70,7 @@ TEST_CASE("counts keep the order that their meanings give them") {
     const FigureData data = bench_figures("knot", mesh, few(), k_context);
     for (const ExtractionWork& work : data.extraction) {
         CHECK(work.silhouette > 0.0);
-        // An EBV is asked only where the PBV did not exclude, and leaves' boxes come on top.
+        // An EBV is tested only where the PBV does not exclude the node. Boxes of leaves are added.
         CHECK(work.literal_boxes[1] <= work.literal_boxes[0]);
         CHECK(work.literal_all_boxes[0] > work.literal_boxes[0]);
         CHECK(work.index_boxes < work.literal_boxes[0] + work.literal_boxes[1]);
@@ -92,7 +92,7 @@ TEST_CASE("planes that touch a sphere have Hough and dual points at distance one
     CHECK(data.sfo_edges == 0);
 }
 
-TEST_CASE("a mesh of more faces than asked for is clustered first") {
+TEST_CASE("a mesh of more faces than requested is clustered first") {
     const Mesh mesh(make_built_in_shape("knot", 3000));
     FigureOptions options = few();
     options.max_faces = 800;

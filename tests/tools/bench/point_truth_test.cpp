@@ -133,7 +133,7 @@ TEST_CASE("a sheet is wide open, a sphere smooth, a slit not wide") {
     CHECK_FALSE(cleft.is_wide());
 }
 
-TEST_CASE("border points around a hole in the samples are told from those anywhere else") {
+TEST_CASE("border points around a hole in the samples are distinguished from all others") {
     const CutSphere cut(0.9f);
     const Mesh closed = cut.closed();
     CHECK(point_truth(closed).border_count == 0);

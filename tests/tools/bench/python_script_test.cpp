@@ -27,7 +27,7 @@ TEST_CASE("a script reads what was added and its print is what comes back") {
     CHECK(*text == "(3, 5000000000, 0.5)");
 }
 
-TEST_CASE("a script that fails says nothing whatever it has printed") {
+TEST_CASE("a script that fails has no output whatever it has printed") {
     ScriptInput input;
     REQUIRE(input.is_complete());
     CHECK_FALSE(run_python("import sys\nprint('half')\nsys.exit(77)", input, {}));
@@ -57,7 +57,7 @@ TEST_CASE("a cancelled script is ended and clears away what it made") {
     CHECK_FALSE(std::filesystem::exists(made));
 }
 
-TEST_CASE("a script that does not heed the signal is ended all the same") {
+TEST_CASE("a script that ignores the signal is ended nevertheless") {
     const ScratchFolder folder;
     const std::filesystem::path made = folder / "made";
     cancel_when_made(made,

@@ -98,7 +98,7 @@ TEST_CASE("hits of silhouettes and of every threshold are those that sets of ver
     CHECK(result.thresholds[best].score() < result.umbrellas.score());
 }
 
-TEST_CASE("where nothing is asked for nothing is missed") {
+TEST_CASE("without true points no point is missed") {
     const SilhouetteHits none;
     CHECK(none.recall() == 1.0);
     CHECK(none.precision() == 1.0);

@@ -6,7 +6,8 @@
 
 using namespace rimline;
 
-TEST_CASE("a clustered mesh has as many faces as were asked for and few less, within the bounds") {
+TEST_CASE(
+    "a clustered mesh has at most the requested number of faces and few less, within the bounds") {
     const Mesh mesh(make_built_in_shape("knot", 20'000));
     for (const std::uint32_t faces : {300u, 1000u, 4000u, 15'000u}) {
         CAPTURE(faces);

@@ -65,7 +65,7 @@ TEST_CASE("greedy coverage takes what shows most that is new") {
     CHECK(greedy_coverage(measures, 2) == std::vector<std::size_t>{0, 2});
 }
 
-TEST_CASE("light on a sphere leaves what geometry says in the dark") {
+TEST_CASE("a light on a sphere leaves the share in the dark that geometry predicts") {
     const Mesh mesh(make_built_in_shape("sphere", 20000));
     const LitView view(mesh, mesh.center() + 2.0 * mesh.radius() * glm::dvec3(0, 0, 1));
     const LightMeasure front = view.measure({0, 0, 1});

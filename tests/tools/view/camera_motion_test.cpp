@@ -59,7 +59,7 @@ TEST_CASE("no orbit and no glance passes a pole, whatever is up") {
             if (i % 2 == 0)
                 orbit(camera, by);
             else
-                look_around(camera, by);
+                turn_view(camera, by);
             CHECK(std::abs(elevation_deg(camera)) <= k_max_elevation_deg + 1e-6);
             CHECK(glm::distance(camera.eye, camera.target) == doctest::Approx(distance));
         }
@@ -104,11 +104,11 @@ TEST_CASE("zooming scales distance or height, within its limits") {
 TEST_CASE("looking around keeps the eye; to the right is to the right on the screen") {
     Camera camera = some_camera();
     const Camera before = camera;
-    look_around(camera, {0.1, 0.0});
+    turn_view(camera, {0.1, 0.0});
     CHECK(near(camera.eye, before.eye));
     // What was in the middle is left of it now.
     CHECK(ScreenView(camera, k_size).pixel_of(before.target)->x < 0.5 * k_size.x);
-    look_around(camera, {0.0, 0.1});
+    turn_view(camera, {0.0, 0.1});
     CHECK(ScreenView(camera, k_size).pixel_of(before.target)->y > 0.5 * k_size.y);
 }
 

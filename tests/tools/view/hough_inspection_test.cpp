@@ -33,9 +33,9 @@ TEST_CASE("the inspector's points and settled boxes lie on their sides of the v-
         CHECK(inspection.is_plane() == point.is_direction());
         std::uint32_t inside = 0;
         for (const HoughInspection::Point& shown : inspection.points()) {
-            CHECK(glm::length(shown.place) < 1.0f + 1e-4f);
+            CHECK(glm::length(shown.position) < 1.0f + 1e-4f);
             // A rounding away from the sphere either is right.
-            const glm::dvec3 h(shown.place);
+            const glm::dvec3 h(shown.position);
             const bool sure =
                 is_inside(inspection, h * 1.0001) == is_inside(inspection, h * 0.9999);
             if (sure) CHECK(shown.inside == is_inside(inspection, h));
@@ -57,9 +57,9 @@ TEST_CASE("the inspector's points and settled boxes lie on their sides of the v-
         CHECK(corners > 0);
         const HoughInspection::Blocks& blocks = inspection.blocks();
         CHECK(blocks.all == model.octree().block_count());
-        CHECK(blocks.inside + blocks.outside + blocks.looked_at == blocks.all);
-        CHECK(blocks.looked_at > 0);
-        CHECK(blocks.looked_at < blocks.all / 2);
+        CHECK(blocks.inside + blocks.outside + blocks.tested == blocks.all);
+        CHECK(blocks.tested > 0);
+        CHECK(blocks.tested < blocks.all / 2);
     }
 }
 

@@ -31,12 +31,12 @@ TEST_CASE("a model is opened beside its window and wakes it when it is there") {
     CHECK_FALSE(loader.stage());
     loader.open("shape:torus:2000");
     const ModelLoader::Result result = wait_for(loader);
-    REQUIRE(result.opened.model());
+    REQUIRE(result.document.model());
     CHECK(result.error.empty());
-    CHECK(result.opened.model()->name() == "shape:torus:2000");
-    CHECK(result.opened.model()->mesh().face_count() > 500);
-    CHECK(result.opened.model()->face_tree().block_count() ==
-          result.opened.model()->octree().block_count());
+    CHECK(result.document.model()->name() == "shape:torus:2000");
+    CHECK(result.document.model()->mesh().face_count() > 500);
+    CHECK(result.document.model()->face_tree().block_count() ==
+          result.document.model()->octree().block_count());
     CHECK(wakes > 0);
     CHECK_FALSE(loader.stage());
     CHECK_FALSE(loader.take());
@@ -51,12 +51,12 @@ TEST_CASE("what cannot be opened is told in words that name it and the next mode
          {broken, (folder / "missing.ply").string(), std::string("shape:nonesuch")}) {
         loader.open(name);
         const ModelLoader::Result result = wait_for(loader);
-        CHECK_FALSE(result.opened);
+        CHECK_FALSE(result.document);
         const std::string tail = name.substr(name.find_last_of("/:") + 1);
         CHECK_MESSAGE(result.error.find(tail) != std::string::npos, result.error);
     }
     loader.open("shape:box");
-    CHECK(wait_for(loader).opened.model());
+    CHECK(wait_for(loader).document.model());
 }
 
 TEST_CASE("a file without faces opens as a cloud and so does a model where that is asked for") {
@@ -70,11 +70,11 @@ TEST_CASE("a file without faces opens as a cloud and so does a model where that 
     ModelLoader loader;
     loader.open(points);
     const ModelLoader::Result result = wait_for(loader);
-    REQUIRE_MESSAGE(result.opened.cloud(), result.error);
-    CHECK(result.opened.name() == points);
-    CHECK(result.opened.cloud()->surface().size() == 400);
+    REQUIRE_MESSAGE(result.document.cloud(), result.error);
+    CHECK(result.document.name() == points);
+    CHECK(result.document.cloud()->surface().size() == 400);
     loader.open(CloudArgument{.model = "shape:torus:2000", .as_points = true});
-    CHECK(wait_for(loader).opened.cloud());
+    CHECK(wait_for(loader).document.cloud());
     std::ofstream(points) << "0 0 0\n1 1 nan\n";
     loader.open(points);
     CHECK(wait_for(loader).error.find("nan") != std::string::npos);
@@ -85,8 +85,8 @@ TEST_CASE("opening another model drops the one before and cancelling drops all")
     for (int i = 0; i < 20; ++i) loader.open("shape:knot:200000");
     loader.open("shape:sphere:500");
     const ModelLoader::Result result = wait_for(loader);
-    REQUIRE(result.opened.model());
-    CHECK(result.opened.model()->name() == "shape:sphere:500");
+    REQUIRE(result.document.model());
+    CHECK(result.document.model()->name() == "shape:sphere:500");
     loader.open("shape:knot:200000");
     loader.cancel();
     CHECK_FALSE(loader.take());

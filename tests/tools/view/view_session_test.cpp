@@ -42,10 +42,10 @@ TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look s
         CHECK(all_in_view(session, aspect));
     }
     CHECK(session.lights.size() == 1);
-    session.look.style = Style::toon;
-    session.look.line_width_px = 4.0f;
-    session.look.lines = false;
-    session.look.shadows = false;
+    session.appearance.style = Style::toon;
+    session.appearance.line_width_px = 4.0f;
+    session.appearance.lines = false;
+    session.appearance.shadows = false;
     const Scene scene = session.scene();
     REQUIRE(scene.instances.size() == 1);
     CHECK(scene.instances[0].octree == &session.model().octree());
@@ -54,7 +54,7 @@ TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look s
     CHECK_FALSE(scene.lines);
     CHECK_FALSE(scene.shadows);
     CHECK_FALSE(scene.silhouette_camera);
-    session.look.ground = true;
+    session.appearance.ground = true;
     CHECK(session.scene().instances.size() == 2);
 }
 
@@ -89,9 +89,9 @@ TEST_CASE(
     CHECK(session.cloud().report().consensus_edges == session.cloud_scene().strokes.size());
     const std::uint64_t revision = session.cloud_scene().cloud->revision;
     CHECK(session.cloud_scene().cloud->revision == revision);
-    session.look.color = glm::vec3(1.0f, 0.0f, 0.0f);
+    session.appearance.color = glm::vec3(1.0f, 0.0f, 0.0f);
     CHECK(session.cloud_scene().cloud->revision != revision);
-    session.look.lines = false;
+    session.appearance.lines = false;
     CHECK(session.cloud_scene().strokes.empty());
     CHECK(session.cloud_scene().cloud->strokes.empty());
 }
@@ -119,15 +119,15 @@ TEST_CASE("another lens keeps the size of what lies at the target") {
     ViewSession session;
     session.show(open("shape:torus"), 1.0);
     const double height = view_height(session.camera);
-    session.look.fov_y_deg = 70.0;
+    session.appearance.fov_y_deg = 70.0;
     session.apply_lens();
     CHECK(view_height(session.camera) == doctest::Approx(height));
-    session.look.orthographic = true;
+    session.appearance.orthographic = true;
     session.apply_lens();
     CHECK(session.camera.is_orthographic());
     CHECK(view_height(session.camera) == doctest::Approx(height));
     CHECK(session.silhouette_point().is_direction());
-    session.look.orthographic = false;
+    session.appearance.orthographic = false;
     session.apply_lens();
     CHECK_FALSE(session.camera.is_orthographic());
     CHECK(view_height(session.camera) == doctest::Approx(height));
@@ -137,7 +137,7 @@ TEST_CASE("fitting brings the model back into view from where the camera is, by 
     ViewSession session;
     session.show(open("shape:spring"), 1.2);
     for (const bool orthographic : {false, true}) {
-        session.look.orthographic = orthographic;
+        session.appearance.orthographic = orthographic;
         session.apply_lens();
         orbit(session.camera, {2.0, -0.4});
         pan(session.camera, {3.0, 1.0});
@@ -165,7 +165,7 @@ TEST_CASE("what cannot be drawn gives way to the model before it") {
 TEST_CASE("up is what is chosen: the ground follows it") {
     ViewSession session;
     session.show(open("shape:box"), 1.0);
-    session.look.ground = true;
+    session.appearance.ground = true;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 up(0.0);
         up[axis] = 1.0;

@@ -23,7 +23,7 @@ namespace rimline {
 namespace {
 
 using namespace rimline::tests;
-using tools::LetterTexture;
+using tools::FontTexture;
 using tools::Window;
 using tools::WindowRenderer;
 
@@ -46,7 +46,7 @@ public:
 
     std::unique_ptr<WindowRenderer> make_renderer() {
         const NoFaults none;
-        return std::make_unique<WindowRenderer>(instance_, window_, "", LetterTexture{1, 1, {255}});
+        return std::make_unique<WindowRenderer>(instance_, window_, "", FontTexture{1, 1, {255}});
     }
 
     // Three frames of a camera that moves, as the window shows them. A frame that throws is drawn once
@@ -81,8 +81,8 @@ private:
         for (int attempt = 0; attempt < 100; ++attempt) {
             {
                 const CountingNew counting;
-                if (auto drawn = renderer.draw(scene, overlay_, 1, true))
-                    return std::move(drawn->shown);
+                if (auto frame = renderer.draw(scene, overlay_, 1, true))
+                    return std::move(frame->picture);
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
@@ -172,7 +172,7 @@ TEST_CASE("a window whose image cannot be had or shown shows the next one") {
                 // Only want of memory is told; what is out of date is made again, what is lost too.
                 CHECK(setting->thrown() == (is_out_of_memory(report.result) ? 1 : 0));
                 CHECK(
-                    renderer->remade() ==
+                    renderer->recreation_count() ==
                     (report.result == VK_ERROR_SURFACE_LOST_KHR || setting->thrown() > 0 ? 1 : 0));
             }
 }

@@ -35,9 +35,9 @@ class Shown {
 public:
     explicit Shown(ViewLoopOptions options, bool as_points = false)
         : window("test", k_width, k_height), instance(make_instance(window)) {
-        session.look.ground = true;
-        session.show(open_named({.model = "shape:knot:3000", .as_points = as_points},
-                                [](const std::string&) { return LongCall{}; }),
+        session.appearance.ground = true;
+        session.show(open_document({.model = "shape:knot:3000", .as_points = as_points},
+                                   [](const std::string&) { return LongCall{}; }),
                      double(k_width) / k_height);
         loop.emplace(window, *instance, session, options);
     }
@@ -50,7 +50,7 @@ public:
     // What the window shows in the next frame.
     Picture capture() {
         loop->capture_next();
-        for (int attempt = 0; attempt < 100 && !loop->turn(true); ++attempt)
+        for (int attempt = 0; attempt < 100 && !loop->step(true); ++attempt)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         return loop->captured();
     }
@@ -169,7 +169,7 @@ TEST_CASE(
     for (int i = 0; i < 24; ++i) {
         if (i % 6 == 5) shown.window.set_size(200 + 13 * i, 240 - 5 * i);
         orbit(shown.session.camera, {0.1, 0.02});
-        shown.loop->turn(true);
+        shown.loop->step(true);
     }
     const Picture last = shown.capture();
     CHECK(difference(last, shown.rendered(last.width, last.height)) <= 1);
@@ -185,12 +185,12 @@ TEST_CASE("a cloud in a window without its panel is the picture that points draw
     for (int i = 0; i < 6; ++i) {
         orbit(shown.session.camera, {0.15, 0.03});
         if (i == 2) shown.session.freeze();
-        if (i == 4) shown.session.look.line_width_px = 4.0f;
+        if (i == 4) shown.session.appearance.line_width_px = 4.0f;
         const Picture turned = shown.capture();
         CHECK(difference(turned, shown.rendered(k_width, k_height)) <= 1);
         CHECK(difference(turned, first) > 50);
     }
-    shown.loop->renderer().remake();
+    shown.loop->renderer().recreate();
     shown.resize(401, 203);
     CHECK(difference(shown.capture(), shown.rendered(401, 203)) <= 1);
 }
@@ -200,8 +200,8 @@ TEST_CASE("after a lost device the window shows the same picture again") {
     Shown shown({.panel = false});
     const Picture before = shown.capture();
     for (std::uint32_t i = 1; i <= 2; ++i) {
-        shown.loop->renderer().remake();
-        CHECK(shown.loop->renderer().remade() == i);
+        shown.loop->renderer().recreate();
+        CHECK(shown.loop->renderer().recreation_count() == i);
         CHECK(difference(before, shown.capture()) == 0);
     }
 }
@@ -247,7 +247,7 @@ TEST_CASE("a window that is not shown draws nothing, and then the same picture a
     const Picture before = shown.capture();
     show_window(shown.window, false);
     CHECK(shown.window.size_px().width == 0);
-    for (int turn = 0; turn < 10; ++turn) CHECK_FALSE(shown.loop->turn(true));
+    for (int turn = 0; turn < 10; ++turn) CHECK_FALSE(shown.loop->step(true));
     show_window(shown.window, true);
     CHECK(difference(before, shown.capture()) == 0);
 }
@@ -255,11 +255,11 @@ TEST_CASE("a window that is not shown draws nothing, and then the same picture a
 TEST_CASE("a window that is not shown rests, whatever it has yet to draw") {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true});
-    CHECK(shown.loop->turn(false));  // Coarse, and to be drawn finely soon.
+    CHECK(shown.loop->step(false));  // Coarse, and to be drawn finely soon.
     show_window(shown.window, false);
-    for (int turn = 0; turn < 4; ++turn) shown.loop->turn(false);
+    for (int turn = 0; turn < 4; ++turn) shown.loop->step(false);
     const auto begun = std::chrono::steady_clock::now();
-    for (int turn = 0; turn < 3; ++turn) CHECK_FALSE(shown.loop->turn(false));
+    for (int turn = 0; turn < 3; ++turn) CHECK_FALSE(shown.loop->step(false));
     CHECK(std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(500));
 }
 
@@ -282,9 +282,9 @@ TEST_CASE("a model opened in the window takes the other's place, and a broken on
     Shown shown({.panel = true});
     const auto load = [&](const std::string& name) {
         shown.loop->open(name);
-        for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->turn(true);
-        shown.loop->turn(true);
-        shown.loop->turn(true);
+        for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->step(true);
+        shown.loop->step(true);
+        shown.loop->step(true);
     };
     load("shape:torus:2000");
     CHECK(shown.session.model().name() == "shape:torus:2000");
@@ -303,13 +303,13 @@ TEST_CASE("clouds and models take each other's place in the window") {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = false});
     const auto open = [](const std::string& name, bool as_points) {
-        return open_named({.model = name, .as_points = as_points},
-                          [](const std::string&) { return LongCall{}; });
+        return open_document({.model = name, .as_points = as_points},
+                             [](const std::string&) { return LongCall{}; });
     };
     for (const bool as_points : {true, true, false, true, false}) {
         const std::string name = as_points ? "shape:torus:3000" : "shape:knot:2000";
         shown.session.show(open(name, as_points), double(k_width) / k_height);
-        for (int frame = 0; frame < 4; ++frame) shown.loop->turn(true);
+        for (int frame = 0; frame < 4; ++frame) shown.loop->step(true);
         shown.session.forget_previous();
         CHECK(difference(shown.capture(), shown.rendered(k_width, k_height)) <= 1);
     }

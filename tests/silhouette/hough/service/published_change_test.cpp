@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/hough/service/allocation_faults.h"
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "silhouette/hough/orbit.h"
+#include "silhouette/hough/silhouette_tracker.h"
 #include "tests/silhouette/hough/service/allocation_faults.h"
 #include "tests/silhouette/hough/service/follower.h"
 #include "tests/silhouette/hough/service/indexed_shape.h"

@@ -18,7 +18,7 @@ struct Parents {
     std::vector<std::uint32_t> of;
 };
 
-// 3.4.4 as it reads: sweep over all nodes, from the root, until nothing changes.
+// 3.4.4 literally: passes over all nodes, from the root, until nothing changes.
 std::vector<bool> iterated(const std::vector<OctreeNode>& nodes,
                            const std::vector<NeighborNodes>& graph, std::uint32_t& sweeps) {
     const Parents parents(nodes);
@@ -73,7 +73,7 @@ TEST_CASE("candidates are those that the text's iteration ends with, and the lea
                 REQUIRE(is_candidate == expected[i]);
         }
         CHECK(leaves == found.uncovered_leaves);
-        CHECK(leaves > 0);  // The text does lose some.
+        CHECK(leaves > 0);  // The text misses some.
     }
 }
 
@@ -104,15 +104,15 @@ TEST_CASE("costs are divided as reals") {
     REQUIRE(octree.nodes[child].child_count == 3);
     CHECK(asc_cost(octree.nodes, graph, child, {}) == 2.0 * 1.0 / 3.0);
     CHECK(asc_cost(octree.nodes, graph, 0, {}) == 0.0);  // No depth, no neighbors.
-    // So the root takes over, and with it no leaf is left.
+    // So the root replaces them, and no leaf is left.
     const ActiveSetCandidates found = choose_active_set_candidates(octree.nodes, graph);
     CHECK(found.candidates == std::vector<std::uint32_t>{0});
     CHECK(found.uncovered_leaves == 0);
     CHECK(choose_active_set_candidates({}, {}).candidates.empty());
 }
 
-TEST_CASE("a neighbor's depth counts as w2 says") {
-    // Octants 0 and 7 only: the neighbors of what lies in octant 0 are in it, or are the root.
+TEST_CASE("a neighbor's depth is weighted by w2") {
+    // Octants 0 and 7 only: the neighbors of nodes in octant 0 are in it, or are the root.
     const std::vector<glm::dvec3> points{glm::dvec3(0.0), glm::dvec3(0.3), glm::dvec3(1.0)};
     const PointOctree octree = build_point_octree(points);
     const std::vector<NeighborNodes> graph = build_neighbor_graph(octree.nodes);

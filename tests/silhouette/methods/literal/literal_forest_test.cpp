@@ -2,16 +2,14 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <type_traits>
 
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/orbit.h"
-#include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/methods/literal/literal_octree.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
-#include "tests/silhouette/hough/support/probe_points.h"
+#include "tests/silhouette/methods/literal/literal_extraction.h"
 
 namespace rimline {
 namespace {
@@ -21,21 +19,6 @@ constexpr LiteralCulling k_cullings[] = {LiteralCulling::points_and_edges,
 
 static_assert(!std::is_constructible_v<LiteralForest, Mesh, std::span<const glm::dvec3>,
                                        std::span<const std::uint32_t>, LiteralCulling>);
-
-void check_extraction(const Mesh& mesh, const LiteralForest& forest, std::uint32_t points,
-                      std::uint64_t seed) {
-    CAPTURE(seed);
-    tests::ProbePoints probes(mesh, seed);
-    std::vector<EdgeId> edges{k_no_edge};  // Replaced, not appended to.
-    for (std::uint32_t i = 0; i < points; ++i) {
-        const HomogeneousPoint p = probes.next();
-        CAPTURE(i);
-        LiteralCounters counters;
-        forest.extract(p, edges, counters);
-        std::sort(edges.begin(), edges.end());
-        REQUIRE(edges == brute_force_silhouette(mesh, p));
-    }
-}
 
 TEST_CASE("with several origins the literal extraction equals brute force by either culling") {
     for (const auto& [name, source] : tests::made_meshes(1200)) {
@@ -53,7 +36,7 @@ TEST_CASE("with several origins the literal extraction equals brute force by eit
             for (const LiteralCulling culling : k_cullings) {
                 CAPTURE(int(culling));
                 for (const std::uint32_t bucket : {1u, 7u})
-                    check_extraction(
+                    tests::check_literal_extraction(
                         mesh,
                         LiteralForest(mesh, std::span(origins).first(count), grouped.face_groups(),
                                       culling, {.bucket_size = bucket}),
@@ -69,7 +52,8 @@ TEST_CASE("faces may belong to any origin") {
     std::vector<std::uint32_t> groups(mesh.face_count());
     for (std::uint32_t f = 0; f < groups.size(); ++f) groups[f] = f * 2654435761u % 3;
     for (const LiteralCulling culling : k_cullings)
-        check_extraction(mesh, LiteralForest(mesh, origins, groups, culling), 200, 5);
+        tests::check_literal_extraction(mesh, LiteralForest(mesh, origins, groups, culling), 200,
+                                        5);
 }
 
 TEST_CASE("with one origin a forest counts what the literal octree counts") {

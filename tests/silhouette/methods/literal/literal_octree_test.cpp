@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <numeric>
 #include <type_traits>
 
@@ -10,36 +9,18 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
-#include "tests/silhouette/hough/support/probe_points.h"
+#include "tests/silhouette/methods/literal/literal_extraction.h"
 
 namespace rimline {
 namespace {
 
 static_assert(!std::is_constructible_v<LiteralOctree, Mesh>);
 
-void check_extraction(const LiteralOctree& octree, std::uint32_t points, std::uint64_t seed) {
-    CAPTURE(seed);
-    tests::ProbePoints probes(octree.mesh(), seed);
-    std::vector<EdgeId> edges{k_no_edge};  // Replaced, not appended to.
-    for (std::uint32_t i = 0; i < points; ++i) {
-        const HomogeneousPoint p = probes.next();
-        CAPTURE(i);
-        CAPTURE(p.x);
-        CAPTURE(p.y);
-        CAPTURE(p.z);
-        CAPTURE(p.w);
-        LiteralCounters counters;
-        octree.extract(p, edges, counters);
-        std::sort(edges.begin(), edges.end());
-        REQUIRE(edges == brute_force_silhouette(octree.mesh(), p));
-    }
-}
-
 TEST_CASE("the literal extraction equals brute force on every made mesh") {
     for (const auto& [name, source] : tests::made_meshes(3000)) {
         CAPTURE(name);
         const Mesh mesh(source);
-        check_extraction(LiteralOctree(mesh), 500, 101);
+        tests::check_literal_extraction(mesh, LiteralOctree(mesh), 500, 101);
     }
 }
 
@@ -59,7 +40,7 @@ TEST_CASE("the literal extraction is right from every origin and with every size
                     options.small_leaf = small_leaf;
                     CAPTURE(octree.bucket_size);
                     CAPTURE(octree.max_depth);
-                    check_extraction(LiteralOctree(mesh, options), 40, 102);
+                    tests::check_literal_extraction(mesh, LiteralOctree(mesh, options), 40, 102);
                 }
     }
 }
@@ -155,7 +136,8 @@ TEST_CASE("counters are added to, and tell PBVs from EBVs") {
     std::vector<EdgeId> edges;
     LiteralCounters once;
     octree.extract(p, edges, once);
-    CHECK(once.pbv_checks > once.ebv_checks);  // An EBV is asked only where the PBV is not outside.
+    CHECK(once.pbv_checks >
+          once.ebv_checks);  // An EBV is tested only where the PBV is not outside.
     CHECK(once.ebv_checks > 0);
     CHECK(once.obv_checks == 0);
     CHECK(once.box_checks() == once.pbv_checks + once.ebv_checks);

@@ -85,7 +85,7 @@ TEST_CASE("the walk finds what turns far from where the previous v-sphere meets 
 
 TEST_CASE("the walk as written loses faces, the walk and the traversal do not") {
     // All Hough points of a sphere around the origin are far from it. From inside, the v-sphere is
-    // smaller than that and meets none: the active set is empty, and the text never looks again.
+    // smaller and meets none: the active set is empty, and the walk of the text finds nothing from then on.
     const Mesh sphere(make_built_in_shape("sphere", 2000));
     const LiteralOctree octree(sphere);
     const HomogeneousPoint inside = HomogeneousPoint::viewpoint({0.05f, 0.02f, 0.01f});
@@ -183,8 +183,8 @@ TEST_CASE("what a small step looks at is a small part of the mesh") {
     }
 }
 
-// The walk is to spare the PBVs above the active-set candidates. It pays with octants along the v-sphere.
-TEST_CASE("a walk asks fewer PBVs than a traversal, and OBVs instead") {
+// The walk avoids the PBVs above the active-set candidates. It tests octants along the v-sphere instead.
+TEST_CASE("a walk tests fewer PBVs than a traversal, and OBVs instead") {
     const Mesh mesh(make_built_in_shape("knot", 40000));
     const LiteralOctree octree(mesh);
     const OrbitWork full =

@@ -1,6 +1,6 @@
 #pragma once
 
-// A random walk that checks everything a LiteralTracker holds against brute force after each move.
+// A random walk that compares the state of a LiteralTracker with brute force after each move.
 
 #include <doctest/doctest.h>
 

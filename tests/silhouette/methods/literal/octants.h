@@ -1,6 +1,6 @@
 #pragma once
 
-// Octrees for tests, and the region of each node, found by walking down from the root.
+// Octrees for tests, and the region of each node, computed from the root down.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,7 +15,7 @@ namespace rimline::tests {
 /// points, and large empty regions. All octants of their octree are exact.
 std::vector<glm::dvec3> clustered_points(std::uint32_t count, std::uint64_t seed);
 
-/// By node.
+/// One a node.
 std::vector<Octant> octants_of(std::span<const OctreeNode> nodes, const Octant& root);
 
 inline bool holds(const Octant& octant, const glm::dvec3& point) {

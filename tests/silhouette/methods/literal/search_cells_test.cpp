@@ -92,7 +92,7 @@ TEST_CASE("a tile's neighbors lie along all of its face, or are what covers it")
     }
 }
 
-TEST_CASE("boxes are widened as asked") {
+TEST_CASE("boxes are widened by the error") {
     const Walkable walkable(50);
     const SearchCells wide = build_search_cells(walkable.octree, walkable.candidates, 0.125);
     CHECK(wide.boxes[0].low[0] == -0.125f);

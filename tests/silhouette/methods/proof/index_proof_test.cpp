@@ -1,6 +1,6 @@
-// The index and its tracker against brute force: in small at every run, four million times when asked
-// for. That is several cases of about a minute, so that two cores have work. What fails names the mesh,
-// the layout, the instruction set, the seed and the point.
+// The index and its tracker against brute force: a small number of comparisons at every run, four million in
+// the cases labeled `long`. These are several cases of about a minute, to use two cores. A failure names the
+// mesh, the layout, the instruction set, the seed and the point.
 
 #include <doctest/doctest.h>
 
@@ -45,7 +45,7 @@ tests::Tally prove_made(std::uint32_t faces, const tests::Quota& quota, std::uin
     return tally;
 }
 
-// Each file that is found; none is skipped in silence.
+// Each file that exists. The case reports itself skipped where one is missing.
 void prove_models(std::span<const std::string_view> files, const tests::Quota& quota,
                   std::uint64_t seed) {
     tests::Tally tally;
@@ -73,7 +73,7 @@ TEST_CASE("in small: the index equals brute force on meshes of every generated k
     CHECK(tally.rounded_bits > 0);
     CHECK(tally.fresh_moves > 0);
     CHECK(tally.fresh_moves < tally.moves);
-    CHECK(tally.instruction_sets.size() >= 2);  // Scalar code is there on every machine.
+    CHECK(tally.instruction_sets.size() >= 2);  // Every machine has scalar code.
 }
 
 TEST_CASE("in small: the index equals brute force on built-in shapes and hard meshes") {
@@ -82,7 +82,7 @@ TEST_CASE("in small: the index equals brute force on built-in shapes and hard me
 }
 
 TEST_SUITE("long") {
-    // Of extractions and of moves, in each of four parts.
+    // Extractions, and as many moves, in each of four parts.
     constexpr std::uint32_t k_part = 1'000'000;
     constexpr std::uint32_t k_part_meshes = k_generated / 4;
 

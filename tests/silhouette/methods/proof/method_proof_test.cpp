@@ -1,4 +1,4 @@
-// Every exact method against brute force, from the same hostile points.
+// Every exact method against brute force, from the same difficult points.
 
 #include <doctest/doctest.h>
 

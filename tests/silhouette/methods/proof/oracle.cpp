@@ -8,7 +8,7 @@ namespace rimline::tests {
 
 namespace {
 
-// On x86-64, 64 bits: exact products, and sums that err by 2^-40 of what floats may.
+// On x86-64 it has 64 bits: exact products, and sums with 2^-40 of the error of floats.
 using Wide = long double;
 
 bool is_exactly_front(const Plane& plane, const HomogeneousPoint& p) {

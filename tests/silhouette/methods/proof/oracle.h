@@ -1,9 +1,9 @@
 #pragma once
 
-// Brute force that is fast enough to be asked a million times, and is itself checked on the way.
+// Brute force that is fast enough for a million comparisons, and is itself checked.
 //
-// The reference is PackedBruteForce. On every mesh its first answers and one in k_check_every of the rest
-// must be what brute_force.h, the definition, says.
+// The reference is PackedBruteForce. On every mesh its first results and one in k_check_every of the rest
+// must equal those of brute_force.h, the definition.
 
 #include <cstdint>
 #include <span>
@@ -22,14 +22,14 @@ public:
 
     /// Fails the running test case if brute force and its packed form do not agree.
     void look_from(const HomogeneousPoint& point);
-    /// Whether `edges`, in any order, are the silhouette from there, each once.
+    /// Whether `edges`, in any order, are the silhouette from this point, each once.
     bool agrees(std::span<const EdgeId> edges);
     /// Ascending.
     std::span<const EdgeId> silhouette() const { return edges_; }
 
     std::uint64_t checked_looks() const { return checked_looks_; }
-    /// Over all checked looks, the faces whose bit is not that of their plane in exact arithmetic: where
-    /// the point is so near to the plane that only the face bit's own rounding decides.
+    /// The number of faces, over all checked points, whose bit is not that of exact arithmetic: the point
+    /// is so near to the plane that the rounding of the face bit decides.
     std::uint64_t rounded_bits() const { return rounded_bits_; }
 
 private:

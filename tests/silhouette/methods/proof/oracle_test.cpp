@@ -40,7 +40,7 @@ TEST_CASE("the oracle takes the silhouette in any order and nothing else") {
     CHECK_FALSE(oracle.agrees({}));
     CHECK(oracle.agrees(edges));
 
-    // What was right from there is wrong from elsewhere.
+    // A right result for one point is wrong for another.
     oracle.look_from(HomogeneousPoint::viewpoint({-3.0f, 1.0f, 2.0f}));
     CHECK_FALSE(oracle.agrees(edges));
     oracle.look_from(point);

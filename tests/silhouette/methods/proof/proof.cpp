@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "silhouette/hough/silhouette_tracker.h"
-#include "silhouette/methods/silhouette_method.h"
+#include "silhouette/methods/method_registry.h"
 #include "tests/silhouette/hough/shadow_consumer.h"
 #include "tests/silhouette/hough/support/hostile_walk.h"
 #include "tests/silhouette/hough/support/instruction_sets.h"

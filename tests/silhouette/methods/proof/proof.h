@@ -1,8 +1,8 @@
 #pragma once
 
-// The proof: how often, on what and how hard the index and the methods were compared with brute force.
+// Comparisons of the index and the methods with brute force, and their counts.
 //
-// An extraction is one answer of one method for one (mesh, point) pair. A move is one change set of a
+// An extraction is one result of one method for one (mesh, point) pair. A move is one change set of a
 // SilhouetteTracker, checked completely (shadow_consumer.h), or one update of another method.
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct Tally {
 /// For MESSAGE.
 std::string to_string(const Tally& tally);
 
-/// How many extractions and as many moves to try on one mesh.
+/// The numbers of extractions and of moves for one mesh.
 struct Quota {
     std::uint32_t extractions, moves;
 };

@@ -1,5 +1,5 @@
-// What is built, what is found, in which order and by how much work do not depend on how many threads
-// build an index, nor on how many trackers use it at once.
+// The built index, its results, their order and the work do not depend on the number of threads that build
+// the index, nor on the number of trackers that use it at the same time.
 
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>
@@ -21,7 +21,7 @@
 namespace rimline {
 namespace {
 
-// All that anyone can see of an index, its order included.
+// All public data of an index, with its order.
 struct Trace {
     std::vector<std::uint64_t> numbers;
     bool operator==(const Trace&) const = default;
@@ -77,7 +77,7 @@ void add_walk(const HoughOctree& octree, std::uint32_t moves, std::uint64_t seed
     }
 }
 
-// Of an index built by so many threads, more than there are cores among them.
+// The data of an index built by `threads` threads. Some numbers exceed the number of cores.
 Trace trace_of(const Mesh& mesh, const HoughOctreeOptions& options, int threads,
                std::uint32_t moves, std::uint64_t seed) {
     const auto most = static_cast<std::size_t>(threads);

@@ -1,0 +1,36 @@
+"""folders.py CHECK ROOT: the folders keep their order. CHECK is one of
+
+few     engine/ and tools/ hold at most MAX_FILES files each, folders not counted
+mirror  every test lies in tests/ in a folder of the same path as the folder that it tests
+"""
+
+import pathlib
+import sys
+
+MAX_FILES = 36
+# Tests of no single folder: a Vulkan that fails on demand, and the long comparison of all methods.
+OTHER_TESTS = ("tests/engine/faults", "tests/silhouette/methods/proof")
+
+
+def few(root):
+    for folder in ("engine", "tools"):
+        count = sum(path.is_file() for path in (root / folder).iterdir())
+        if count > MAX_FILES:
+            yield f"{folder}/ holds {count} files, at most {MAX_FILES} may be: move some into a folder"
+
+
+def mirror(root):
+    for suffix in ("cpp", "py"):
+        for path in sorted((root / "tests").rglob(f"*_test.{suffix}")):
+            folder = path.parent.relative_to(root)
+            if folder.as_posix() not in OTHER_TESTS and not (root / folder.relative_to("tests")).is_dir():
+                yield f"{path.relative_to(root)} tests no folder: there is no {folder.relative_to('tests')}"
+
+
+def main():
+    found = list({"few": few, "mirror": mirror}[sys.argv[1]](pathlib.Path(sys.argv[2])))
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+sys.exit(main())

@@ -1,0 +1,190 @@
+"""What all subcommands share: help, wrong usage, bad input, a machine or a build that lacks something."""
+import os
+import re
+import resource
+import subprocess
+import tempfile
+
+from program import COMMANDS, PROGRAM, fail, has_methods, have_device, run, skip, succeed
+
+
+def test_version_and_help_go_to_standard_output():
+    version = run("--version")
+    assert version.returncode == 0 and re.fullmatch(r"rimline \d+\.\d+\.\d+\n", version.stdout)
+    help_text = run("--help")
+    assert help_text.returncode == 0 and help_text.stderr == ""
+    assert all(command in help_text.stdout for command in COMMANDS)
+
+
+def test_every_subcommand_has_help():
+    suites = [("bench", suite) for suite in ("hough", "service", "engine", "fields", "views", "points")]
+    assert all("  " + suite in run("bench", "--help").stdout for _, suite in suites)
+    for command in [(name,) for name in COMMANDS] + suites:
+        result = run(*command, "--help")
+        assert result.returncode == 0 and result.stderr == "", command
+        assert "Usage: rimline " + " ".join(command) in result.stdout
+        assert "--json" in result.stdout
+        assert "\n\n\n" not in result.stdout
+        assert all(len(line) <= 110 for line in result.stdout.splitlines()), command
+
+
+def test_wrong_usage_exits_2():
+    result = run()
+    assert result.returncode == 2 and result.stdout == ""
+    assert all(command in result.stderr for command in COMMANDS)
+    box = "shape:box"
+    for arguments in (
+            ["frobnicate"], ["frobnicate", "--help"], ["--frobnicate"], ["info"], ["info", box, "--frobnicate"], ["info", box, box],
+            ["info", "shape:cube"], ["info", "shape:box:0"], ["info", box, "--subdivide", "-1"],
+            ["info", box, "--subdivide", "99"],
+            ["silhouette", box], ["silhouette", "--from", "1,2,3"],
+            ["silhouette", box, "--from", "1,2"], ["silhouette", box, "--from", "1,2,nan"],
+            ["silhouette", box, "--from", "1,2,1e19"], ["silhouette", box, "--direction", "0,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--direction", "1,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--from", "1,2,3"],
+            ["silhouette", box, "--from", "1,2,3", "--method", "nonsense"], ["silhouette", box, "--from", "1,2,3", "--method", "gauss"],
+            ["silhouette", box, "--from", "1,2,3", "--method", "dual", "--origin", "0,0,0", "--origin", "1,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--method", "brute", "--origin", "0,0,0"],
+            ["silhouette", box, "--from", "1,2,3", "--seed", "3"], ["info", box, "--threads", "0"],
+            ["silhouette", box, "--from", "1,2,3", "-o", "lines.pdf"], ["silhouette", box, "--from"],
+            ["track", box, "--frames", "0"], ["track", box, "--frames", "2.5"], ["track", box, "--step", "x"],
+            ["info", ""], ["info", "--json", "--json=maybe", box], ["help", "frobnicate"], ["--json", "frobnicate"],
+            ["track", box, "--path", ""], ["track", box, "--up", "0,0,0"], ["track", box, "--radius", "-1"], ["track", box, "--radius", "inf"],
+            ["points"], ["points", "shape:cube"], ["points", box, "--eye", "1,2"], ["points", box, "-k", "3"],
+            ["points", box, "--as-points", "--from", "1,2,3", "--direction", "1,0,0"],
+            ["points", box, "--as-points", "--method", "best"], ["points", box, "--as-points", "--omega", "90"],
+            ["points", box, "--as-points", "--gap-ratio", "2", "--omega", "30"],
+            ["points", box, "--as-points", "--method", "robust", "--gamma", "2"],
+            ["points", box, "--as-points", "--omega", "20", "--omega-t", "25"],
+            ["points", box, "--as-points", "--export", "labels.obj"], ["points", box, "--as-points", "--mode", "all"],
+            ["points", box, "--as-points", "--verify"], ["points", box, "--as-points", "--turn", "0"],
+            ["bench"], ["bench", "nothing"], ["bench", "fields", box, "--rounds", "0"]):
+        line = fail(2, *arguments)
+        assert "--help" in line, line
+
+
+def test_help_and_version_stand_wherever_one_looks_for_them():
+    assert run("help").stdout == run("--help").stdout != ""
+    assert run("help", "track").stdout == run("track", "--help").stdout != ""
+    assert "\n  rimline render " in run("help").stdout and "rimline render" in run().stderr
+    for command in COMMANDS:
+        result = run(command, "--version")
+        assert result.returncode == 0 and result.stdout == run("--version").stdout, command
+    before, after = run("--json", "info", "shape:box"), run("info", "shape:box", "--json")
+    assert before.returncode == 0 and before.stdout == after.stdout
+
+
+def test_wrong_usage_is_told_in_plain_words():
+    view = ["silhouette", "shape:box", "--from", "1,2,3"]
+    assert "--from: give it only once" in fail(2, *view, "--from", "1,2,3")
+    assert "--from: expects a value" in fail(2, "silhouette", "shape:box", "--from")
+    assert "--method: expected octree, literal, brute, brute-scalar, edge-buffer, dual, plane-tree, gauss, cone-tree, quadric or randomised, not 'foo'" in fail(2, *view, "--method", "foo")
+    assert "--method gauss: takes directions only" in fail(2, *view, "--method", "gauss")
+    assert "--origin: belongs to --method octree, literal or dual" in fail(2, *view, "--method", "brute", "--origin", "0,0,0")
+    assert "several belong to --method octree" in fail(2, *view, "--method", "literal", "--origin", "0,0,0", "--origin", "1,0,0")
+    assert "--seed: belongs to --method randomised" in fail(2, *view, "--seed", "3")
+    assert "SUITE: expected one of {hough,service,engine,fields,views,points}, not 'foo'" in fail(2, "bench", "foo")
+    assert "MODEL: expected a file or shape:NAME" in fail(2, "info", "")
+    apart = succeed("silhouette", "shape:box", "--from", " 1, 2 ,+3")
+    assert apart["edges"] == succeed(*view)["edges"]
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+
+
+def test_what_is_too_large_is_refused_by_its_name():
+    for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"]):
+        line = fail(1, *command, "shape:sphere:10", "--subdivide", "14")
+        assert line.startswith("rimline: error: shape:sphere:10: 20 faces refined 14 times"), line
+        assert "; take fewer" in line
+    if run("--version", preexec_fn=limit_memory).returncode != 0:
+        skip("the program does not start with 1 GiB of memory, as under sanitizers")
+    # The first does not hold the shape, the second not its mesh.
+    for shape in ("shape:knot:200000000", "shape:knot:16000000"):
+        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"]):
+            result = run(*command, shape, preexec_fn=limit_memory)
+            assert result.returncode == 1, (result.returncode, result.stderr)
+            assert result.stderr.startswith(f"rimline: error: {shape}: there is not enough memory"), result.stderr
+
+
+def test_bad_input_exits_1_with_one_line_that_names_it():
+    with tempfile.TemporaryDirectory() as folder:
+        bad = os.path.join(folder, "bad.obj")
+        with open(bad, "w") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 zero\nf 1 2 3\n")
+        points = os.path.join(folder, "points.txt")
+        with open(points, "w") as file:
+            file.write("1 2 3\n1 2\n")
+        gone = os.path.join(folder, "gone.obj")
+        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"]):
+            assert gone in fail(1, *command, gone)
+            assert bad + ":3" in fail(1, *command, bad, "--json")
+            assert folder in fail(1, *command, folder)
+        assert points + ":2" in fail(1, "track", "shape:box", "--path", points)
+        assert gone in fail(1, "track", "shape:box", "--path", gone)
+
+
+def test_a_model_too_small_to_be_seen_is_an_error():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "tiny.obj")
+        for size in (1e-14, 1e-18, 1e-40):
+            with open(path, "w") as file:
+                for a in (0, 1):
+                    for corner in ((a, 0, 0), (0, a, 0), (0, 0, a)):
+                        file.write("v %g %g %g\n" % tuple(size * x for x in corner))
+                file.write("f 1 5 4\nf 1 6 5\nf 1 4 6\nf 4 5 6\n")
+            for command in (["info"], ["silhouette", "--from", "1,2,3"]):
+                if size < 1e-14:
+                    assert path + ": too small" in fail(1, *command, path)
+                else:
+                    succeed(*command, path)
+
+
+def test_a_model_too_large_to_be_seen_from_around_is_an_error():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "huge.obj")
+        with open(path, "w") as file:
+            file.write("v 9e17 0 0\nv 0 9e17 0\nv 0 0 9e17\nv -9e17 0 0\nf 1 2 3\nf 2 4 3\n")
+        assert path in fail(1, "bench", "service", path)
+        assert path in fail(1, "bench", "fields", path)
+        have_device()
+        output = os.path.join(folder, "views")
+        for command in (["views", "-o", output], ["path", "-o", output], ["bench", "views"], ["bench", "engine"]):
+            assert path + ": too large" in fail(1, *command, path)
+
+
+def test_a_full_disk_behind_standard_output_is_an_error():
+    if not os.path.exists("/dev/full"):
+        skip("no /dev/full")
+    for arguments in (["info", "shape:box", "--json"], ["--help"], ["track", "--help"], ["--version"], ["info", "--version"]):
+        for where in (">/dev/full", ">&-"):
+            result = subprocess.run(["sh", "-c", 'exec "$0" "$@" ' + where, PROGRAM, *arguments],
+                                    stderr=subprocess.PIPE, text=True, timeout=60)
+            assert result.returncode == 1 and result.stderr.count("\n") == 1, (arguments, where, result)
+            assert result.stderr.startswith("rimline: error: standard output: cannot write: "), result.stderr
+            assert "Success" not in result.stderr, (arguments, where, result)
+
+
+def test_a_build_without_the_other_methods_says_so():
+    view = ["silhouette", "shape:knot:2000", "--from", "4,1,2"]
+    octree, brute = (succeed(*view, "--method", name) for name in ("octree", "brute-scalar"))
+    assert octree["edges"] == brute["edges"] != []
+    if has_methods():
+        skip("built with the other silhouette methods")
+    why = ": this rimline was built without the other silhouette methods; configure it with -DRIMLINE_METHODS=ON"
+    assert "silhouette --method literal" + why in fail(1, *view, "--method", "literal")
+    assert "origins --literal" + why in fail(1, "origins", "shape:box", "--literal")
+    assert "bench hough" + why in fail(1, "bench", "hough", "shape:box", "--check")
+    assert succeed("bench", "fields", "shape:knot:2000", "--rounds", "1")["machine"]["packed"] is None
+
+
+def test_a_machine_without_devices_ends_with_one_line():
+    with tempfile.TemporaryDirectory() as folder:
+        for variable in ("VK_ICD_FILENAMES", "VK_DRIVER_FILES"):
+            result = run("render", "shape:box", "-o", os.path.join(folder, "a.png"),
+                         env={**os.environ, variable: "/nonexistent"})
+            assert result.returncode == 1, result
+            assert result.stderr.startswith("rimline: error: there is no Vulkan device: "), result.stderr
+            assert result.stderr.count("\n") == 1, result.stderr
+            assert os.listdir(folder) == []

@@ -1,0 +1,176 @@
+"""rimline points."""
+import json
+import math
+import os
+import struct
+import tempfile
+
+from program import fail, have_device, png_size, run, skip, succeed
+
+
+def check_points(found):
+    count, numbers = found["points"], found["numbers"]
+    assert len(numbers) == len(found["features"]) == count
+    assert numbers == sorted(set(numbers)) and (count == 0 or numbers[-1] < found["file_points"])
+    left_out = found["duplicates"] + found["dropped"] + found["unused"]
+    assert count + left_out == found["file_points"]
+    assert all(0.0 <= weight <= 1.0 for weight in found["features"])
+    known = set(numbers)
+    for name in ("border", "undecided", "silhouette"):
+        assert found[name] == sorted(set(found[name])) and known.issuperset(found[name]), name
+    labels = found["labels"]
+    assert sum(labels.values()) == count
+    assert len(found["border"]) == labels["border"] and len(found["undecided"]) == labels["undecided"]
+    assert sum(found["reasons"].values()) == labels["undecided"]
+    edges = found["consensus_edges"]
+    assert edges == sorted(edges) and all(a < b for a, b in edges)
+    on = set(found["silhouette"])
+    assert all(a in on and b in on for a, b in edges)
+    assert len(on) == found["silhouette_points"] and len(edges) == found["consensus_edge_count"]
+    assert found["ms"] >= found["umbrellas_ms"] >= 0
+
+
+def test_points_tell_borders_features_and_silhouettes_of_a_model_without_its_faces():
+    found = succeed("points", "shape:terrain:8000", "--as-points", "--eye", "2,3,4")
+    check_points(found)
+    info = succeed("info", "shape:terrain:8000")
+    assert found["points"] == info["vertices"] and found["dropped"] == found["duplicates"] == 0
+    assert math.isclose(found["radius"], info["radius"]) and found["center"] == info["center"]
+    truth = found["truth"]
+    assert truth["border"] == info["border_edges"]
+    assert truth["border"] - truth["missed"] + truth["extra"] == found["labels"]["border"]
+    assert math.isclose(truth["missed_percent"], 100 * truth["missed"] / truth["border"])
+    assert found["silhouette"] and found["consensus_edges"] and found["arcs"] > 0
+    again = succeed("points", "shape:terrain:8000", "--as-points", "--from", "2,3,4", "--threads", "1")
+    for key in ("border", "silhouette", "consensus_edges", "features", "truth"):
+        assert again[key] == found[key], key
+    thesis = [succeed("points", "shape:terrain:8000", "--as-points", *options)["border"] for options in
+              (["--method", "thesis"], ["--omega", "30", "--omega-t", "10", "--phi", "150", "--gamma", "2"],
+               ["--omega", "5"])]
+    assert thesis[0] == thesis[1] != thesis[2]  # Degrees, and what is the default.
+    without = succeed("points", "shape:terrain:8000", "--as-points", "--no-lists")
+    assert "border" not in without and without["silhouette_points"] == 0
+    closed = succeed("points", "shape:sphere:5000", "--as-points", "--direction", "1,2,3")
+    check_points(closed)
+    assert closed["truth"] == {"border": 0, "missed": 0, "extra": closed["labels"]["border"],
+                               "missed_percent": None, "extra_percent": None}
+    text = run("points", "shape:terrain:8000", "--as-points", "--eye", "2,3,4")
+    assert text.returncode == 0 and "silhouette  %d points" % found["silhouette_points"] in text.stdout
+
+
+def test_points_take_a_model_with_faces_only_when_told_to():
+    assert "--as-points" in fail(1, "points", "shape:box")
+    with tempfile.TemporaryDirectory() as d:
+        obj = os.path.join(d, "a.obj")
+        open(obj, "w").write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\n")
+        assert "it has 1 faces" in fail(1, "points", obj)
+        found = succeed("points", obj, "--as-points")
+        check_points(found)
+        assert found["points"] == 3 and found["unused"] == 1
+
+
+def test_points_far_from_zero_equal_to_others_and_not_finite():
+    with tempfile.TemporaryDirectory() as d:
+        def cloud(offset):
+            path = os.path.join(d, "a.xyz")
+            rows = []
+            for i in range(900):
+                z = 1 - (2 * i + 1) / 900
+                r, angle = math.sqrt(1 - z * z), i * math.pi * (3 - math.sqrt(5))
+                # On a lattice on which adding the offset is exact.
+                at = [round(c * 2 ** 20) / 2 ** 30 for c in (r * math.cos(angle), r * math.sin(angle), z)]
+                rows.append(" ".join(repr(c + offset) for c in at))
+            open(path, "w").write("\n".join(rows + [rows[7], "nan 0 0", rows[9], "0 inf 0"]) + "\n")
+            return path
+
+        def of(offset):
+            return succeed("points", cloud(offset), "--drop-bad", "--eye",
+                           ",".join(repr(c + offset) for c in (2 ** -9, 2 ** -10, -2 ** -9)))
+        assert "a.xyz:902: point 901 is nan 0 0" in fail(1, "points", cloud(0.0))
+        near, far = of(0.0), of(float(2 ** 20))
+        check_points(near)
+        check_points(far)
+        assert near["points"] == 900 and near["duplicates"] == 2 and near["dropped"] == 2
+        assert near["silhouette"] and near["silhouette"] == far["silhouette"]
+        assert near["features"] == far["features"] and near["consensus_edges"] == far["consensus_edges"]
+
+
+def test_points_of_hardly_any_cloud_are_undecided_with_a_reason():
+    with tempfile.TemporaryDirectory() as d:
+        path = os.path.join(d, "a.xyz")
+        for text in ("1 2 3\n", "1 2 3\n1 2 4\n", "0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4\n", "1 2 3\n" * 50):
+            open(path, "w").write(text)
+            found = succeed("points", path, "--eye", "9,9,9")
+            check_points(found)
+            assert found["labels"]["undecided"] == found["points"] and found["silhouette"] == []
+        open(path, "w").write("nan 1 2\n")
+        assert succeed("points", path, "--drop-bad")["points"] == 0
+
+
+def test_points_are_exported_with_normals_labels_and_weights():
+    with tempfile.TemporaryDirectory() as d:
+        path = os.path.join(d, "labels.ply")
+        found = succeed("points", "shape:terrain:3000", "--as-points", "--direction", "0,1,3", "--export", path)
+        assert found["export"] == path
+        header, body = open(path, "rb").read().split(b"end_header\n", 1)
+        record = struct.Struct("<3d3f3B2BfBI")
+        assert f"element vertex {found['points']}\n".encode() in header
+        rows = list(record.iter_unpack(body))
+        assert len(rows) == found["points"]
+        assert [row[13] for row in rows] == found["numbers"]
+        assert [row[13] for row in rows if row[9] == 0] == found["border"]
+        assert [row[13] for row in rows if row[12] == 1] == found["silhouette"]
+        assert all(abs(row[11] - weight) < 1e-6 for row, weight in zip(rows, found["features"]))
+        assert all(abs(math.hypot(*row[3:6]) - 1) < 1e-6 for row in rows if row[9] != 3)
+        # What was written is a cloud again, with normals and colors.
+        assert succeed("points", path)["points"] == found["points"]
+        fail(1, "points", "shape:box", "--as-points", "--export", os.path.join(d, "none", "a.ply"))
+
+
+def test_points_follow_a_turn_around_a_cloud():
+    found = succeed("points", "shape:knot:4000", "--as-points", "--turn", "60", "--step", "2", "--verify", "--no-lists")
+    turn = found["turn"]
+    assert found["verified"] is True and turn["frames"] == 60 and turn["step"] == 2
+    assert 0 < turn["median_us"] <= turn["p99_us"] <= turn["worst_us"]
+    assert turn["changed_points"] > 0 and found["silhouette_points"] == 0
+    assert "verified" not in succeed("points", "shape:box:600", "--as-points", "--turn", "3", "--no-lists")
+    with tempfile.TemporaryDirectory() as d:
+        path = os.path.join(d, "a.xyz")
+        open(path, "w").write("1 2 3\n")
+        assert succeed("points", path, "--turn", "5", "--verify")["verified"] is True
+
+
+def test_points_draw_clouds():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for options in ([], ["--eye", "3,2,4"], ["--eye", "3,2,4", "--target", "0,0.2,0", "--fov", "60"],
+                        ["--ortho", "3"], ["--direction", "1,0,0", "--background", "#102030"], ["--up", "1,0,0"],
+                        ["--from", "0,3,0", "--mode", "compare"]):
+            found = succeed("points", "shape:terrain:2000", "--as-points", "-o", output, "--size", "96x64", *options)
+            check_points(found)
+            assert found["output"] == output and found["device"] and found["picture_ms"] > 0
+            sheet = (2 * 96 + 3 * 8, 3 * 64 + 4 * 8) if "compare" in options else (96, 64)
+            assert png_size(output) == sheet, options
+        # The silhouette that is told is the one that is drawn: of the eye.
+        told = succeed("points", "shape:knot:4000", "--as-points", "--eye", "3,2,4", "--no-lists")
+        drawn = succeed("points", "shape:knot:4000", "--as-points", "--eye", "3,2,4", "--no-lists", "-o", output,
+                        "--size", "96x64")
+        for key in ("silhouette_points", "consensus_edge_count", "arcs"):
+            assert told[key] == drawn[key] > 0
+        cloud = os.path.join(folder, "a.xyz")
+        open(cloud, "w").write("1 2 3\n")
+        assert "nothing to draw" in fail(1, "points", cloud, "-o", output)
+        fail(1, "points", cloud, "-o", os.path.join(folder, "none", "a.png"))
+
+
+def test_points_draw_silently_under_validation():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        result = run("points", "shape:terrain:2000", "--as-points", "-o", output, "--size", "64x64", "--json",
+                     "--mode", "compare", "--validate")
+        if result.returncode == 1 and "vulkan-validationlayers" in result.stderr:
+            skip(result.stderr.strip())
+        assert result.returncode == 0, result.stderr
+        assert json.loads(result.stdout)["validation_messages"] == 0

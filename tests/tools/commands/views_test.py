@@ -1,0 +1,68 @@
+"""rimline views."""
+import os
+import signal
+import subprocess
+import tempfile
+import time
+
+from program import PROGRAM, SMALL, TRIANGLE, check_views, fail, have_device, png_size, run, succeed, write_faces
+
+
+def test_views_by_votes_alone_need_no_device():
+    result = succeed("views", "shape:knot:2000", "-k", "3", "--no-ratio")
+    check_views(result, 3, False)
+    assert result["renders"] == 0 and not result["inside_out"]
+    scores = [view["score"] for view in result["views"]]
+    assert scores == sorted(scores, reverse=True)
+    text = run("views", "shape:knot:2000", "-k", "3", "--no-ratio")
+    assert text.returncode == 0 and text.stdout.count("  view ") == 3, text.stdout
+    assert succeed("views", "shape:knot:2000", "-k", "3", "--no-ratio", "--threads", "1")["views"] == result["views"]
+
+
+def test_there_are_no_more_views_than_show_something_new():
+    with tempfile.TemporaryDirectory() as folder:
+        one = write_faces(os.path.join(folder, "one.obj"), TRIANGLE)
+        result = succeed("views", one, "-k", "4", "--no-ratio")
+        check_views(result, 1, False)
+        assert result["asked"] == 4
+        assert "1 of 4" in run("views", one, "-k", "4", "--no-ratio").stdout
+        assert "take a model with more faces" in fail(1, "path", one, "--no-ratio")
+        needle = write_faces(os.path.join(folder, "needle.obj"), ((0, 0, 0), (1, 0, 0), (2, 0, 0)))
+        assert needle + ": no face has a plane" in fail(1, "views", needle, "--no-ratio")
+        assert needle + ": no face turns a side" in fail(1, "light", needle, "--eye", "1,2,3")
+
+
+def test_views_are_drawn_from_where_they_are_and_written_together():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "views")
+        result = succeed("views", "shape:scene:3000", "-k", "3", "-o", output, *SMALL, "--ground", "--sun", "auto")
+        check_views(result, 3, True)
+        assert 3 <= result["renders"] <= result["candidates"] and result["output"] == output
+        assert sorted(os.listdir(output)) == ["contact_sheet.png", "view_1.png", "view_2.png", "view_3.png"]
+        for i in (1, 2, 3):
+            assert png_size(os.path.join(output, f"view_{i}.png")) == (64, 48)
+        assert png_size(os.path.join(output, "contact_sheet.png")) == (8 + 2 * 72, 8 + 2 * 56)
+        assert succeed("views", "shape:scene:3000", "-k", "3")["views"] == result["views"]
+
+
+def test_views_leave_nothing_behind_when_they_fail():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "views")
+        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"], ["shape:box", "--size", "16384x16384"]):
+            fail(1, "views", "-o", output, *options)
+            fail(1, "path", "--frames", "3", "-o", output, *options)
+            assert os.listdir(folder) == []
+        for options in (["-k", "0"], ["-k", "65"], ["--sun", "up"]):
+            fail(2, "views", "shape:box", "-o", output, *options)
+        fail(2, "path", "shape:box", "-k", "1")
+        fail(2, "light", "shape:box")
+        process = subprocess.Popen([PROGRAM, "views", "shape:knot:300000", "-k", "64", "-o", output],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(2.0)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=300)
+        assert process.returncode == -signal.SIGINT, (process.returncode, err)
+        assert out == "" and err == "rimline: error: cancelled\n", (out, err)
+        assert os.listdir(folder) == []

@@ -1,0 +1,111 @@
+"""Output files are written whole or not at all, never over the model, and named by their format."""
+import os
+import stat
+import subprocess
+import tempfile
+
+from program import PROGRAM, TRIANGLE, fail, have_device, png_size, read_file, run, succeed, write_faces
+
+
+def test_an_output_file_is_written_whole_or_not_at_all():
+    with tempfile.TemporaryDirectory() as folder:
+        view = ["silhouette", "shape:box", "--from", "3,2,1", "-o"]
+        nowhere = os.path.join(folder, "no", "such", "a.obj")
+        assert nowhere in fail(1, *view, nowhere)
+        os.mkdir(os.path.join(folder, "a.obj"))
+        assert "folder" in fail(1, *view, os.path.join(folder, "a.obj"))
+        assert os.listdir(folder) == ["a.obj"]
+        # What fails after the output was opened leaves the old one as it was, and nothing beside it.
+        old = os.path.join(folder, "b.obj")
+        with open(old, "w") as file:
+            file.write("old")
+        fail(1, "silhouette", os.path.join(folder, "gone.obj"), "--from", "3,2,1", "-o", old)
+        with open(old) as file:
+            assert file.read() == "old"
+        assert sorted(os.listdir(folder)) == ["a.obj", "b.obj"]
+        assert run(*view, old).returncode == 0
+        assert sorted(os.listdir(folder)) == ["a.obj", "b.obj"]
+        assert stat.S_ISREG(os.stat(old).st_mode)
+
+
+def test_no_output_takes_the_place_of_the_model():
+    with tempfile.TemporaryDirectory() as folder:
+        obj = write_faces(os.path.join(folder, "a.obj"), TRIANGLE)
+        png = os.path.join(folder, "a.png")
+        os.symlink("a.obj", png)
+        ply = os.path.join(folder, "a.ply")
+        with open(ply, "w") as file:
+            file.write("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                       "property float z\nend_header\n0 0 0\n")
+        before = {path: read_file(path) for path in (obj, ply)}
+        for arguments in (["silhouette", obj, "--from", "3,2,1", "-o", obj], ["field", obj, "--slice", "z=0", "-o", png],
+                          ["origins", obj, "-o", png], ["points", obj, "--as-points", "-o", png],
+                          ["points", ply, "--export", ply]):
+            assert "is the model itself" in fail(2, *arguments), arguments
+        assert {path: read_file(path) for path in (obj, ply)} == before
+        assert sorted(os.listdir(folder)) == ["a.obj", "a.ply", "a.png"]
+
+
+def test_an_output_is_called_as_what_it_holds():
+    with tempfile.TemporaryDirectory() as folder:
+        obj = write_faces(os.path.join(folder, "a.obj"), TRIANGLE)
+        before = read_file(obj)
+        cloud = ["points", "shape:box", "--as-points"]
+        for name in (obj, os.path.join(folder, "z.txt"), ""):
+            for arguments in (["field", obj, "--slice", "z=0", "-o"], ["field", obj, "--at", "0,0,0", "-o"],
+                              ["origins", obj, "-o"], [*cloud, "-o"]):
+                assert f"-o: expected FILE.png, not '{name}'" in fail(2, *arguments, name), arguments
+            assert f"--export: expected FILE.ply, not '{name}'" in fail(2, *cloud, "--export", name)
+        assert "-o: expected a name that ends in .obj, .ply or .svg, not ''" in fail(
+            2, "silhouette", "shape:box", "--from", "3,2,1", "-o", "")
+        # Two outputs of one name, which only what is no regular file can have, or links.
+        os.symlink("both.dat", os.path.join(folder, "a.png"))
+        os.symlink("both.dat", os.path.join(folder, "a.ply"))
+        open(os.path.join(folder, "both.dat"), "w").close()
+        for drawn, exported in (("a.png", "a.ply"), ("/dev/null", "/dev/null"), ("b.ply", "b.ply")):
+            fail(2, *cloud, "-o", os.path.join(folder, drawn), "--export", os.path.join(folder, exported))
+        assert read_file(obj) == before and sorted(os.listdir(folder)) == ["a.obj", "a.ply", "a.png", "both.dat"]
+        drawing = ["field", "shape:box", "--slice", "z=0", "--resolution", "16", "-o", "/dev/stdout"]
+        with open(os.path.join(folder, "both.dat"), "wb") as file:
+            assert subprocess.run([PROGRAM, *drawing], stdout=file, timeout=60).returncode == 0
+        assert png_size(os.path.join(folder, "both.dat"))[1] > 16
+    # A pipe has no ending; here it has no name either.
+    result = subprocess.run(["sh", "-c", '"$0" field shape:box --slice z=0 --resolution 16 --json -o /dev/stderr 2>&1 >/dev/null | cat',
+                             PROGRAM], stdout=subprocess.PIPE, timeout=60)
+    assert result.stdout.startswith(b"\x89PNG") and result.stdout.endswith(b"IEND\xaeB`\x82"), result.stdout[:200]
+
+
+def test_pictures_are_called_as_pictures():
+    have_device()
+    commands = [["render", "shape:box", "-o"]]
+    if "not in this build" not in run("--help").stdout:
+        commands.append(["view", "shape:box", "--frames", "1", "--screenshot"])
+    with tempfile.TemporaryDirectory() as folder:
+        obj = write_faces(os.path.join(folder, "a.obj"), TRIANGLE)
+        png = os.path.join(folder, "a.png")
+        os.symlink("a.obj", png)
+        before = read_file(obj)
+        for command in commands:
+            for name in (obj, os.path.join(folder, "w.txt"), ""):
+                assert f"{command[-1]}: expected FILE.png, not '{name}'" in fail(2, *command, name)
+            assert "is the model itself" in fail(2, command[0], obj, *command[2:], png)
+        assert read_file(obj) == before and sorted(os.listdir(folder)) == ["a.obj", "a.png"]
+        assert run("render", "shape:box", "--size", "16x16", "-o", "/dev/null").returncode == 0
+
+
+def test_places_far_from_the_origin_are_printed_apart_from_each_other():
+    with tempfile.TemporaryDirectory() as folder:
+        far = [tuple(c + 3e6 for c in corner) for corner in TRIANGLE]
+        one = os.path.join(folder, "far.obj")
+        with open(one, "w") as file:
+            file.writelines("v %.9g %.9g %.9g\n" % corner for corner in far)
+            file.write("f 1 2 3\n")
+
+        def shown(place):
+            return ",".join("%.9g" % c for c in place)
+        arguments = ["views", one, "-k", "1", "--no-ratio"]
+        eye = succeed(*arguments)["views"][0]["eye"]
+        assert f"from {shown(eye)}  score" in run(*arguments).stdout
+        arguments = ["field", one, "--slice", "z=1", "--resolution", "16", "-o", os.path.join(folder, "a.png")]
+        greatest = succeed(*arguments)["slice"]["greatest_at"]
+        assert f", at {shown(greatest)}\n" in run(*arguments).stdout

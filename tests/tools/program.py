@@ -1,0 +1,143 @@
+"""Runs the rimline program as its users do, and checks what several test files check.
+
+run_case.py starts the cases; its first argument is the program.
+"""
+import json
+import math
+import os
+import subprocess
+import sys
+
+PROGRAM = os.path.abspath(sys.argv[1])
+COMMANDS = ("render", "animate", "info", "silhouette", "track", "views", "path", "light", "origins",
+            "field", "points", "bench", "view", "devices")
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=500, **options)
+
+
+def succeed(*arguments):
+    """Runs with --json and returns the object."""
+    result = run(*arguments, "--json")
+    assert result.returncode == 0, (arguments, result.returncode, result.stderr)
+    assert result.stderr == "", result.stderr  # No progress where there is no terminal.
+    assert result.stdout.count("\n") == 1 and result.stdout.endswith("\n")
+    return json.loads(result.stdout)
+
+
+def fail(status, *arguments):
+    """Runs, checks the status, that standard output is empty, and returns the one line of the error."""
+    result = run(*arguments)
+    assert result.returncode == status, (arguments, result.returncode, result.stderr)
+    assert result.stdout == "", (arguments, result.stdout)
+    lines = result.stderr.splitlines()
+    assert len(lines) == 1 and lines[0].startswith("rimline: error: "), (arguments, result.stderr)
+    return lines[0]
+
+
+def skip(reason):
+    """Ends the case as skipped; `reason` names what is missing."""
+    print(f"SKIPPED: {reason}")
+    sys.exit(77)
+
+
+def model(name):
+    """The path of a real model; skips the case where no folder of RIMLINE_MODELS has it."""
+    for folder in os.environ.get("RIMLINE_MODELS", "").split(":"):
+        path = os.path.join(folder, name)
+        if folder and os.path.exists(path):
+            return path
+    skip(f"{name} is in no folder of RIMLINE_MODELS")
+
+
+def has_methods():
+    return "Not in this build:" not in run("silhouette", "--help").stdout
+
+
+def have_methods():
+    """Skips the case where the program was built without the other silhouette methods."""
+    if not has_methods():
+        skip("built without the other silhouette methods")
+
+
+def is_count(value):
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+
+
+def is_vector(value):
+    return len(value) == 3 and all(isinstance(x, (int, float)) and math.isfinite(x) for x in value)
+
+
+def check_silhouette(found):
+    assert all(is_count(found[k]) for k in ("vertices", "faces", "count", "borders"))
+    assert set(found["counters"]) == {"box_checks", "face_checks", "edge_checks"}
+    assert found["ms"] >= 0
+    edges = found["edges"]
+    assert len(edges) == found["count"]
+    assert edges == sorted(edges) and all(a < b for a, b in edges)
+    assert len(set(map(tuple, edges))) == len(edges)
+
+
+def check_track(result, frame_count):
+    keys = ("flips", "added", "removed", "silhouette", "box_checks", "face_checks")
+    frames, totals = result["frames"], result["totals"]
+    assert len(frames) == frame_count
+    for frame in frames:
+        assert all(is_count(frame[k]) for k in keys) and frame["us"] >= 0
+    for key in keys:
+        assert totals[key] == sum(frame[key] for frame in frames), key
+    assert math.isclose(totals["us"], sum(frame["us"] for frame in frames), rel_tol=1e-9)
+    assert totals["max_us"] == max(frame["us"] for frame in frames)
+    for before, after in zip(frames, frames[1:]):
+        assert after["silhouette"] - before["silhouette"] == after["added"] - after["removed"]
+    assert frames[0]["flips"] == frames[0]["added"] == frames[0]["removed"] == 0
+
+
+def read_file(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def have_device():
+    """Skips the case where the program was built without the engine or finds no device."""
+    found = run("devices")
+    if found.returncode != 0:
+        # Any other error fails the case.
+        assert found.returncode == 1 and found.stderr.count("\n") == 1, found.stderr
+        assert "without the engine" in found.stderr or "Vulkan" in found.stderr, found.stderr
+        skip(found.stderr.strip())
+
+
+def png_size(path):
+    with open(path, "rb") as file:
+        header = file.read(24)
+    assert header[:8] == b"\x89PNG\r\n\x1a\n", header
+    return tuple(int.from_bytes(header[i:i + 4], "big") for i in (16, 20))
+
+
+SMALL = ("--size", "64x48")
+
+
+def check_views(result, count, weighted):
+    assert len(result["views"]) == count and result["asked"] >= count and result["ms"] >= 0
+    for view in result["views"]:
+        assert is_vector(view["eye"])
+        distance = math.dist(view["eye"], result["center"]) / result["radius"]
+        assert 3 ** 0.5 - 1e-9 <= distance <= 2 + 1e-9
+        if weighted:
+            assert 0 <= view["visible_ratio"] <= 1
+            assert math.isclose(view["score"], view["votes"] * view["visible_ratio"])
+        else:
+            assert view["visible_ratio"] is None and view["score"] == view["votes"]
+
+
+def write_faces(path, *faces):
+    with open(path, "w") as file:
+        for face in faces:
+            file.writelines("v %g %g %g\n" % corner for corner in face)
+        file.writelines("f -%d -%d -%d\n" % (3 * i, 3 * i - 1, 3 * i - 2) for i in range(len(faces), 0, -1))
+    return path
+
+
+TRIANGLE = ((0, 0, 0), (1, 0, 0), (0, 1, 0))

@@ -1,0 +1,65 @@
+"""rimline view under Xvfb."""
+import os
+import subprocess
+import tempfile
+
+from program import fail, have_device, png_size, run, skip
+
+
+def have_window():
+    have_device()
+    if "not in this build" in run("--help").stdout:
+        skip("built without the window")
+
+
+class Display:
+    """Xvfb while the block runs; `environment` shows on it."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        try:
+            self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-nolisten", "tcp"], pass_fds=[write],
+                                           stderr=subprocess.DEVNULL)
+        except FileNotFoundError:
+            skip("no Xvfb")
+        os.close(write)
+        with os.fdopen(read) as numbers:
+            number = numbers.readline().strip()
+        assert number, "Xvfb did not start"
+        self.environment = {k: v for k, v in os.environ.items() if k != "WAYLAND_DISPLAY"} | {"DISPLAY": ":" + number}
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+def test_view_shows_the_picture_that_render_draws():
+    have_window()
+    with tempfile.TemporaryDirectory() as folder, Display() as display:
+        drawn, shown = os.path.join(folder, "drawn.png"), os.path.join(folder, "shown.png")
+        for options in (["shape:knot:3000", "--ground", "--light", "2,5,1"],
+                        ["shape:box", "--style", "toon", "--eye", "3,2,4", "--sun", "1,2,1", "--hidden"],
+                        ["shape:torus:2000", "--ortho", "3", "--line-width", "4", "--background", "#102030"]):
+            options += ["--size", "200x150"]
+            assert run("render", *options, "-o", drawn).returncode == 0
+            result = run("view", *options, "--no-panel", "--frames", "2", "--screenshot", shown, env=display.environment)
+            assert result.returncode == 0 and result.stdout == result.stderr == "", result.stderr
+            with open(drawn, "rb") as a, open(shown, "rb") as b:
+                assert a.read() == b.read(), options
+        result = run("view", "shape:box", "--frames", "3", "--inspect", "--silhouette-from", "2,1,0", "--size", "640x480",
+                     "--screenshot", shown, env=display.environment)
+        assert result.returncode == 0 and png_size(shown) == (640, 480), result.stderr
+
+
+def test_view_without_a_display_says_what_to_do():
+    have_window()
+    with tempfile.TemporaryDirectory() as folder:
+        bare = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        picture = os.path.join(folder, "a.png")
+        result = run("view", "shape:box", "--frames", "1", "--screenshot", picture, env=bare)
+        assert result.returncode == 1 and result.stdout == ""
+        assert result.stderr.startswith("rimline: error: no display: set DISPLAY") and "rimline render" in result.stderr
+        assert os.listdir(folder) == []
+        assert "--frames" in fail(2, "view", "shape:box", "--screenshot", picture)
+        fail(2, "view", "shape:box", "--json")
