@@ -31,7 +31,7 @@ GroundAxes ground_axes(const glm::dvec3& up) {
 
 Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
     // The center of what is seen depends on the direction of the camera. The iteration converges.
-    constexpr int k_turns = 8;
+    constexpr int k_turns = 8;  // Iterations.
     constexpr double k_min_fov_deg = 1.0;
     camera.ortho_height = 0.0;
     camera.target = mesh.center();
@@ -96,7 +96,7 @@ Camera fit_camera(Camera camera, const Subject& subject, const glm::dvec3& towar
     }
     const glm::dvec2 shift = 0.5 * (high - low);
     const glm::dvec2 distance = 0.5 * (high + low) / tangent;
-    // A thin mesh that points at the viewer fits at little more distance than its own length.
+    // The eye lies in front of the mesh, also if it is thin and points at the viewer.
     const double back_off = std::max({distance.x, distance.y, nearest + 0.05 * radius});
     const glm::dvec3 right(axes[0][0], axes[1][0], axes[2][0]);
     const glm::dvec3 upward(axes[0][1], axes[1][1], axes[2][1]);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/passes/draw_list.h"
+#include "engine/vulkan/rounding.h"
 
 namespace rimline {
 
@@ -28,8 +29,8 @@ DrawData::DrawData(const DeviceContext& context, std::uint32_t frames_in_flight)
     : context_(context), sets_(context, k_bindings, frames_in_flight), buffers_(frames_in_flight) {}
 
 std::uint32_t DrawData::padded(std::size_t size_bytes) const noexcept {
-    const VkDeviceSize unit = context_.limits.minUniformBufferOffsetAlignment;
-    return static_cast<std::uint32_t>((size_bytes + unit - 1) / unit * unit);
+    return static_cast<std::uint32_t>(
+        rounded_up<VkDeviceSize>(size_bytes, context_.limits.minUniformBufferOffsetAlignment));
 }
 
 void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std::size_t instances,

@@ -13,6 +13,7 @@ namespace rimline {
 
 namespace {
 
+// Limits of the number of bins, a power of two that is at least the number of sides.
 constexpr std::uint32_t k_min_bins = 256;
 constexpr std::uint32_t k_max_bins = 1u << 14;
 

@@ -10,7 +10,7 @@ namespace rimline {
 
 namespace {
 
-// Faces in a cluster. The fastest of 16, 32 and 64: smaller clusters omit more faces and cost more tests.
+// Faces in a cluster. Chosen from 16, 32 and 64: smaller clusters omit more faces and cost more tests.
 constexpr std::uint32_t k_cluster_faces = 16;
 
 // Side of a tile. It is larger in pictures that would have more than k_max_tiles along a side.

@@ -6,6 +6,7 @@
 
 #include "composite_vert.h"
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/rounding.h"
 #include "visible_line_vert.h"
 #include "visible_surface_vert.h"
 
@@ -139,7 +140,7 @@ RatioDrawing::RatioDrawing(const DeviceContext& context, const Mesh& mesh,
 
 // Copies to buffers begin at multiples of four bytes.
 VkDeviceSize RatioDrawing::stencil_stride() const noexcept {
-    return (VkDeviceSize{options_.side_px} * options_.side_px + 3) / 4 * 4;
+    return rounded_up<VkDeviceSize>(VkDeviceSize{options_.side_px} * options_.side_px, 4);
 }
 
 void RatioDrawing::prepare(RatioTargets& targets, std::span<const RatioView> views,

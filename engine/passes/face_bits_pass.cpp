@@ -4,6 +4,7 @@
 
 #include "engine/vulkan/barrier.h"
 #include "engine/vulkan/memory.h"
+#include "engine/vulkan/rounding.h"
 #include "face_bits_comp.h"
 #include "silhouette/mesh/face_bits.h"
 
@@ -19,6 +20,8 @@ struct Constants {
     std::uint32_t padding;
 };
 static_assert(sizeof(Constants) == 40);
+
+constexpr std::uint32_t k_group_size = 64;  // As in shaders/face_bits.comp.
 
 // Planes that pass `point` at the distance of a rounding error: the sign of each depends on how the sum is
 // rounded. The output of std::mt19937 is fixed by the standard; that of distributions is not.
@@ -54,7 +57,8 @@ std::vector<std::uint32_t> FaceBitsPass::compute(std::span<const Plane> planes,
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
         vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
                            &constants);
-        vkCmdDispatch(commands, (static_cast<std::uint32_t>(words.size()) + 63) / 64, 1, 1);
+        vkCmdDispatch(commands, units_of(static_cast<std::uint32_t>(words.size()), k_group_size), 1,
+                      1);
     });
     read_buffer(context_, word_buffer, std::as_writable_bytes(std::span(words)));
     return words;

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/dispatch.h"
 #include "scatter_comp.h"
 #include "shaders/layout.h"
 #include "silhouette/mesh/face_bits.h"
@@ -30,6 +31,8 @@ struct ScatterConstants {
 };
 static_assert(sizeof(ScatterConstants) == 56);
 
+constexpr std::uint32_t k_group_size = 64;  // As in shaders/scatter.comp.
+
 constexpr StageAccess k_readers{
     VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT |
         VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
@@ -55,7 +58,7 @@ std::uint64_t StreamSize::state_bytes() const noexcept {
 
 std::uint64_t StreamSize::first_ring_bytes() const noexcept {
     constexpr std::uint64_t k_min_slots =
-        4096;  // 16 KiB: below that, growing costs more than memory.
+        4096;  // A ring slot begins with at least 16 KiB of slots.
     return std::max<std::uint64_t>(
         4 * (std::min(slots, std::max(slots / 8, k_min_slots)) + std::uint64_t{words}), 4);
 }
@@ -191,9 +194,9 @@ void ChangeStream::record(VkCommandBuffer commands, const ScatterPass& pass) con
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass.pipeline_);
         vkCmdPushConstants(commands, pass.layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
                            &constants);
-        // The shader loops with a stride, so any number of groups is right. Every device allows 65535.
-        const std::uint32_t groups = (std::max(slot_writes, word_writes) + 63) / 64;
-        vkCmdDispatch(commands, std::clamp(groups, 1u, 65535u), 1, 1);
+        // The shader loops with a stride, so any number of groups is right.
+        const std::uint32_t groups = units_of(std::max(slot_writes, word_writes), k_group_size);
+        vkCmdDispatch(commands, std::clamp(groups, 1u, k_min_group_limit), 1, 1);
     }
 }
 

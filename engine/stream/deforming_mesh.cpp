@@ -8,6 +8,7 @@
 #include "deform_normals_comp.h"
 #include "deform_wave_comp.h"
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/dispatch.h"
 #include "shaders/deform_job.h"
 #include "silhouette/mesh/corner_normals.h"
 
@@ -120,21 +121,18 @@ std::uint64_t DeformingMesh::size_bytes() const noexcept {
 }
 
 DeformPass::DeformPass(const DeviceContext& context)
-    : groups_a_row_(std::min(65535u, context.limits.maxComputeWorkGroupCount[0])),
+    : groups_a_row_(std::min(k_min_group_limit, context.limits.maxComputeWorkGroupCount[0])),
       layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_COMPUTE_BIT)),
       wave_(make_compute_pipeline(context, deform_wave_comp, layout_)),
       normals_(make_compute_pipeline(context, deform_normals_comp, layout_)) {}
 
-void DeformPass::dispatch(VkCommandBuffer commands, std::uint32_t count) const {
-    if (count == 0) return;
-    const std::uint32_t groups = (count + RIMLINE_DEFORM_GROUP - 1) / RIMLINE_DEFORM_GROUP;
-    const std::uint32_t row = std::min(groups, groups_a_row_);
-    vkCmdDispatch(commands, row, (groups + row - 1) / row, 1);
-}
-
 void DeformPass::record(VkCommandBuffer commands,
                         std::span<const DeformingMesh* const> meshes) const {
     if (meshes.empty()) return;
+    const auto dispatch = [&](std::uint32_t count) {
+        record_dispatch(commands, units_of<std::uint32_t>(count, RIMLINE_DEFORM_GROUP),
+                        groups_a_row_);
+    };
     const auto push = [&](const DeformingMesh& mesh, const gpu::WaveConstants& wave) {
         const Constants constants{mesh.job_.address(), wave};
         vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
@@ -152,13 +150,13 @@ void DeformPass::record(VkCommandBuffer commands,
             continue;
         }
         push(*mesh, constants_of(std::get<Wave>(mesh->deformation_)));
-        dispatch(commands, mesh->vertex_count_);
+        dispatch(mesh->vertex_count_);
     }
     record_barrier(commands, k_writers, k_normals);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, normals_);
     for (const DeformingMesh* mesh : meshes) {
         push(*mesh, {});
-        dispatch(commands, mesh->group_count_);
+        dispatch(mesh->group_count_);
     }
     record_barrier(commands, k_writers, k_shader_readers);
 }

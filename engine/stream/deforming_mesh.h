@@ -82,8 +82,6 @@ public:
     void record(VkCommandBuffer commands, std::span<const DeformingMesh* const> meshes) const;
 
 private:
-    void dispatch(VkCommandBuffer commands, std::uint32_t count) const;
-
     std::uint32_t groups_a_row_;
     OwnedPipelineLayout layout_;
     OwnedPipeline wave_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/dispatch.h"
 #include "shaders/silhouette_job.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/mesh/face_bits.h"
@@ -64,7 +65,7 @@ Fans fans(const Mesh& mesh) {
 
 // The number of workgroups for `count` faces or edges, 32 in a word.
 std::uint32_t group_count(std::uint32_t count) {
-    return (face_word_count(count) + RIMLINE_GROUP_WORDS - 1) / RIMLINE_GROUP_WORDS;
+    return units_of<std::uint32_t>(face_word_count(count), RIMLINE_GROUP_WORDS);
 }
 
 template <typename... Buffers>
@@ -202,12 +203,6 @@ GpuSilhouettePass::GpuSilhouettePass(const DeviceContext& context, std::uint32_t
       scan_(make_compute_pipeline(context, silhouette_scan_comp, layout_)),
       lists_(make_compute_pipeline(context, silhouette_lists_comp, layout_)) {}
 
-void GpuSilhouettePass::dispatch(VkCommandBuffer commands, std::uint32_t group_count) const {
-    if (group_count == 0) return;
-    const std::uint32_t row = std::min(group_count, groups_a_row_);
-    vkCmdDispatch(commands, row, (group_count + row - 1) / row, 1);
-}
-
 void GpuSilhouettePass::record(VkCommandBuffer commands,
                                std::span<const SilhouetteRun> runs) const {
     if (runs.empty()) return;
@@ -220,15 +215,18 @@ void GpuSilhouettePass::record(VkCommandBuffer commands,
             dispatch_run(*run.silhouette);
         }
     };
+    const auto dispatch = [&](std::uint32_t group_count) {
+        record_dispatch(commands, group_count, groups_a_row_);
+    };
     record_barrier(commands, k_before, k_compute);
-    for_each_run(faces_, [&](const GpuSilhouette& s) { dispatch(commands, s.face_group_count_); });
+    for_each_run(faces_, [&](const GpuSilhouette& s) { dispatch(s.face_group_count_); });
     record_barrier(commands, k_compute, k_compute);
-    for_each_run(edges_, [&](const GpuSilhouette& s) { dispatch(commands, s.edge_group_count_); });
+    for_each_run(edges_, [&](const GpuSilhouette& s) { dispatch(s.edge_group_count_); });
     record_barrier(commands, k_compute, k_compute);
     for_each_run(scan_, [&](const GpuSilhouette&) { vkCmdDispatch(commands, 2, 1, 1); });
     record_barrier(commands, k_compute, k_compute);
     for_each_run(lists_, [&](const GpuSilhouette& s) {
-        dispatch(commands, s.edge_group_count_ + s.face_group_count_);
+        dispatch(s.edge_group_count_ + s.face_group_count_);
     });
     record_barrier(commands, k_compute, k_consumers);
 }

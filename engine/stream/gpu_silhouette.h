@@ -143,8 +143,6 @@ public:
     void record(VkCommandBuffer commands, std::span<const SilhouetteRun> runs) const;
 
 private:
-    void dispatch(VkCommandBuffer commands, std::uint32_t group_count) const;
-
     std::uint32_t groups_a_row_;
     OwnedPipelineLayout layout_;
     OwnedPipeline faces_;
