@@ -34,7 +34,8 @@ set(rimline_silhouette_headers
     silhouette/points/point_cloud.h
     silhouette/points/point_ids.h
     silhouette/points/point_silhouette.h
-    silhouette/points/point_surface.h)
+    silhouette/points/point_surface.h
+    silhouette/points/umbrella.h)
 # Private in meaning. Public headers above include them: remove a line when no public header needs it.
 list(APPEND rimline_silhouette_headers
     silhouette/hough/block_set.h
