@@ -385,7 +385,8 @@ TEST_CASE("a small budget takes more batches and counts the same") {
     }
 }
 
-TEST_CASE("a cancelled call ends and the next one is right; progress never falls and ends at one") {
+TEST_CASE(
+    "a cancelled call ends and the next one is right and progress never falls and ends at one") {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(make_built_in_shape("torus", 3'000));
     const std::vector<glm::dvec3> eyes = shell(model.mesh, 100);

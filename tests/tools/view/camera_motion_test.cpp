@@ -101,7 +101,7 @@ TEST_CASE("zooming scales distance or height, within its limits") {
     CHECK(glm::distance(camera.eye, camera.target) == doctest::Approx(100.0));
 }
 
-TEST_CASE("looking around keeps the eye; to the right is to the right on the screen") {
+TEST_CASE("looking around keeps the eye and to the right is to the right on the screen") {
     Camera camera = some_camera();
     const Camera before = camera;
     turn_view(camera, {0.1, 0.0});

@@ -190,7 +190,7 @@ TEST_CASE("glTF: positions of every component type, normalized or not, strided a
               ints.str()))[0] == glm::vec3(7, 4e9f, 0));
 }
 
-TEST_CASE("glTF: sparse accessors replace elements, of a view or of zeros; indices too") {
+TEST_CASE("glTF: sparse accessors replace elements, of a view or of zeros and indices too") {
     Bytes bytes;
     for (int i = 0; i < 9; ++i) bytes.add(static_cast<float>(i));
     bytes.add<std::uint16_t>(0).add<std::uint16_t>(2);
