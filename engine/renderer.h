@@ -23,6 +23,7 @@
 #include "engine/renderer_options.h"
 #include "engine/scene.h"
 #include "engine/vulkan/picture_target.h"
+#include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/picture.h"
 
 namespace rimline {
@@ -30,7 +31,19 @@ namespace rimline {
 struct DeviceContext;
 class FramesInFlight;
 class RenderTargets;
-class TrackedSilhouette;
+
+/// The silhouette of one instance in device memory, as the frame recorded last left it: for a caller's own
+/// shaders. The addresses stay the same while Renderer keeps the silhouette (Renderer::render()).
+struct SilhouetteBuffers {
+    HomogeneousPoint point;     ///< The silhouette point, in the instance's coordinates.
+    VkDeviceAddress slots = 0;  ///< Edge numbers, 32 bits each; as many as the arguments draw.
+    VkDeviceAddress face_words =
+        0;  ///< One bit a face, 32 to a word (silhouette/mesh/face_bits.h).
+    /// Four VkDrawIndirectCommand, to draw the slots as points, as strips of four vertices, or as sides of
+    /// shadow volumes (SlotArguments in shaders/layout.h). The first one's vertex count is the silhouette's
+    /// size.
+    VkDeviceAddress arguments = 0;
+};
 
 class Renderer {
 public:
@@ -92,10 +105,10 @@ public:
     /// The report of the frame finished last.
     const FrameReport& report() const noexcept;
 
-    /// The silhouette of an instance drawn last, from the camera or from a light, for a caller's own
-    /// shaders. Null where there is none. Throws std::out_of_range for an index not in the scene.
-    const TrackedSilhouette* silhouette(std::size_t instance,
-                                        std::optional<std::size_t> light) const;
+    /// The silhouette of an instance from a light, or from the camera where no light is given. Nothing where
+    /// the last frame needed none. Throws std::out_of_range for an index not in the scene.
+    std::optional<SilhouetteBuffers> silhouette(std::size_t instance,
+                                                std::optional<std::size_t> light) const;
 
     /// With options.check_silhouettes: the sum of FrameReport::differences over all frames that are done.
     /// A frame that a caller submitted is included once its ring slot has been used again.

@@ -9,6 +9,7 @@
 #include "engine/frame/render_targets.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/picture_readback.h"
+#include "engine/vulkan/commands.h"
 
 namespace rimline {
 

@@ -5,6 +5,7 @@
 #include "engine/frame/draw_list_builder.h"
 #include "engine/frame/scene_data.h"
 #include "engine/picture_readback.h"
+#include "engine/vulkan/commands.h"
 
 namespace rimline {
 

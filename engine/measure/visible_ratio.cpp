@@ -1,4 +1,5 @@
 #include "engine/measure/visible_ratio.h"
+#include "engine/vulkan/commands.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/rounding.h"
 #include "face_bits_comp.h"

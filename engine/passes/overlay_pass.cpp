@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/image_barrier.h"
 #include "overlay_frag.h"
 #include "overlay_vert.h"

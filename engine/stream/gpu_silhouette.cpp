@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/dispatch.h"
 #include "shaders/silhouette_job.h"
 #include "silhouette/hough/change_set.h"

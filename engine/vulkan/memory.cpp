@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/memory_budget.h"
 
 namespace rimline {

@@ -1,7 +1,7 @@
 #pragma once
 
 // The part of the index that belongs to one origin: blocks of sixteen faces for moves, blocks of sixteen
-// edges for extraction, and a tree over each. Also the working memory of one thread.
+// edges for extraction, and a tree over each.
 
 #include <array>
 #include <cstdint>
@@ -59,29 +59,6 @@ struct EdgeBlocks {
     std::vector<EdgePlanes> planes;
     std::vector<EdgeId> edges;  ///< Sixteen for each block; k_no_edge after the last edge.
     std::uint32_t last_lanes = 0;
-};
-
-/// Blocks [first, last).
-struct BlockRun {
-    std::uint32_t first, last;
-};
-
-/// Working memory of one thread: blocks that no box decides, with the threshold and the margin of each
-/// (plane_block.h), and the results. Arrays hold whole vectors beyond the last block.
-struct BlockScratch {
-    explicit BlockScratch(std::uint32_t max_blocks_of_a_set);
-    std::uint64_t size_bytes() const noexcept;
-
-    std::uint32_t max_blocks;
-
-    std::array<std::vector<std::uint32_t>, 2> frontier;
-    std::vector<std::uint32_t> block;
-    std::vector<std::int32_t> threshold;
-    std::vector<std::int32_t> margin;
-    std::vector<std::uint32_t> found_block;
-    std::vector<std::uint32_t> found_lanes;
-    std::vector<std::uint32_t> found_doubts;
-    std::vector<BlockRun> certain;
 };
 
 }  // namespace rimline

@@ -37,11 +37,14 @@
 #include <string_view>
 #include <vector>
 
-#include "silhouette/hough/block_set.h"
+#include "silhouette/hough/block_scratch.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
+
+struct EdgeBlocks;  // block_set.h
+struct FaceBlocks;
 
 struct HoughOctreeOptions {
     /// The origins of the Hough spaces, in the mesh's coordinates, within k_max_coordinate. Empty: one, the
@@ -74,6 +77,9 @@ public:
                          const LongCall& call = {});
     explicit HoughOctree(Mesh&&, const HoughOctreeOptions& = {},
                          const LongCall& = {}) = delete;  // A temporary would dangle.
+    ~HoughOctree();
+    HoughOctree(HoughOctree&&) noexcept;
+    HoughOctree& operator=(HoughOctree&&) noexcept;
 
     const Mesh& mesh() const noexcept { return *mesh_; }
     std::span<const glm::dvec3> origins() const noexcept { return origins_; }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "silhouette/hough/block_set.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/hough_point.h"
 #include "silhouette/hough/octree_order.h"
@@ -363,5 +364,9 @@ HoughOctree::HoughOctree(const Mesh& mesh, const HoughOctreeOptions& options, co
         for (int i = 0; i < 3; ++i) RIMLINE_CHECK(std::abs(origin[i]) <= double{k_max_coordinate});
     HoughOctreeBuilder(*this, call).build();
 }
+
+HoughOctree::~HoughOctree() = default;
+HoughOctree::HoughOctree(HoughOctree&&) noexcept = default;
+HoughOctree& HoughOctree::operator=(HoughOctree&&) noexcept = default;
 
 }  // namespace rimline

@@ -37,12 +37,12 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "silhouette/hough/block_scratch.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/plane.h"
 
 namespace rimline {
 
-constexpr std::uint32_t k_block_size = 16;
 constexpr float k_block_margin = 65536.0f;
 constexpr float k_block_weight_length = 32002.0f;  ///< Upper bound of |W|.
 constexpr float k_block_threshold_limit = 1.09e9f;

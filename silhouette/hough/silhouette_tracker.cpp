@@ -1,6 +1,7 @@
 #include "silhouette/hough/silhouette_tracker.h"
 
 #include "silhouette/hough/reserved_bytes.h"
+#include "silhouette/hough/silhouette_record.h"
 
 namespace rimline {
 
@@ -16,9 +17,7 @@ std::uint64_t cost_of_extraction(const TraversalCounters& work, std::size_t silh
 }  // namespace
 
 SilhouetteTracker::SilhouetteTracker(const HoughOctree& octree, const HomogeneousPoint& point)
-    : octree_(&octree), scratch_(octree.make_scratch()), record_(make_record(point)) {}
-
-SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
+    : octree_(&octree), scratch_(octree.make_scratch()) {
     RIMLINE_CHECK(point.is_valid());
     const Mesh& m = octree_->mesh();
     bits_.resize(octree_->block_count());
@@ -34,12 +33,30 @@ SilhouetteRecord SilhouetteTracker::make_record(const HomogeneousPoint& point) {
     extracted_.reserve(edge_count + HoughOctree::k_extraction_slack);
     octree_->extract(point, extracted_, extraction_counters_, scratch_);
     construction_counters_ += extraction_counters_;
-    return SilhouetteRecord(m, point, std::move(face_words), extracted_);
+    record_ = std::make_unique<SilhouetteRecord>(m, point, std::move(face_words), extracted_);
+}
+
+SilhouetteTracker::SilhouetteTracker(SilhouetteTracker&&) noexcept = default;
+SilhouetteTracker& SilhouetteTracker::operator=(SilhouetteTracker&&) noexcept = default;
+SilhouetteTracker::~SilhouetteTracker() = default;
+
+const HomogeneousPoint& SilhouetteTracker::point() const noexcept {
+    return record_->change_set().point;
+}
+
+std::uint64_t SilhouetteTracker::sequence() const noexcept {
+    return record_->change_set().sequence;
+}
+
+std::span<const EdgeId> SilhouetteTracker::silhouette() const noexcept { return record_->slots(); }
+
+std::span<const std::uint32_t> SilhouetteTracker::face_words() const noexcept {
+    return record_->face_words();
 }
 
 std::uint64_t SilhouetteTracker::size_bytes() const noexcept {
     return reserved_bytes(bits_, flips_, positions_, flipped_, extracted_, toggled_) +
-           scratch_.size_bytes() + record_.size_bytes();
+           scratch_.size_bytes() + record_->size_bytes();
 }
 
 const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexcept {
@@ -48,25 +65,25 @@ const ChangeSet& SilhouetteTracker::move_to(const HomogeneousPoint& point) noexc
     const auto positions = std::span<const std::uint32_t>(positions_)
                                .first(octree_->find_flips(this->point(), point, bits_, positions_,
                                                           counters, scratch_));
-    record_.begin_move();
+    record_->begin_move();
     flipped_.clear();
     for (const std::uint32_t position : positions)
         flipped_.push_back(octree_->face_at(position).face);
-    record_.flip_faces(flipped_);
-    record_.end_faces();
+    record_->flip_faces(flipped_);
+    record_->end_faces();
 
     const std::uint64_t cost_of_update = 3 * positions.size();
     was_extracted_ =
-        cost_of_update > cost_of_extraction(extraction_counters_, record_.slots().size());
+        cost_of_update > cost_of_extraction(extraction_counters_, record_->slots().size());
     if (was_extracted_) {
         extraction_counters_ = {};
         octree_->extract(point, extracted_, extraction_counters_, scratch_);
         counters += extraction_counters_;
-        record_.replace_edges(extracted_);
+        record_->replace_edges(extracted_);
     } else {
         toggle_edges(positions, counters);
     }
-    return record_.end_move(point, counters);
+    return record_->end_move(point, counters);
 }
 
 // An edge changes when one of its faces flips and the other does not. Results are stored before it is known
@@ -88,7 +105,7 @@ void SilhouetteTracker::toggle_edges(std::span<const std::uint32_t> positions,
     }
     for (const std::uint32_t position : positions) flips_[position / k_block_size] = 0;
     counters.edge_checks += 3 * positions.size();
-    record_.toggle_edges(std::span(toggled_).first(count));
+    record_->toggle_edges(std::span(toggled_).first(count));
 }
 
 }  // namespace rimline

@@ -11,14 +11,17 @@
 // The slot of an edge depends only on the sequence of points. It is the same on every machine.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "silhouette/hough/change_set.h"
 #include "silhouette/hough/hough_octree.h"
-#include "silhouette/hough/silhouette_record.h"
+#include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
+
+class SilhouetteRecord;
 
 class SilhouetteTracker {
 public:
@@ -30,8 +33,9 @@ public:
                       const HomogeneousPoint&) = delete;  // A temporary would dangle.
 
     // No copies: a copy's change set would refer to the original, and its memory would not be reserved.
-    SilhouetteTracker(SilhouetteTracker&&) noexcept = default;
-    SilhouetteTracker& operator=(SilhouetteTracker&&) noexcept = default;
+    SilhouetteTracker(SilhouetteTracker&&) noexcept;
+    SilhouetteTracker& operator=(SilhouetteTracker&&) noexcept;
+    ~SilhouetteTracker();
 
     /// Moves to `point` and returns the difference. The result equals an extraction, bit for bit.
     /// Never allocates. One thread at a time. O(faces near the active region + changes), and never much more
@@ -39,12 +43,12 @@ public:
     const ChangeSet& move_to(const HomogeneousPoint& point) noexcept;
 
     const Mesh& mesh() const noexcept { return octree_->mesh(); }
-    const HomogeneousPoint& point() const noexcept { return record_.change_set().point; }
+    const HomogeneousPoint& point() const noexcept;
     /// The sequence of the last change set; 0 before the first move.
-    std::uint64_t sequence() const noexcept { return record_.change_set().sequence; }
+    std::uint64_t sequence() const noexcept;
     /// The silhouette's edges: the slots in use. Valid until the tracker moves.
-    std::span<const EdgeId> silhouette() const noexcept { return record_.slots(); }
-    std::span<const std::uint32_t> face_words() const noexcept { return record_.face_words(); }
+    std::span<const EdgeId> silhouette() const noexcept;
+    std::span<const std::uint32_t> face_words() const noexcept;
     bool is_front(FaceId face) const noexcept { return face_bit(face_words(), face); }
     /// Work of the extraction at construction.
     const TraversalCounters& construction_counters() const noexcept {
@@ -56,7 +60,6 @@ public:
     bool was_extracted() const noexcept { return was_extracted_; }
 
 private:
-    SilhouetteRecord make_record(const HomogeneousPoint& point);
     void toggle_edges(std::span<const std::uint32_t> positions,
                       TraversalCounters& counters) noexcept;
 
@@ -71,7 +74,7 @@ private:
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
     std::vector<EdgeId> toggled_;  // One more than edges.
-    SilhouetteRecord record_;
+    std::unique_ptr<SilhouetteRecord> record_;
     bool was_extracted_ = false;
 };
 

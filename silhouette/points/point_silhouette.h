@@ -16,7 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "silhouette/hough/block_set.h"
+#include "silhouette/hough/block_scratch.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/points/umbrella_index.h"
 

@@ -27,16 +27,20 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "silhouette/error.h"
-#include "silhouette/hough/block_set.h"
+#include "silhouette/hough/block_scratch.h"
 #include "silhouette/hough/change_set.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/points/point_surface.h"
 
 namespace rimline {
+
+class BoxTree;
+struct NodeFrames;  // block_set.h
 
 /// Immutable: any number of silhouettes may share one, across threads.
 class UmbrellaIndex {
@@ -44,6 +48,7 @@ public:
     /// `surface` is not needed afterwards. O(umbrellas log umbrellas) on all threads; the result does not
     /// depend on their number. Throws Error{too_large} beyond 2^30 triangles, Error{cancelled}.
     explicit UmbrellaIndex(const PointSurface& surface, const LongCall& call = {});
+    ~UmbrellaIndex();
     // Silhouettes refer to it by address.
     UmbrellaIndex(const UmbrellaIndex&) = delete;
     UmbrellaIndex& operator=(const UmbrellaIndex&) = delete;
@@ -175,7 +180,7 @@ private:
     // Block after block. Of each block all nx, all ny, all nz, all d.
     std::vector<float> planes_;
     std::uint32_t max_planes_ = 0;
-    BoxTree tree_;
+    std::unique_ptr<const BoxTree> tree_;
     std::vector<NodeFrames> frames_;  // The traversal reads them. No result depends on them.
 };
 

@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "silhouette/hough/block_set.h"
 #include "silhouette/hough/hough_point.h"
 #include "silhouette/hough/octree_order.h"
 #include "silhouette/points/each_point.h"
@@ -200,7 +201,7 @@ private:
             index_.max_planes_ = std::max(
                 index_.max_planes_, index_.planes_of(end - 1).last - index_.planes_of(begin).first);
         }
-        index_.tree_ = BoxTree(std::move(bounds));
+        index_.tree_ = std::make_unique<const BoxTree>(std::move(bounds));
         index_.frames_.resize((blocks + k_node_width - 1) / k_node_width);
     }
 
@@ -303,8 +304,11 @@ private:
     const LongCall& call_;
 };
 
-UmbrellaIndex::UmbrellaIndex(const PointSurface& surface, const LongCall& call) {
+UmbrellaIndex::UmbrellaIndex(const PointSurface& surface, const LongCall& call)
+    : tree_(std::make_unique<const BoxTree>()) {
     UmbrellaIndexBuilder(*this, surface, call).build();
 }
+
+UmbrellaIndex::~UmbrellaIndex() = default;
 
 }  // namespace rimline

@@ -12,8 +12,9 @@ import sys
 
 from includes import headers_included_by, included_headers
 
-# Today. Headers that are private in meaning (tools/package/public_headers.cmake) should leave: then lower it.
-MAX_PUBLIC = 70
+# As many as there are today. A new public header is a decision: raise it with the list in
+# tools/package/public_headers.cmake.
+MAX_PUBLIC = 56
 MAX_OF_RENDERER = 15
 
 

@@ -1,7 +1,8 @@
-"""suite_names.py ROOT: cases of suites that scripts choose by label have no comma in their names.
+"""suite_names.py ROOT: CTest finds each test case by its name, and those of a suite by its label.
 
-CTest finds the suite of a case by asking doctest for the case of that name, and doctest splits names at
-commas. A case with a comma would get no label, so scripts that choose by label would not find it.
+A case with a semicolon in its name never runs under CTest, where it ends an item of a list. CTest finds the
+suite of a case by asking doctest for the case of that name, and doctest splits names at commas: a case with a
+comma would get no label, so scripts that choose by label would not find it.
 """
 
 import pathlib
@@ -9,18 +10,26 @@ import re
 import sys
 
 LABELS = ("long", "threads")
+# A suite begins, a suite ends, or a case has a name of one or more string literals.
+PLACES = re.compile(r'TEST_SUITE(?:_BEGIN)?\("(?P<suite>[^"]*)"\)|(?P<end>^(?:TEST_SUITE_END|}))'
+                    r'|TEST_CASE\w*\(\s*(?P<name>(?:"(?:[^"\\]|\\.)*"\s*)+)', re.MULTILINE)
 
 
 def misnamed(path):
+    text = path.read_text()
     suite = None
-    for number, line in enumerate(path.read_text().splitlines(), 1):
-        if begin := re.match(r'TEST_SUITE(_BEGIN)?\("([^"]*)"\)', line):
-            suite = begin[2]
-        elif line.startswith("TEST_SUITE_END"):
+    for place in PLACES.finditer(text):
+        if place["suite"]:
+            suite = place["suite"]
+        elif place["end"]:
             suite = None
-        elif suite in LABELS and (case := re.match(r'\s*TEST_CASE\("([^"]*)', line)):
-            if "," in case[1]:
-                yield f"{path}:{number}: a comma in the name of a case in suite {suite}: {case[1]}"
+        else:
+            name = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', place["name"]))
+            where = f"{path}:{text.count(chr(10), 0, place.start()) + 1}"
+            if ";" in name:
+                yield f"{where}: a semicolon in the name of a case: {name}"
+            if suite in LABELS and "," in name:
+                yield f"{where}: a comma in the name of a case in suite {suite}: {name}"
 
 
 def main():

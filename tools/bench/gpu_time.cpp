@@ -1,4 +1,5 @@
 #include "tools/bench/gpu_time.h"
+#include "engine/vulkan/commands.h"
 
 #include <array>
 #include <chrono>

@@ -5,13 +5,9 @@
 
 #include <bit>
 #include <cstdio>
-#include <cstring>
 
 #include "engine/renderer.h"
-#include "engine/stream/tracked_silhouette.h"
 #include "engine/vulkan/device.h"
-#include "engine/vulkan/memory.h"
-#include "engine/vulkan/pipeline.h"
 #include "sample_count_comp.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/brute_force.h"
@@ -49,10 +45,8 @@ void run() {
     samples::ForeignRenderer foreign;
     const DeviceContext context = make_device_context(foreign.physical_device, foreign.device,
                                                       foreign.queue, 0, {.geometry_shader = true});
-    const Buffer result(context, sizeof(Counted), BufferPlace::readback, "the result");
-    const OwnedPipelineLayout layout =
-        make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_COMPUTE_BIT);
-    const OwnedPipeline count = make_compute_pipeline(context, sample_count_comp, layout);
+    const samples::SharedBuffer<Counted> result(foreign);
+    const samples::ComputePipeline count(foreign, sample_count_comp, sizeof(Constants));
 
     const Mesh mesh(make_built_in_shape("knot", 20'000));
     const HoughOctree octree(mesh);
@@ -66,26 +60,21 @@ void run() {
     Renderer renderer(context);
     for (int frame = 0; frame < 5; ++frame) {
         scene.camera.eye.x = 0.05 * frame;
-        std::memset(result.mapped(), 0, sizeof(Counted));
+        result.content() = {};
         const VkCommandBuffer commands = foreign.begin_frame();
         renderer.record(commands, scene,
                         {.image = foreign.image,
                          .view = foreign.view,
                          .format = foreign.k_format,
                          .extent = foreign.k_extent});
-        const ChangeStream& stream = renderer.silhouette(0, std::nullopt)->stream();
-        const Constants constants{stream.slots().address(),      stream.face_words().address(),
-                                  stream.arguments().address(),  result.address(),
-                                  (mesh.face_count() + 31) / 32, 0};
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, count);
-        vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
-                           &constants);
-        vkCmdDispatch(commands, 4, 1, 1);
+        const SilhouetteBuffers silhouette = renderer.silhouette(0, std::nullopt).value();
+        const Constants constants{
+            silhouette.slots, silhouette.face_words,         silhouette.arguments,
+            result.address(), (mesh.face_count() + 31) / 32, 0};
+        count.dispatch(commands, 4, &constants, sizeof constants);
         foreign.end_frame();  // Submits, and waits for the result.
-        Counted counted{};
-        std::memcpy(&counted, result.mapped(), sizeof counted);
-        const HomogeneousPoint& point = renderer.silhouette(0, std::nullopt)->point();
-        if (!(counted == expected_from(mesh, point)))
+        const Counted& counted = result.content();
+        if (!(counted == expected_from(mesh, silhouette.point)))
             throw Error(ErrorCode::io, "not the silhouette");
         std::printf("frame %d: %u silhouette edges, %u front faces\n", frame, counted.edges,
                     counted.front_faces);

@@ -1,15 +1,21 @@
 #pragma once
 
-// The existing renderer of embedding.cpp: a minimal one in plain Vulkan, with one frame at a time. It does
-// not use Rimline.
+// The existing renderer of embedding.cpp: a minimal one in plain Vulkan, with one frame at a time, a buffer
+// that the host reads, and a compute pipeline. It does not use Rimline.
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 
 namespace samples {
+
+inline void require(VkResult result) {
+    if (result < 0) throw std::runtime_error("Vulkan failed with " + std::to_string(result));
+}
 
 struct ForeignRenderer {
     static constexpr VkFormat k_format = VK_FORMAT_B8G8R8A8_SRGB;
@@ -144,13 +150,116 @@ private:
         require(vkCreateFence(device, &fence_info, nullptr, &done_));
     }
 
-    static void require(VkResult result) {
-        if (result < 0) throw std::runtime_error("Vulkan failed with " + std::to_string(result));
-    }
-
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkFence done_ = VK_NULL_HANDLE;
+};
+
+/// One `Content` that shaders reach by address and the host sees.
+template <typename Content>
+class SharedBuffer {
+public:
+    explicit SharedBuffer(const ForeignRenderer& renderer) : device_(renderer.device) {
+        const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                      .size = sizeof(Content),
+                                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                               VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT};
+        require(vkCreateBuffer(device_, &info, nullptr, &buffer_));
+        VkMemoryRequirements requirements;
+        vkGetBufferMemoryRequirements(device_, buffer_, &requirements);
+        const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                              .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
+        const VkMemoryAllocateInfo memory_info{
+            .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+            .pNext = &flags,
+            .allocationSize = requirements.size,
+            .memoryTypeIndex = host_type(renderer, requirements.memoryTypeBits)};
+        require(vkAllocateMemory(device_, &memory_info, nullptr, &memory_));
+        require(vkBindBufferMemory(device_, buffer_, memory_, 0));
+        void* mapped = nullptr;
+        require(vkMapMemory(device_, memory_, 0, VK_WHOLE_SIZE, 0, &mapped));
+        content_ = new (mapped) Content{};
+    }
+    ~SharedBuffer() {
+        vkDestroyBuffer(device_, buffer_, nullptr);
+        vkFreeMemory(device_, memory_, nullptr);
+    }
+    SharedBuffer(const SharedBuffer&) = delete;
+    SharedBuffer& operator=(const SharedBuffer&) = delete;
+
+    Content& content() const { return *content_; }
+    VkDeviceAddress address() const {
+        const VkBufferDeviceAddressInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+                                             .buffer = buffer_};
+        return vkGetBufferDeviceAddress(device_, &info);
+    }
+
+private:
+    static std::uint32_t host_type(const ForeignRenderer& renderer, std::uint32_t allowed) {
+        constexpr VkMemoryPropertyFlags k_needed =
+            VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+        VkPhysicalDeviceMemoryProperties memory;
+        vkGetPhysicalDeviceMemoryProperties(renderer.physical_device, &memory);
+        for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type)
+            if ((allowed >> type & 1u) != 0 &&
+                (memory.memoryTypes[type].propertyFlags & k_needed) == k_needed)
+                return type;
+        throw std::runtime_error("no memory that the host sees");
+    }
+
+    VkDevice device_;
+    VkBuffer buffer_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    Content* content_ = nullptr;
+};
+
+/// A compute shader with push constants.
+class ComputePipeline {
+public:
+    ComputePipeline(const ForeignRenderer& renderer, std::span<const std::uint32_t> code,
+                    std::uint32_t constant_bytes)
+        : device_(renderer.device) {
+        const VkPushConstantRange constants{VK_SHADER_STAGE_COMPUTE_BIT, 0, constant_bytes};
+        const VkPipelineLayoutCreateInfo layout_info{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+            .pushConstantRangeCount = 1,
+            .pPushConstantRanges = &constants};
+        require(vkCreatePipelineLayout(device_, &layout_info, nullptr, &layout_));
+        const VkShaderModuleCreateInfo module_info{
+            .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+            .codeSize = code.size_bytes(),
+            .pCode = code.data()};
+        require(vkCreateShaderModule(device_, &module_info, nullptr, &module_));
+        const VkComputePipelineCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+            .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                      .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                      .module = module_,
+                      .pName = "main"},
+            .layout = layout_};
+        require(vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
+    }
+    ~ComputePipeline() {
+        vkDestroyPipeline(device_, pipeline_, nullptr);
+        vkDestroyShaderModule(device_, module_, nullptr);
+        vkDestroyPipelineLayout(device_, layout_, nullptr);
+    }
+    ComputePipeline(const ComputePipeline&) = delete;
+    ComputePipeline& operator=(const ComputePipeline&) = delete;
+
+    void dispatch(VkCommandBuffer commands, std::uint32_t groups, const void* constants,
+                  std::uint32_t constant_bytes) const {
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+        vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, constant_bytes,
+                           constants);
+        vkCmdDispatch(commands, groups, 1, 1);
+    }
+
+private:
+    VkDevice device_;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkShaderModule module_ = VK_NULL_HANDLE;
+    VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
 }  // namespace samples

@@ -6,6 +6,7 @@
 
 #include "engine/picture_readback.h"
 #include "engine/tested_device.h"
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/device_loss.h"
 #include "engine/vulkan/image_barrier.h"
 

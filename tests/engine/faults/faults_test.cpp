@@ -10,6 +10,7 @@
 #include "engine/passes/shadow_volume_pass.h"
 #include "engine/stream/change_stream.h"
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/commands.h"
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/face_bits.h"
 #include "tests/engine/faults/stage.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/view_defaults.h"
+#include "engine/vulkan/vulkan_handle.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/image_barrier.h"
 #include "tests/engine/support/gpu_fixture.h"
 

@@ -14,6 +14,7 @@
 
 #include "engine/frame/render_targets.h"
 #include "engine/renderer.h"
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/image_barrier.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/ray_reference.h"

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "engine/vulkan/commands.h"
 #include "shaders/layout.h"
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/face_bits.h"

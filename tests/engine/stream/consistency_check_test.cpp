@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/renderer.h"
+#include "engine/vulkan/commands.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"

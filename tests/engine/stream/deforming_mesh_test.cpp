@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/vulkan/commands.h"
 #include "silhouette/mesh/corner_normals.h"
 #include "silhouette/mesh/face_bits.h"
 #include "silhouette/mesh/moving_face.h"

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <vector>
 
+#include "engine/vulkan/commands.h"
 #include "shaders/silhouette_job.h"
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/brute_force.h"

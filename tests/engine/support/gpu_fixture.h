@@ -11,6 +11,7 @@
 
 #include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
+#include "silhouette/error.h"
 #include "tests/skip.h"
 
 namespace rimline::tests {

@@ -1,4 +1,5 @@
 #include "engine/vulkan/device.h"
+#include "engine/vulkan/commands.h"
 
 #include <cstring>
 

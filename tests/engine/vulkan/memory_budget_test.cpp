@@ -1,4 +1,5 @@
 #include "engine/vulkan/memory_budget.h"
+#include "engine/vulkan/commands.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,5 @@
 #include "engine/vulkan/uploads.h"
+#include "engine/vulkan/commands.h"
 
 #include <cstring>
 #include <numeric>
