@@ -2,19 +2,18 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <vector>
+
+#include "silhouette/mesh/face_tree.h"
 
 namespace rimline {
 
@@ -22,8 +21,6 @@ namespace {
 
 // A projection has about twenty rounding errors of 2^-53, relative to the projected length.
 constexpr double k_rounding = 0x1p-40;
-constexpr std::uint32_t k_leaf_faces = 4;
-constexpr std::uint32_t k_faces_a_task = 4096;
 constexpr std::uint32_t k_faces_a_checkpoint = 1u << 14;
 // Beyond this many pairs of overlapping boxes the test gives up. In a fan all boxes overlap at its center.
 constexpr std::uint64_t k_pairs_a_face = 256;
@@ -85,100 +82,27 @@ bool are_apart(const Segment& segment, const Corners& t) {
     return false;
 }
 
-struct Box {
-    glm::vec3 low{std::numeric_limits<float>::infinity()};
-    glm::vec3 high{-std::numeric_limits<float>::infinity()};
-
-    void include(const Box& other) {
-        low = glm::min(low, other.low);
-        high = glm::max(high, other.high);
-    }
-    bool meets(const Box& other) const {
-        return glm::all(glm::lessThanEqual(low, other.high)) &&
-               glm::all(glm::lessThanEqual(other.low, high));
-    }
-};
-
-// A balanced tree of boxes over the faces. A node holds a range of `order_`. Its children hold one half
-// each.
-class FaceTree {
+// The pairs of faces whose boxes overlap.
+class FacePairs {
 public:
-    explicit FaceTree(const Mesh& mesh) : mesh_(mesh), order_(mesh.face_count()) {
-        std::iota(order_.begin(), order_.end(), 0u);
-        std::size_t nodes = 1;
-        for (std::uint32_t faces = mesh.face_count(); faces > k_leaf_faces; faces -= faces / 2)
-            nodes = 2 * nodes + 1;
-        boxes_.resize(nodes);
-        build(0, 0, mesh.face_count());
-    }
+    explicit FacePairs(const Mesh& mesh) : mesh_(mesh), tree_(mesh) {}
 
-    // Whether the face at `place` in the order intersects a later face outside their shared corners and
-    // edges. Adds the number of tested pairs to `pairs`.
+    // Whether the face at `place` in the order of the tree intersects a later face outside their shared
+    // corners and edges. Adds the number of tested pairs to `pairs`.
     bool meets_another(std::uint32_t place, std::uint64_t& pairs) const {
-        const std::uint32_t face = order_[place];
-        return meets_another(face, box_of(face), place + 1, 0, 0, mesh_.face_count(), pairs);
+        const std::uint32_t face = tree_.order()[place];
+        return tree_.any_meeting(tree_.box_of(face), place + 1, [&](std::uint32_t other) {
+            ++pairs;
+            return meet_elsewhere(face, other);
+        });
     }
 
 private:
-    Box box_of(std::uint32_t face) const {
-        Box box;
-        for (const VertexId v : mesh_.triangles()[face]) {
-            const glm::vec3& p = mesh_.positions()[index(v)];
-            box.include({p, p});
-        }
-        return box;
-    }
-
     Corners corners_of(std::uint32_t face) const {
         Corners corners;
         for (std::size_t i = 0; i < 3; ++i)
             corners[i] = glm::dvec3(mesh_.positions()[index(mesh_.triangles()[face][i])]);
         return corners;
-    }
-
-    void build(std::size_t node, std::uint32_t first, std::uint32_t last) {
-        Box box;
-        for (std::uint32_t i = first; i < last; ++i) box.include(box_of(order_[i]));
-        boxes_[node] = box;
-        if (last - first <= k_leaf_faces) return;
-        const glm::vec3 size = box.high - box.low;
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-        // The face number breaks ties, so the tree is the same on every machine.
-        const auto place = [&](std::uint32_t face) {
-            const Box b = box_of(face);
-            return std::pair(b.low[axis] + b.high[axis], face);
-        };
-        const std::uint32_t middle = middle_of(first, last);
-        std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                         [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-        const auto low = [&] { build(2 * node + 1, first, middle); };
-        const auto high = [&] { build(2 * node + 2, middle, last); };
-        if (last - first > k_faces_a_task) {
-            tbb::parallel_invoke(low, high);
-        } else {
-            low();
-            high();
-        }
-    }
-
-    static std::uint32_t middle_of(std::uint32_t first, std::uint32_t last) {
-        return first + (last - first) / 2;
-    }
-
-    bool meets_another(std::uint32_t face, const Box& box, std::uint32_t from, std::size_t node,
-                       std::uint32_t first, std::uint32_t last, std::uint64_t& pairs) const {
-        if (last <= from || !boxes_[node].meets(box)) return false;
-        if (last - first > k_leaf_faces) {
-            const std::uint32_t middle = middle_of(first, last);
-            return meets_another(face, box, from, 2 * node + 1, first, middle, pairs) ||
-                   meets_another(face, box, from, 2 * node + 2, middle, last, pairs);
-        }
-        for (std::uint32_t i = std::max(first, from); i < last; ++i) {
-            if (!box_of(order_[i]).meets(box)) continue;
-            ++pairs;
-            if (meet_elsewhere(face, order_[i])) return true;
-        }
-        return false;
     }
 
     // Whether two faces may meet outside the corners and edges that they share.
@@ -216,8 +140,7 @@ private:
     }
 
     const Mesh& mesh_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Box> boxes_;
+    FaceTree tree_;
 };
 
 // Whether every set of faces connected by edges encloses a positive volume.
@@ -263,7 +186,7 @@ bool is_solid(const Mesh& mesh, const LongCall& call) {
         mesh.edges_of_class(EdgeClass::regular).size() != mesh.edge_count() ||
         !std::ranges::all_of(mesh.planes(), &Plane::has_normal) || !shells_turn_outwards(mesh))
         return false;
-    const FaceTree tree(mesh);
+    const FacePairs faces(mesh);
     const std::uint64_t max_pairs = std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs);
     std::atomic<std::uint64_t> all_pairs = 0;
     std::atomic<bool> is_none = false;
@@ -275,7 +198,7 @@ bool is_solid(const Mesh& mesh, const LongCall& call) {
                           [&](const auto& run) {
                               std::uint64_t pairs = 0;
                               for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i)
-                                  if (tree.meets_another(i, pairs) || all_pairs + pairs > max_pairs)
+                                  if (faces.meets_another(i, pairs) || all_pairs + pairs > max_pairs)
                                       is_none = true;
                               all_pairs += pairs;
                           });

@@ -1,0 +1,34 @@
+#pragma once
+
+// On which side of a plane a point lies, exactly.
+//
+// All coordinates are floats, so a product of two of them is exact in double. A sign is computed in double with
+// a bound of its error, and where that does not decide, from an exact sum (exact_sum.h).
+//
+// Points of a picture often coincide: in a view along an axis of a machine part, most do. So the eye is moved
+// by (e, e^2, e^3) with an e smaller than any number. Then a point lies on the plane of a triangle through the
+// eye only where the triangle has no area (Edelsbrunner, Mücke, Simulation of Simplicity, 1990).
+
+#include <glm/vec3.hpp>
+
+#include "silhouette/mesh/homogeneous_point.h"
+
+namespace rimline {
+
+/// The sign of ((b - a) x (c - a)) · (p - a): 1 where p sees a, b, c counter-clockwise, -1 clockwise, 0 where
+/// the four lie on one plane.
+int plane_side(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& p) noexcept;
+
+/// The sign of the first component of (b - a) x (c - a) that is not zero. 0 where the three lie on one line.
+int first_normal_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) noexcept;
+
+/// 1 where `eye` sees a, b, c counter-clockwise, in other words c left of a -> b; -1 clockwise. The eye is
+/// moved as said above, so 0 means that the three lie on one line.
+int seen_side(const HomogeneousPoint& eye, const glm::vec3& a, const glm::vec3& b,
+              const glm::vec3& c) noexcept;
+
+/// The turn p -> q -> r of three points of one plane, which is projected along axis `drop` (0 to 2): 1 for
+/// left, -1 for right, 0 for straight on.
+int flat_turn(int drop, const glm::vec3& p, const glm::vec3& q, const glm::vec3& r) noexcept;
+
+}  // namespace rimline

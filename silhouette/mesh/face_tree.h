@@ -1,0 +1,115 @@
+#pragma once
+
+// A balanced tree of boxes over the faces of a mesh: which faces a box may meet, and which a segment may meet.
+//
+// A node holds a range of faces, in the order of the tree. Its children hold one half each. So there are no
+// pointers, and the tree depends on the mesh alone.
+
+#include <array>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline {
+
+struct FaceBox {
+    glm::vec3 low{std::numeric_limits<float>::infinity()};
+    glm::vec3 high{-std::numeric_limits<float>::infinity()};
+
+    void include(const FaceBox& other) {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
+    }
+    bool meets(const FaceBox& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
+    }
+};
+
+class FaceTree {
+public:
+    /// `mesh` must outlive the tree. O(n log n) on all threads of oneTBB.
+    explicit FaceTree(const Mesh& mesh);
+
+    /// The faces in the order of the tree. Neighbors in it are neighbors in space.
+    std::span<const std::uint32_t> order() const noexcept { return order_; }
+    FaceBox box_of(std::uint32_t face) const;
+
+    /// Calls visit(face) for each face whose box meets `box`, in the order of the tree from place `from` on,
+    /// until it returns true. Returns whether it did.
+    template <typename Visit>
+    bool any_meeting(const FaceBox& box, std::uint32_t from, Visit&& visit) const {
+        const auto is_outside = [&](const Node& node) {
+            return node.last <= from || !boxes_[node.number].meets(box);
+        };
+        return any_leaf(is_outside, [&](const Node& node) {
+            for (std::uint32_t i = std::max(node.first, from); i < node.last; ++i)
+                if (box_of(order_[i]).meets(box) && visit(order_[i])) return true;
+            return false;
+        });
+    }
+
+    /// Calls visit(face) for each face that the segment may meet, and for some others.
+    template <typename Visit>
+    void each_along(const glm::dvec3& from, const glm::dvec3& to, Visit&& visit) const {
+        const Segment segment(from, to);
+        const auto is_outside = [&](const Node& node) {
+            return !segment.may_meet(boxes_[node.number]);
+        };
+        any_leaf(is_outside, [&](const Node& node) {
+            for (std::uint32_t i = node.first; i < node.last; ++i) visit(order_[i]);
+            return false;
+        });
+    }
+
+private:
+    struct Node {
+        std::size_t number;
+        std::uint32_t first, last;
+    };
+    // A segment, prepared for tests of boxes that are wider than its rounding errors.
+    struct Segment {
+        Segment(const glm::dvec3& from, const glm::dvec3& to);
+        bool may_meet(const FaceBox& box) const noexcept;
+        glm::dvec3 from, inverse;
+        double margin;
+    };
+    static constexpr std::uint32_t k_leaf_faces = 4;
+
+    static std::uint32_t middle_of(std::uint32_t first, std::uint32_t last) {
+        return first + (last - first) / 2;
+    }
+
+    template <typename IsOutside, typename Leaf>
+    bool any_leaf(IsOutside&& is_outside, Leaf&& leaf) const {
+        std::array<Node, 64> stack;  // The tree has at most 2^30 faces: 31 levels.
+        std::size_t size = 0;
+        stack[size++] = {0, 0, static_cast<std::uint32_t>(order_.size())};
+        while (size > 0) {
+            const Node node = stack[--size];
+            if (is_outside(node)) continue;
+            if (node.last - node.first <= k_leaf_faces) {
+                if (leaf(node)) return true;
+                continue;
+            }
+            const std::uint32_t middle = middle_of(node.first, node.last);
+            stack[size++] = {2 * node.number + 2, middle, node.last};
+            stack[size++] = {2 * node.number + 1, node.first, middle};
+        }
+        return false;
+    }
+
+    void build(std::size_t node, std::uint32_t first, std::uint32_t last);
+
+    const Mesh& mesh_;
+    std::vector<std::uint32_t> order_;
+    std::vector<FaceBox> boxes_;
+};
+
+}  // namespace rimline
