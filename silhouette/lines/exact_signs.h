@@ -17,7 +17,8 @@ namespace rimline {
 
 /// The sign of ((b - a) x (c - a)) · (p - a): 1 where p sees a, b, c counter-clockwise, -1 clockwise, 0 where
 /// the four lie on one plane.
-int plane_side(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& p) noexcept;
+int plane_side(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+               const glm::vec3& p) noexcept;
 
 /// The sign of the first component of (b - a) x (c - a) that is not zero. 0 where the three lie on one line.
 int first_normal_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) noexcept;

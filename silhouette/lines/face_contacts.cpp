@@ -36,7 +36,9 @@ public:
     FaceContacts found;
 
 private:
-    static bool is_corner(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
+    static bool is_corner(const Triangle& t, VertexId v) {
+        return t[0] == v || t[1] == v || t[2] == v;
+    }
     bool has_edges(std::uint32_t f) const { return mesh_.edges_of(FaceId{f})[0] != k_no_edge; }
     const glm::vec3& at(VertexId v) const { return positions_[index(v)]; }
     int side_of(const Triangle& t, VertexId v) const {
@@ -184,14 +186,13 @@ std::span<const FaceContacts::Touch> FaceContacts::touches_of(std::uint32_t vert
 std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh) {
     std::vector<std::uint8_t> is_flat(mesh.face_count());
     const std::span<const glm::vec3> p = mesh.positions();
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, mesh.face_count(), 4096),
-                      [&](const auto& run) {
-                          for (std::uint32_t f = run.begin(); f < run.end(); ++f) {
-                              const Triangle& t = mesh.triangles()[f];
-                              is_flat[f] = first_normal_sign(p[index(t[0])], p[index(t[1])],
-                                                             p[index(t[2])]) == 0;
-                          }
-                      });
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint32_t>(0, mesh.face_count(), 4096), [&](const auto& run) {
+            for (std::uint32_t f = run.begin(); f < run.end(); ++f) {
+                const Triangle& t = mesh.triangles()[f];
+                is_flat[f] = first_normal_sign(p[index(t[0])], p[index(t[1])], p[index(t[2])]) == 0;
+            }
+        });
     return is_flat;
 }
 
@@ -203,18 +204,17 @@ FaceContacts find_face_contacts(const Mesh& mesh, const FaceTree& tree, const Lo
         call.checkpoint(double(first) / mesh.face_count());
         const std::uint32_t last =
             first + std::min(mesh.face_count() - first, k_contact_faces_a_checkpoint);
-        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(first, last, 256),
-                          [&](const auto& run) {
-                              ContactSearch& search = searches.local();
-                              for (std::uint32_t i = run.begin(); i < run.end(); ++i) {
-                                  const std::uint32_t face = tree.order()[i];
-                                  tree.any_meeting(tree.box_of(face), i + 1,
-                                                   [&](std::uint32_t other) {
-                                                       search.add_pair(face, other);
-                                                       return false;
-                                                   });
-                              }
-                          });
+        tbb::parallel_for(
+            tbb::blocked_range<std::uint32_t>(first, last, 256), [&](const auto& run) {
+                ContactSearch& search = searches.local();
+                for (std::uint32_t i = run.begin(); i < run.end(); ++i) {
+                    const std::uint32_t face = tree.order()[i];
+                    tree.any_meeting(tree.box_of(face), i + 1, [&](std::uint32_t other) {
+                        search.add_pair(face, other);
+                        return false;
+                    });
+                }
+            });
         first = last;
     }
     FaceContacts all;

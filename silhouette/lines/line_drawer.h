@@ -30,7 +30,8 @@ struct LineOptions {
     double simplify = 0.0;    ///< Points are left out where the line moves by at most this.
     /// Runs end where LineRun::hidden_by changes, not only where visibility does.
     bool splits_counts = false;
-    bool keeps_coincident = false;  ///< Lines that coincide in the picture are drawn more than once.
+    bool keeps_coincident =
+        false;  ///< Lines that coincide in the picture are drawn more than once.
 };
 
 class LineDrawer {

@@ -40,7 +40,8 @@ struct LineSource {
 
 struct LineRun {
     std::uint32_t chain;
-    std::uint32_t first_point, last_point;  ///< [first, last). Runs that follow each other share a point's place.
+    std::uint32_t first_point,
+        last_point;           ///< [first, last). Runs that follow each other share a point's place.
     std::uint32_t hidden_by;  ///< The least number of faces in front of it. 0: visible.
     double length;
     bool is_visible() const noexcept { return hidden_by == 0; }
@@ -68,14 +69,15 @@ struct LineStroke {
 
 /// What was done, and the checks of its result.
 struct LineReport {
-    std::uint32_t lines = 0;           ///< Edges drawn, and segments of intersections.
-    std::uint64_t crossings = 0;       ///< Places where a line passes behind another.
-    std::uint64_t contacts = 0;        ///< Places where lines meet faces that are not their own.
-    std::uint32_t components = 0;      ///< Sets of connected lines. One ray decides each.
-    std::uint64_t checks = 0;          ///< Cycles of lines, each of which checks all signs on it.
-    std::uint64_t failed_checks = 0;   ///< Of these, those that found an error.
-    std::uint32_t lines_by_rays = 0;   ///< Lines of components that failed, decided by a ray a piece instead.
-    std::uint32_t undecided_lines = 0; ///< Of these, lines for which rays could not tell either.
+    std::uint32_t lines = 0;          ///< Edges drawn, and segments of intersections.
+    std::uint64_t crossings = 0;      ///< Places where a line passes behind another.
+    std::uint64_t contacts = 0;       ///< Places where lines meet faces that are not their own.
+    std::uint32_t components = 0;     ///< Sets of connected lines. One ray decides each.
+    std::uint64_t checks = 0;         ///< Cycles of lines, each of which checks all signs on it.
+    std::uint64_t failed_checks = 0;  ///< Of these, those that found an error.
+    std::uint32_t lines_by_rays =
+        0;  ///< Lines of components that failed, decided by a ray a piece instead.
+    std::uint32_t undecided_lines = 0;  ///< Of these, lines for which rays could not tell either.
 };
 
 struct LineDrawing {

@@ -41,8 +41,7 @@ void LineSurface::find_slivers() {
         const glm::dvec3 v = glm::dvec3(mesh_.positions()[index(t[2])]) - a;
         const glm::dvec3 n = glm::abs(glm::cross(u, v));
         const glm::dvec3 p = glm::abs(u), q = glm::abs(v);
-        const double terms =
-            p.y * q.z + p.z * q.y + p.z * q.x + p.x * q.z + p.x * q.y + p.y * q.x;
+        const double terms = p.y * q.z + p.z * q.y + p.z * q.x + p.x * q.z + p.x * q.y + p.y * q.x;
         if (n.x + n.y + n.z < k_min_share * terms || !mesh_.plane(FaceId{f}).has_normal())
             slivers_.push_back(f);
     }

@@ -21,8 +21,8 @@ LineView::LineView(const glm::dvec3& eye, const glm::dvec3& target, const glm::d
     forward_ = glm::normalize(target - eye);
     glm::dvec3 right = glm::cross(forward_, up);
     if (!(glm::length(right) > 1e-9 * glm::length(up)))
-        right = glm::cross(forward_, std::abs(forward_.y) < 0.9 ? glm::dvec3(0, 1, 0)
-                                                                : glm::dvec3(0, 0, -1));
+        right = glm::cross(forward_,
+                           std::abs(forward_.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1));
     right_ = glm::normalize(right);
     up_ = glm::cross(right_, forward_);
 }
@@ -31,9 +31,9 @@ LineView LineView::perspective(const glm::dvec3& eye, const glm::dvec3& target,
                                const glm::dvec3& up) {
     LineView view(eye, target, up);
     const double shift = k_shift * glm::length(target - eye);
-    view.point_ = HomogeneousPoint::viewpoint(
-        glm::vec3(eye + shift * (k_shift_direction.x * view.right_ + k_shift_direction.y * view.up_ +
-                                 k_shift_direction.z * view.forward_)));
+    view.point_ = HomogeneousPoint::viewpoint(glm::vec3(
+        eye + shift * (k_shift_direction.x * view.right_ + k_shift_direction.y * view.up_ +
+                       k_shift_direction.z * view.forward_)));
     view.point_right_ = view.right_;
     view.point_up_ = view.up_;
     view.point_forward_ = view.forward_;

@@ -23,7 +23,8 @@ public:
 
     /// A perspective camera. `up` may have any length; where it is parallel to the view, another axis takes its
     /// place. `eye` and `target` must differ, and be valid points (HomogeneousPoint::is_valid()).
-    static LineView perspective(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
+    static LineView perspective(const glm::dvec3& eye, const glm::dvec3& target,
+                                const glm::dvec3& up);
     /// An orthographic camera that looks from `eye` to `target`. The distance does not matter.
     static LineView orthographic(const glm::dvec3& eye, const glm::dvec3& target,
                                  const glm::dvec3& up);

@@ -37,20 +37,20 @@ VertexStars::VertexStars(const Mesh& mesh) : begin_(mesh.vertex_count() + 1, 0) 
             faces_[place] = f;
         }
     }
-    tbb::parallel_for(
-        tbb::blocked_range<std::uint32_t>(0, mesh.vertex_count(), 4096), [&](const auto& run) {
-            for (std::uint32_t v = run.begin(); v < run.end(); ++v) {
-                const std::uint32_t first = begin_[v], last = begin_[v + 1];
-                if (last - first > k_max_sorted_links) continue;
-                for (std::uint32_t i = first; i + 1 < last; ++i)
-                    for (std::uint32_t j = i + 1; j < last; ++j)
-                        if (links_[j][0] == links_[i][1]) {
-                            std::swap(links_[j], links_[i + 1]);
-                            std::swap(faces_[j], faces_[i + 1]);
-                            break;
-                        }
-            }
-        });
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, mesh.vertex_count(), 4096),
+                      [&](const auto& run) {
+                          for (std::uint32_t v = run.begin(); v < run.end(); ++v) {
+                              const std::uint32_t first = begin_[v], last = begin_[v + 1];
+                              if (last - first > k_max_sorted_links) continue;
+                              for (std::uint32_t i = first; i + 1 < last; ++i)
+                                  for (std::uint32_t j = i + 1; j < last; ++j)
+                                      if (links_[j][0] == links_[i][1]) {
+                                          std::swap(links_[j], links_[i + 1]);
+                                          std::swap(faces_[j], faces_[i + 1]);
+                                          break;
+                                      }
+                          }
+                      });
 }
 
 std::uint64_t VertexStars::size_bytes() const noexcept {

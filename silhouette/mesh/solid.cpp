@@ -194,14 +194,14 @@ bool is_solid(const Mesh& mesh, const LongCall& call) {
         call.checkpoint(double(first) / mesh.face_count());
         const std::uint32_t last =
             first + std::min(mesh.face_count() - first, k_faces_a_checkpoint);
-        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(first, last, 256),
-                          [&](const auto& run) {
-                              std::uint64_t pairs = 0;
-                              for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i)
-                                  if (faces.meets_another(i, pairs) || all_pairs + pairs > max_pairs)
-                                      is_none = true;
-                              all_pairs += pairs;
-                          });
+        tbb::parallel_for(
+            tbb::blocked_range<std::uint32_t>(first, last, 256), [&](const auto& run) {
+                std::uint64_t pairs = 0;
+                for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i)
+                    if (faces.meets_another(i, pairs) || all_pairs + pairs > max_pairs)
+                        is_none = true;
+                all_pairs += pairs;
+            });
         first = last;
     }
     return !is_none && all_pairs <= max_pairs;

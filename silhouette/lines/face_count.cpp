@@ -1,0 +1,73 @@
+#include "silhouette/lines/face_count.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "silhouette/lines/exact_signs.h"
+
+namespace rimline {
+
+glm::dvec3 ray_end(const LineSurface& surface, const LineView& view, const glm::dvec3& point) {
+    const glm::dvec3 eye(view.point().xyz());
+    if (!view.is_orthographic()) return eye;
+    const Mesh& mesh = surface.mesh();
+    const double distance = 2.0 * (mesh.radius() + glm::length(point - mesh.center()));
+    return point + distance * glm::normalize(eye);
+}
+
+std::int32_t count_before_vertex(const LineSurface& surface, const LineView& view,
+                                 std::uint32_t vertex) {
+    const std::span<const glm::vec3> positions = surface.mesh().positions();
+    const glm::vec3& p = positions[vertex];
+    std::int32_t count = 0;
+    surface.tree().each_along(
+        ray_end(surface, view, glm::dvec3(p)), glm::dvec3(p), [&](std::uint32_t face) {
+            const Triangle& t = surface.mesh().triangles()[face];
+            if (index(t[0]) == vertex || index(t[1]) == vertex || index(t[2]) == vertex) return;
+            const glm::vec3 &a = positions[index(t[0])], &b = positions[index(t[1])],
+                            &c = positions[index(t[2])];
+            const int side = seen_side(view.point(), a, b, p);
+            if (side != 0 && seen_side(view.point(), b, c, p) == side &&
+                seen_side(view.point(), c, a, p) == side && plane_side(a, b, c, p) == -side)
+                ++count;
+        });
+    return count;
+}
+
+RayCount meets_face(const LineSurface& surface, const LineView& view, const glm::dvec3& point,
+                    std::uint32_t face) {
+    constexpr double k_error = 0x1p-44;
+    const Triangle& t = surface.mesh().triangles()[face];
+    const auto corner = [&](std::size_t k) {
+        return glm::dvec3(surface.mesh().positions()[index(t[k % 3])]) - point;
+    };
+    const glm::dvec3 eye(view.point().xyz());
+    const glm::dvec3 towards = view.is_orthographic() ? eye : eye - point;
+    int sign = 0;
+    bool is_sure = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 a = corner(k), b = corner(k + 1);
+        const double side = glm::dot(glm::cross(a, b), towards);
+        const double error = k_error * glm::length(a) * glm::length(b) * glm::length(towards);
+        if (std::abs(side) <= error) {
+            is_sure = false;
+            continue;
+        }
+        const int s = side > 0.0 ? 1 : -1;
+        if (sign == -s) return {0, true};
+        sign = s;
+    }
+    const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+    const double size = glm::length(n);
+    if (size == 0.0) return {0, true};
+    const double height = -glm::dot(n, corner(0)) / size;  // Of the point over the face.
+    const double facing = glm::dot(n, towards);
+    if (std::abs(height) <= k_error * surface.mesh().radius()) return {0, false};
+    if (view.is_orthographic()) return {int(height < 0.0) == int(facing > 0.0) ? 1 : 0, is_sure};
+    const double eye_height = glm::dot(n, towards - corner(0)) / size;
+    const bool is_between = (height < 0.0) != (eye_height < 0.0);
+    return {is_between ? 1 : 0, is_sure || !is_between};
+}
+
+}  // namespace rimline

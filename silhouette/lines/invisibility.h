@@ -1,0 +1,34 @@
+#pragma once
+
+// The invisibility of every line of a view, from the differences along lines.
+//
+// The invisibility of a line at an end is base(vertex) + local(end), where base counts faces before the vertex
+// that are not its own. The events of a line give the difference of base between its vertices. So base is a
+// potential: one ray gives it for one vertex of each set of connected lines, the lines give it for the others,
+// and every cycle of lines is a check of all signs along it. Where a check fails, each piece of the lines of the
+// set is decided by a ray of its own.
+
+#include <cstdint>
+#include <vector>
+
+#include "silhouette/lines/line_frame.h"
+
+namespace rimline {
+
+class Invisibility {
+public:
+    /// Sets first_counts of the frame; events of lines that rays decide are replaced.
+    void spread(LineFrame& frame);
+
+private:
+    bool spread_from(std::uint32_t node, LineFrame& frame);
+    void decide_by_rays(LineFrame& frame);
+    void decide_by_ray_a_piece(std::uint32_t line, LineFrame& frame);
+
+    std::vector<std::int32_t> steps_;  // Of base, along each edge line.
+    std::vector<std::int32_t> bases_;  // By node.
+    std::vector<std::uint32_t> queue_;
+    std::vector<std::uint8_t> has_failed_;  // By line.
+};
+
+}  // namespace rimline

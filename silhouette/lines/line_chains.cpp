@@ -1,0 +1,304 @@
+#include "silhouette/lines/line_chains.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "silhouette/lines/line_simplify.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr LineEnd k_no_end = 0xffffffffu;
+// Lines that bend by more than 120 degrees from each other are not one line where several meet.
+constexpr double k_max_cos_of_ways = 0.5;
+
+}  // namespace
+
+void LineChains::link(const LineFrame& frame) {
+    next_.assign(2 * frame.lines.size(), k_no_end);
+    const std::size_t nodes = frame.end_begin.size() - 1;
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        for (std::uint32_t kind = 0; kind < k_line_kinds; ++kind) {
+            ends_.clear();
+            for (const LineEnd end : frame.ends_at(node))
+                if (frame.lines[end / 2].is_drawn &&
+                    frame.lines[end / 2].kind == static_cast<LineKind>(kind))
+                    ends_.push_back(end);
+            if (ends_.size() == 2) {
+                next_[ends_[0]] = ends_[1];
+                next_[ends_[1]] = ends_[0];
+            } else if (ends_.size() > 2) {
+                link_best(frame);
+            }
+        }
+}
+
+// Links pairs of ends_, the one that bends least first.
+void LineChains::link_best(const LineFrame& frame) {
+    ways_.clear();
+    for (const LineEnd end : ends_) {
+        const FlatLine& flat = frame.flats[end / 2];
+        const glm::dvec2 way = flat.ends[1 - end % 2] - flat.ends[end % 2];
+        ways_.push_back(way / std::max(glm::length(way), 1e-300));
+    }
+    for (;;) {
+        double least = k_max_cos_of_ways;
+        std::size_t first = 0, second = 0;
+        for (std::size_t i = 0; i < ends_.size(); ++i) {
+            if (next_[ends_[i]] != k_no_end) continue;
+            for (std::size_t j = i + 1; j < ends_.size(); ++j) {
+                if (next_[ends_[j]] != k_no_end) continue;
+                const double cos = glm::dot(ways_[i], ways_[j]);
+                if (cos < least) least = cos, first = i, second = j;
+            }
+        }
+        if (first == second) return;
+        next_[ends_[first]] = ends_[second];
+        next_[ends_[second]] = ends_[first];
+    }
+}
+
+void LineChains::make(const LineFrame& frame, const CoveredStretches& covered,
+                      const LineOptions& options, LineDrawing& drawing) {
+    link(frame);
+    is_done_.assign(frame.lines.size(), 0);
+    // Open chains from their ends, then closed ones.
+    for (const bool is_closed : {false, true})
+        for (std::uint32_t i = 0; i < frame.lines.size(); ++i)
+            for (std::uint32_t k = 0; k < 2; ++k)
+                if (is_done_[i] == 0 && frame.lines[i].is_drawn &&
+                    (is_closed || next_[2 * i + k] == k_no_end))
+                    follow(frame, 2 * i + k, is_closed, covered, options, drawing);
+}
+
+void LineChains::follow(const LineFrame& frame, LineEnd first_end, bool is_closed,
+                        const CoveredStretches& covered, const LineOptions& options,
+                        LineDrawing& drawing) {
+    points_.clear();
+    for (LineEnd end = first_end;;) {
+        is_done_[end / 2] = 1;
+        add_line(frame, end, covered);
+        const LineEnd next = next_[end ^ 1u];
+        if (next == k_no_end || is_done_[next / 2] != 0) break;
+        end = next;
+    }
+    split(is_closed, options);
+    add_chain(frame.lines[first_end / 2].kind, is_closed, options, drawing);
+}
+
+// Adds the points of a line from one of its ends to the other.
+void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
+                          const CoveredStretches& covered) {
+    const std::uint32_t line = entered_at / 2;
+    const bool is_reversed = entered_at % 2 != 0;
+    const FlatLine& flat = frame.flats[line];
+    const bool is_orthographic = frame.view->is_orthographic();
+    std::array<glm::dvec3, 2> ends;
+    if (frame.lines[line].is_intersection()) {
+        ends = frame.surface->intersections()[frame.lines[line].source].ends;
+    } else {
+        const auto [v, w] = frame.lines[line].vertices;
+        ends = {glm::dvec3(frame.position(v)), glm::dvec3(frame.position(w))};
+    }
+    const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
+        const double share = flat.share_in_space(share_in_picture, is_orthographic);
+        const LineView::Projected seen = frame.view->project(glm::mix(ends[0], ends[1], share));
+        double arc = 0.0;
+        if (!points_.empty())
+            arc = points_.back().point.arc +
+                  glm::length(seen.position - points_.back().point.position);
+        const EdgeId edge =
+            frame.lines[line].is_intersection() ? k_no_edge : EdgeId{frame.lines[line].source};
+        points_.push_back({{seen.position, seen.depth, arc},
+                           {edge, static_cast<float>(share)},
+                           count,
+                           is_covered});
+    };
+    const std::span<const LineEvent> events = frame.events_of(line);
+    const std::span<const CoveredStretch> stretches = covered.of(line);
+    if (!is_reversed) {
+        std::int32_t count = frame.first_counts[line];
+        std::size_t stretch = 0;
+        double begin = 0.0;
+        // A point at every event and at every end of a covered stretch.
+        for (std::size_t k = 0; k <= events.size(); ++k) {
+            const double end = k < events.size() ? events[k].share : 1.0;
+            while (begin < end) {
+                while (stretch < stretches.size() && stretches[stretch].end <= begin) ++stretch;
+                const bool is_covered =
+                    stretch < stretches.size() && stretches[stretch].begin <= begin;
+                const double limit = stretch == stretches.size() ? end
+                                     : is_covered                ? stretches[stretch].end
+                                                                 : stretches[stretch].begin;
+                add(begin, count, is_covered);
+                begin = std::min(end, limit);
+            }
+            if (k < events.size()) count += events[k].jump;
+        }
+        add(1.0, count, false);
+        return;
+    }
+    std::int32_t count = frame.first_counts[line];
+    for (const LineEvent& event : events) count += event.jump;
+    std::size_t stretch = stretches.size();
+    double begin = 1.0;
+    for (std::size_t k = events.size() + 1; k-- > 0;) {
+        const double end = k > 0 ? events[k - 1].share : 0.0;
+        while (begin > end) {
+            while (stretch > 0 && stretches[stretch - 1].begin >= begin) --stretch;
+            const bool is_covered = stretch > 0 && stretches[stretch - 1].end >= begin;
+            const double limit = stretch == 0 ? end
+                                 : is_covered ? stretches[stretch - 1].begin
+                                              : stretches[stretch - 1].end;
+            add(begin, count, is_covered);
+            begin = std::max(end, limit);
+        }
+        if (k > 0) count -= events[k - 1].jump;
+    }
+    add(0.0, count, false);
+}
+
+// Sets pieces_: stretches of points_ of one visibility, or of one count.
+void LineChains::split(bool is_closed, const LineOptions& options) {
+    if (is_closed) rotate_to_change(options);
+    pieces_.clear();
+    for (std::uint32_t i = 0; i + 1 < points_.size(); ++i) {
+        const ChainPoint& from = points_[i];
+        // The last point of a line and the first of the next are at one place.
+        if (points_[i + 1].point.arc == from.point.arc && !pieces_.empty() &&
+            points_[i + 1].source.edge != from.source.edge) {
+            pieces_.back().last = i + 1;
+            continue;
+        }
+        const double length = points_[i + 1].point.arc - from.point.arc;
+        const bool goes_on =
+            !pieces_.empty() && pieces_.back().is_covered == from.is_covered &&
+            (options.splits_counts ? pieces_.back().count == from.count
+                                   : (pieces_.back().count > 0) == (from.count > 0));
+        if (goes_on) {
+            pieces_.back().last = i + 1;
+            pieces_.back().length += length;
+            pieces_.back().count = std::min(pieces_.back().count, from.count);
+        } else {
+            pieces_.push_back({i, i + 1, from.count, from.is_covered, length});
+        }
+    }
+    if (options.gap > 0.0 && !options.splits_counts) bridge(is_closed, options.gap);
+}
+
+// A closed chain begins where a piece begins, if it has more than one.
+void LineChains::rotate_to_change(const LineOptions& options) {
+    if (points_.size() < 2) return;
+    const auto state = [&](const ChainPoint& p) {
+        return std::pair(options.splits_counts ? p.count : std::int32_t(p.count > 0), p.is_covered);
+    };
+    // points_.back() is the end of the last line, at the place of the first point: it begins nothing.
+    const std::size_t count = points_.size() - 1;
+    std::size_t start = 0;
+    auto last = state(points_[count - 1]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool is_end_of_line = points_[i + 1].point.arc == points_[i].point.arc &&
+                                    points_[i + 1].source.edge != points_[i].source.edge;
+        if (is_end_of_line) continue;
+        if (state(points_[i]) != last && i > 0) {
+            start = i;
+            break;
+        }
+        last = state(points_[i]);
+    }
+    if (start == 0) return;
+    const double total = points_.back().point.arc, first_arc = points_[start].point.arc;
+    rotated_.clear();
+    for (std::size_t i = start; i < points_.size(); ++i) rotated_.push_back(points_[i]);
+    for (std::size_t i = 0; i <= start; ++i) {
+        rotated_.push_back(points_[i]);
+        rotated_.back().point.arc += total;
+    }
+    for (ChainPoint& p : rotated_) p.point.arc -= first_arc;
+    points_.swap(rotated_);
+}
+
+void LineChains::bridge(bool is_closed, double gap) {
+    for (const bool makes_visible : {true, false}) {
+        const auto changes = [&](std::size_t i) {
+            const Piece& piece = pieces_[i];
+            const bool has_before = i > 0 || is_closed,
+                       has_after = i + 1 < pieces_.size() || is_closed;
+            if (piece.is_covered || (piece.count > 0) != makes_visible || piece.length > gap ||
+                !has_before || !has_after || pieces_.size() < 2)
+                return false;
+            const Piece& before = pieces_[i > 0 ? i - 1 : pieces_.size() - 1];
+            const Piece& after = pieces_[i + 1 < pieces_.size() ? i + 1 : 0];
+            return !before.is_covered && !after.is_covered && (before.count > 0) != makes_visible &&
+                   (after.count > 0) != makes_visible;
+        };
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            if (changes(i)) pieces_[i].count = makes_visible ? 0 : 1;
+        std::size_t kept = 0;
+        for (std::size_t i = 1; i < pieces_.size(); ++i) {
+            Piece& last = pieces_[kept];
+            const Piece& piece = pieces_[i];
+            if (last.is_covered == piece.is_covered && (last.count > 0) == (piece.count > 0)) {
+                last.last = piece.last;
+                last.length += piece.length;
+                last.count = std::min(last.count, piece.count);
+            } else {
+                pieces_[++kept] = piece;
+            }
+        }
+        if (!pieces_.empty()) pieces_.resize(kept + 1);
+    }
+}
+
+void LineChains::add_chain(LineKind kind, bool is_closed, const LineOptions& options,
+                           LineDrawing& drawing) {
+    const auto chain = static_cast<std::uint32_t>(drawing.chains.size());
+    const auto first_run = static_cast<std::uint32_t>(drawing.runs.size());
+    const double length = points_.empty() ? 0.0 : points_.back().point.arc;
+    std::vector<LinePoint> points;
+    std::vector<LineSource> sources;
+    std::vector<std::uint32_t> kept;
+    for (const Piece& piece : pieces_) {
+        if (piece.is_covered) continue;
+        points.clear();
+        sources.clear();
+        for (std::uint32_t i = piece.first; i <= piece.last; ++i) {
+            // The same place once, but with the source of what follows.
+            if (!points.empty() && i < piece.last && points_[i].point.arc == points.back().arc &&
+                points.size() > 1) {
+                if (!options.splits_counts) continue;
+            }
+            points.push_back(points_[i].point);
+            sources.push_back(points_[i].source);
+        }
+        const auto first_point = static_cast<std::uint32_t>(drawing.points.size());
+        if (options.simplify > 0.0) {
+            simplify(points, options.simplify, kept);
+        } else {
+            kept.resize(points.size());
+            for (std::uint32_t i = 0; i < kept.size(); ++i) kept[i] = i;
+        }
+        for (const std::uint32_t i : kept) {
+            drawing.points.push_back(points[i]);
+            drawing.sources.push_back(sources[i]);
+        }
+        drawing.runs.push_back({.chain = chain,
+                                .first_point = first_point,
+                                .last_point = static_cast<std::uint32_t>(drawing.points.size()),
+                                .hidden_by = static_cast<std::uint32_t>(std::max(piece.count, 0)),
+                                .length = piece.length});
+    }
+    const auto last_run = static_cast<std::uint32_t>(drawing.runs.size());
+    if (first_run == last_run) return;
+    const bool is_whole = last_run - first_run == 1 && pieces_.size() == 1;
+    drawing.chains.push_back({.first_run = first_run,
+                              .last_run = last_run,
+                              .id = chain,
+                              .kind = kind,
+                              .is_closed = is_closed && (is_whole || pieces_.size() > 1),
+                              .length = length});
+}
+
+}  // namespace rimline

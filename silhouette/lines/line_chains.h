@@ -1,0 +1,60 @@
+#pragma once
+
+// Makes chains and runs of the lines of a view.
+//
+// At a node with two lines of one kind one goes on into the other. Where more meet, those that bend least go on
+// into each other. A chain follows its lines, and its runs end where visibility changes. Hidden runs between
+// visible ones that are too short to see are then visible, and visible ones between hidden ones hidden.
+
+#include <cstdint>
+#include <vector>
+
+#include "silhouette/lines/coincident_lines.h"
+#include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_drawing.h"
+#include "silhouette/lines/line_frame.h"
+
+namespace rimline {
+
+class LineChains {
+public:
+    /// Sets points, sources, runs and chains of the drawing. Covered stretches are left out. O(lines + events),
+    /// and O(degree^2) at nodes of many lines.
+    void make(const LineFrame& frame, const CoveredStretches& covered, const LineOptions& options,
+              LineDrawing& drawing);
+
+private:
+    // A point of a chain, and what follows it.
+    struct ChainPoint {
+        LinePoint point;
+        LineSource source;
+        std::int32_t count;  // Invisibility up to the next point.
+        bool is_covered;     // Up to the next point: drawn by another line.
+    };
+    // Points [first, last] of a chain.
+    struct Piece {
+        std::uint32_t first, last;
+        std::int32_t count;
+        bool is_covered;
+        double length;
+    };
+
+    void link(const LineFrame& frame);
+    void link_best(const LineFrame& frame);
+    void follow(const LineFrame& frame, LineEnd first_end, bool is_closed,
+                const CoveredStretches& covered, const LineOptions& options, LineDrawing& drawing);
+    void add_line(const LineFrame& frame, LineEnd entered_at, const CoveredStretches& covered);
+    void split(bool is_closed, const LineOptions& options);
+    void rotate_to_change(const LineOptions& options);
+    void bridge(bool is_closed, double gap);
+    void add_chain(LineKind kind, bool is_closed, const LineOptions& options, LineDrawing& drawing);
+
+    std::vector<LineEnd> next_;  // Of each end: the end at which the chain goes on.
+    std::vector<std::uint8_t> is_done_;
+    std::vector<LineEnd> ends_;
+    std::vector<glm::dvec2> ways_;
+    std::vector<ChainPoint> points_, rotated_;
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace rimline

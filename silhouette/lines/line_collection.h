@@ -1,0 +1,34 @@
+#pragma once
+
+// Collects the lines of a view, and projects them.
+//
+// The silhouette that is given follows from the rounded planes of the mesh. Where a face is seen edge-on, its
+// plane may say front and its corners back. Those faces are found by one comparison a face, and their edges
+// become lines too; local_rule.h then takes out those that the corners say are no silhouette. So the
+// silhouettes are those of the corners, exactly.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_frame.h"
+
+namespace rimline {
+
+class LineCollection {
+public:
+    /// Sets lines, flats and picture_size of the frame.
+    void collect(std::span<const EdgeId> silhouette, const LineOptions& options, LineFrame& frame);
+
+private:
+    void add_edge(EdgeId edge, LineKind kind, bool is_drawn, LineFrame& frame);
+    void add_edges_of_doubtful_faces(const LineOptions& options, LineFrame& frame);
+    void project(LineFrame& frame) const;
+
+    std::vector<std::uint32_t> stamps_;  // By edge: the frame in which it became a line.
+    std::uint32_t frame_number_ = 0;
+    std::vector<std::uint32_t> doubtful_;
+};
+
+}  // namespace rimline

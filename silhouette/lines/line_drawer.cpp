@@ -1,0 +1,65 @@
+#include "silhouette/lines/line_drawer.h"
+
+#include "silhouette/lines/coincident_lines.h"
+#include "silhouette/lines/invisibility.h"
+#include "silhouette/lines/line_chains.h"
+#include "silhouette/lines/line_collection.h"
+#include "silhouette/lines/line_events.h"
+#include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/line_graph.h"
+#include "silhouette/lines/line_strokes.h"
+#include "silhouette/lines/local_rule.h"
+
+namespace rimline {
+
+struct LineDrawer::State {
+    LineFrame frame;
+    LineCollection collection;
+    LineGraph graph;
+    LineEvents events;
+    Invisibility invisibility;
+    CoincidentLines coincident;
+    CoveredStretches covered;
+    LineChains chains;
+    LineStrokes strokes;
+    LineDrawing drawing;
+};
+
+LineDrawer::LineDrawer(const LineSurface& surface) : state_(std::make_unique<State>()) {
+    state_->frame.surface = &surface;
+}
+
+LineDrawer::~LineDrawer() = default;
+LineDrawer::LineDrawer(LineDrawer&&) noexcept = default;
+LineDrawer& LineDrawer::operator=(LineDrawer&&) noexcept = default;
+
+const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId> silhouette,
+                                    const LineOptions& options, const LongCall& call) {
+    LineFrame& frame = state_->frame;
+    LineDrawing& drawing = state_->drawing;
+    drawing.clear();
+    frame.view = &view;
+    frame.report = {};
+
+    call.checkpoint(0.0);
+    state_->collection.collect(silhouette, options, frame);
+    state_->graph.link(frame);
+    call.checkpoint(0.1);
+    find_locals(frame, options.draws[std::size_t(LineKind::crease)], options.crease_angle_rad);
+    call.checkpoint(0.3);
+    state_->events.find(frame);
+    call.checkpoint(0.6);
+    state_->invisibility.spread(frame);
+    call.checkpoint(0.8);
+    state_->covered.clear();
+    if (!options.keeps_coincident) state_->coincident.find(frame, state_->covered);
+    state_->chains.make(frame, state_->covered, options, drawing);
+    state_->strokes.join(options, drawing);
+
+    for (const ViewLine& line : frame.lines) frame.report.lines += line.is_drawn ? 1 : 0;
+    drawing.report = frame.report;
+    call.checkpoint(1.0);
+    return drawing;
+}
+
+}  // namespace rimline

@@ -1,0 +1,324 @@
+#include "silhouette/lines/line_events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "silhouette/lines/exact_signs.h"
+#include "silhouette/lines/local_rule.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr std::uint32_t k_no_line = 0xffffffffu;
+constexpr std::uint32_t k_max_lines_a_cell = 8;
+
+double cross_2d(const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; }
+
+// The turn a -> b -> c in the picture, where doubles decide it. A coordinate errs by a few 2^-53 of `size`.
+int turn_in_picture(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, double size) {
+    const glm::dvec2 u = b - a, v = c - a;
+    const double turn = cross_2d(u, v);
+    const double bound =
+        0x1p-46 * size * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
+    return turn > bound ? 1 : (-turn > bound ? -1 : 0);
+}
+
+struct CrossingPlace {
+    double share, other_share;
+};
+
+// Where the lines through two segments of the picture cross.
+CrossingPlace crossing_of(const FlatLine& a, const FlatLine& b) {
+    const glm::dvec2 u = a.ends[1] - a.ends[0], v = b.ends[1] - b.ends[0];
+    const double turn = cross_2d(u, v);
+    if (turn == 0.0) return {0.5, 0.5};
+    const glm::dvec2 w = b.ends[0] - a.ends[0];
+    return {cross_2d(w, v) / turn, cross_2d(w, u) / turn};
+}
+
+// Floats below and above a value, farther away than rounding takes them. (std::nextafter is a call.)
+float below(double value) {
+    const auto rounded = static_cast<float>(value);
+    return rounded - (std::abs(rounded) * 0x1p-23f + 0x1p-120f);
+}
+float above(double value) { return -below(-value); }
+
+}  // namespace
+
+void LineEvents::fill_grid(const LineFrame& frame) {
+    glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
+    double length = 0.0;
+    occluders_.clear();
+    for (const std::uint32_t i : frame.walk) {
+        const FlatLine& flat = frame.flats[i];
+        if (frame.lines[i].balance != 0) occluders_.push_back({flat, i});
+    }
+    for (const FlatLine& flat : frame.flats) {
+        low = glm::min(low, glm::min(flat.ends[0], flat.ends[1]));
+        high = glm::max(high, glm::max(flat.ends[0], flat.ends[1]));
+        length +=
+            std::abs(flat.ends[0].x - flat.ends[1].x) + std::abs(flat.ends[0].y - flat.ends[1].y);
+    }
+    // Cells about as wide as a line is long, but not many more than there are lines.
+    const double lines = double(frame.lines.size());
+    const double area = (high.x - low.x) * (high.y - low.y);
+    grid_.reset(low, high,
+                std::max(length / lines,
+                         std::sqrt(area / (k_max_lines_a_cell * lines + 2 * k_max_lines_a_cell))));
+    for (std::uint32_t i = 0; i < occluders_.size(); ++i)
+        grid_.add(i, occluders_[i].flat.ends[0], occluders_[i].flat.ends[1]);
+    grid_.finish();
+    boxes_.clear();
+    for (const std::uint32_t i : grid_.all_segments()) {
+        const auto& [ends, depths, shares] = occluders_[i].flat;
+        boxes_.push_back(
+            {below(std::min(ends[0].x, ends[1].x)), below(std::min(ends[0].y, ends[1].y)),
+             above(std::max(ends[0].x, ends[1].x)), above(std::max(ends[0].y, ends[1].y)),
+             below(std::min(depths[0], depths[1])), i});
+    }
+    tested_.assign(occluders_.size(), k_no_line);
+}
+
+// Calls visit(occluder) for each that may lie before the line in the picture, once.
+template <typename Visit>
+void LineEvents::each_candidate(const FlatLine& flat, std::uint32_t line, Visit&& visit) {
+    const auto& [ends, depths, shares] = flat;
+    const float low_x = below(std::min(ends[0].x, ends[1].x));
+    const float high_x = above(std::max(ends[0].x, ends[1].x));
+    const float low_y = below(std::min(ends[0].y, ends[1].y));
+    const float high_y = above(std::max(ends[0].y, ends[1].y));
+    const float depth = above(std::max(depths[0], depths[1]));
+    grid_.each_cell(ends[0], ends[1], [&](std::uint32_t cell) {
+        const std::uint32_t end = grid_.begin_of(cell + 1);
+        for (std::uint32_t k = grid_.begin_of(cell); k < end; ++k) {
+            const Box& box = boxes_[k];
+            if (int(box.low_x > high_x) | int(box.high_x < low_x) | int(box.low_y > high_y) |
+                int(box.high_y < low_y) | int(box.depth > depth))
+                continue;
+            if (tested_[box.occluder] == line) continue;
+            tested_[box.occluder] = line;
+            visit(occluders_[box.occluder]);
+        }
+    });
+}
+
+void LineEvents::find_crossings(LineFrame& frame) {
+    for (const std::uint32_t i : frame.walk)
+        each_candidate(frame.flats[i], i,
+                       [&](const Occluder& occluder) { cross(frame, i, occluder); });
+}
+
+void LineEvents::cross(LineFrame& frame, std::uint32_t i, const Occluder& occluder) {
+    const ViewLine &line = frame.lines[i], &other = frame.lines[occluder.line];
+    const auto [v, w] = line.vertices;
+    const auto [c, d] = other.vertices;
+    if (v == c || v == d || w == c || w == d) return;
+    const FlatLine& flat = frame.flats[i];
+    // Picture coordinates of an end that was cut are not those of its vertex.
+    const bool is_cut = line.is_cut[0] || line.is_cut[1] || other.is_cut[0] || other.is_cut[1];
+    const auto side = [&](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p,
+                          std::uint32_t va, std::uint32_t vb, std::uint32_t vp) {
+        const int turn = is_cut ? 0 : turn_in_picture(a, b, p, frame.picture_size);
+        return turn != 0 ? turn
+                         : seen_side(frame.view->point(), frame.position(va), frame.position(vb),
+                                     frame.position(vp));
+    };
+    const auto& [a, b] = flat.ends;
+    const auto& [p, q] = occluder.flat.ends;
+    const int side_c = side(a, b, p, v, w, c);
+    if (side_c * side(a, b, q, v, w, d) >= 0) return;
+    const int side_w = side(p, q, b, c, d, w);
+    if (side_w * side(p, q, a, c, d, v) >= 0) return;
+    const CrossingPlace place = crossing_of(flat, occluder.flat);
+    // Where a line has an end behind the eye, the two may cross behind the eye.
+    if (is_cut && !(place.share >= 0.0 && place.share <= 1.0 && place.other_share >= 0.0 &&
+                    place.other_share <= 1.0))
+        return;
+    const int depth =
+        plane_side(frame.position(v), frame.position(w), frame.position(c), frame.position(d));
+    if (depth != side_c) return;  // It lies behind; or they meet, which is a contact.
+    found_.push_back({i, side_w * other.balance, std::clamp(place.share, 0.0, 1.0)});
+    ++frame.report.crossings;
+}
+
+void LineEvents::add_contact(LineFrame& frame, std::uint32_t line, std::int32_t jump,
+                             double share_in_space) {
+    ++frame.report.contacts;
+    const FlatLine& flat = frame.flats[line];
+    if (jump == 0 || share_in_space < flat.shares[0] || share_in_space > flat.shares[1]) return;
+    const double share = flat.share_in_picture(share_in_space, frame.view->is_orthographic());
+    found_.push_back({line, jump, std::clamp(share, 0.0, 1.0)});
+}
+
+void LineEvents::find_contacts(LineFrame& frame) {
+    if (frame.surface->contacts().empty()) return;
+    line_of_edge_.assign(frame.surface->mesh().edge_count(), k_no_line);
+    for (std::uint32_t i = 0; i < frame.edge_lines; ++i) line_of_edge_[frame.lines[i].source] = i;
+    add_piercings(frame);
+    add_edge_crossings(frame);
+    add_footholds(frame);
+}
+
+void LineEvents::add_piercings(LineFrame& frame) {
+    for (const auto& [edge, face] : frame.surface->contacts().piercings) {
+        const std::uint32_t i = line_of_edge_[edge];
+        if (i == k_no_line) continue;
+        const auto [v, w] = frame.lines[i].vertices;
+        const Triangle& t = frame.surface->mesh().triangles()[face];
+        const glm::dvec3 a(frame.position(index(t[0])));
+        const glm::dvec3 n = glm::cross(glm::dvec3(frame.position(index(t[1]))) - a,
+                                        glm::dvec3(frame.position(index(t[2]))) - a);
+        const glm::dvec3 from(frame.position(v));
+        const double share =
+            glm::dot(n, a - from) / glm::dot(n, glm::dvec3(frame.position(w)) - from);
+        add_contact(frame, i, lies_before(frame, face, w) ? 1 : -1, share);
+    }
+}
+
+void LineEvents::add_edge_crossings(LineFrame& frame) {
+    const Mesh& mesh = frame.surface->mesh();
+    const auto seen = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        return seen_side(frame.view->point(), frame.position(a), frame.position(b),
+                         frame.position(c));
+    };
+    for (const auto& [edge, other] : frame.surface->contacts().crossings) {
+        const std::uint32_t i = line_of_edge_[edge];
+        if (i == k_no_line) continue;
+        const auto [v, w] = frame.lines[i].vertices;
+        const std::uint32_t c = index(mesh.edges()[other].vertices[0]);
+        const std::uint32_t d = index(mesh.edges()[other].vertices[1]);
+        const int side_w = seen(c, d, w);
+        std::int32_t jump = 0;
+        for (const FaceId face : mesh.faces_of(EdgeId{other}))
+            for (const VertexId corner : mesh.triangles()[index(face)]) {
+                if (index(corner) == c || index(corner) == d) continue;
+                const int side = seen(c, d, index(corner));
+                if (side == 0) continue;  // A face without an area.
+                const bool is_after = side == side_w;
+                if (lies_before(frame, index(face), is_after ? w : v)) jump += is_after ? 1 : -1;
+            }
+        // The nearest point of the two lines.
+        const glm::dvec3 from(frame.position(v)), base(frame.position(c));
+        const glm::dvec3 m = glm::dvec3(frame.position(w)) - from;
+        const glm::dvec3 n = glm::dvec3(frame.position(d)) - base;
+        const glm::dvec3 r = from - base;
+        const double mm = glm::dot(m, m), mn = glm::dot(m, n), nn = glm::dot(n, n);
+        add_contact(frame, i, jump,
+                    (mn * glm::dot(n, r) - nn * glm::dot(m, r)) / (mm * nn - mn * mn));
+    }
+}
+
+void LineEvents::add_footholds(LineFrame& frame) {
+    const Mesh& mesh = frame.surface->mesh();
+    for (const auto& [edge, vertex] : frame.surface->contacts().footholds) {
+        const std::uint32_t i = line_of_edge_[edge];
+        if (i == k_no_line) continue;
+        const auto [v, w] = frame.lines[i].vertices;
+        std::int32_t jump = 0;
+        // Faces that the vertex only touches are met by the edge itself, or its own.
+        for (const std::uint32_t face : frame.surface->stars().faces(vertex)) {
+            const Triangle& t = mesh.triangles()[face];
+            const auto is_own = [&](std::uint32_t end) {
+                return index(t[0]) == end || index(t[1]) == end || index(t[2]) == end;
+            };
+            if (is_own(v) && is_own(w)) continue;
+            if (covers(frame, face, k_corner, vertex, w) && lies_before(frame, face, w)) ++jump;
+            if (covers(frame, face, k_corner, vertex, v) && lies_before(frame, face, v)) --jump;
+        }
+        const glm::dvec3 from(frame.position(v));
+        const glm::dvec3 way = glm::dvec3(frame.position(w)) - from;
+        add_contact(frame, i, jump,
+                    glm::dot(way, glm::dvec3(frame.position(vertex)) - from) / glm::dot(way, way));
+    }
+}
+
+// The ends of a segment of an intersection are rounded, so its signs are those of doubles.
+void LineEvents::find_events_of_intersections(LineFrame& frame) {
+    const Mesh& mesh = frame.surface->mesh();
+    const glm::dvec3 point(frame.view->point().xyz());
+    for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i) {
+        const FlatLine& flat = frame.flats[i];
+        const bool is_flat_view = frame.view->is_orthographic();
+        const IntersectionSegment& segment = frame.surface->intersections()[frame.lines[i].source];
+        const auto inverse_depth = [&](const FlatLine& f, double share) {
+            return is_flat_view ? glm::mix(f.depths[0], f.depths[1], share)
+                                : 1.0 / glm::mix(1.0 / f.depths[0], 1.0 / f.depths[1], share);
+        };
+        each_candidate(flat, i, [&](const Occluder& occluder) {
+            const CrossingPlace place = crossing_of(flat, occluder.flat);
+            if (!(place.share > 0.0 && place.share < 1.0 && place.other_share > 0.0 &&
+                  place.other_share < 1.0))
+                return;
+            // Edges of the two faces meet the segment at its ends only.
+            const ViewLine& other = frame.lines[occluder.line];
+            for (const FaceId face : mesh.faces_of(EdgeId{other.source}))
+                if (index(face) == segment.faces[0] || index(face) == segment.faces[1]) {
+                    const double depth = inverse_depth(flat, place.share);
+                    if (std::abs(depth - inverse_depth(occluder.flat, place.other_share)) <=
+                        0x1p-40 * mesh.radius())
+                        return;
+                }
+            if (inverse_depth(occluder.flat, place.other_share) >= inverse_depth(flat, place.share))
+                return;
+            const double turn = cross_2d(occluder.flat.ends[1] - occluder.flat.ends[0],
+                                         flat.ends[1] - flat.ends[0]);
+            found_.push_back({i, turn > 0.0 ? other.balance : -other.balance, place.share});
+            ++frame.report.crossings;
+        });
+        // Third faces that the segment passes through.
+        const auto& [from, to] = segment.ends;
+        frame.surface->tree().each_along(from, to, [&](std::uint32_t face) {
+            if (face == segment.faces[0] || face == segment.faces[1]) return;
+            const Triangle& t = mesh.triangles()[face];
+            const auto corner = [&](std::size_t k) {
+                return glm::dvec3(frame.position(index(t[k % 3])));
+            };
+            const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+            const double before = glm::dot(n, from - corner(0)),
+                         after = glm::dot(n, to - corner(0));
+            if (!(before * after < 0.0)) return;
+            const double share = before / (before - after);
+            const glm::dvec3 place = glm::mix(from, to, share);
+            for (std::size_t k = 0; k < 3; ++k)
+                if (glm::dot(glm::cross(corner(k + 1) - corner(k), place - corner(k)), n) < 0.0)
+                    return;
+            const double facing =
+                is_flat_view ? glm::dot(n, point) : glm::dot(n, point - corner(0));
+            add_contact(frame, i, (after < 0.0) == (facing > 0.0) ? 1 : -1, share);
+        });
+    }
+}
+
+// By line, then by share.
+void LineEvents::sort(LineFrame& frame) {
+    frame.event_begin.assign(frame.lines.size() + 1, 0);
+    for (const LineEvent& event : found_) ++frame.event_begin[event.line + 1];
+    for (std::size_t i = 0; i < frame.lines.size(); ++i)
+        frame.event_begin[i + 1] += frame.event_begin[i];
+    frame.events.resize(found_.size());
+    next_.assign(frame.event_begin.begin(), frame.event_begin.end() - 1);
+    for (const LineEvent& event : found_) frame.events[next_[event.line]++] = event;
+    for (std::size_t i = 0; i < frame.lines.size(); ++i)
+        std::sort(frame.events.begin() + frame.event_begin[i],
+                  frame.events.begin() + frame.event_begin[i + 1],
+                  [](const LineEvent& a, const LineEvent& b) {
+                      return a.share != b.share ? a.share < b.share : a.jump < b.jump;
+                  });
+}
+
+void LineEvents::find(LineFrame& frame) {
+    found_.clear();
+    if (!frame.lines.empty()) {
+        fill_grid(frame);
+        find_crossings(frame);
+        find_contacts(frame);
+        find_events_of_intersections(frame);
+    }
+    sort(frame);
+}
+
+}  // namespace rimline

@@ -1,0 +1,74 @@
+#include "silhouette/lines/line_graph.h"
+
+namespace rimline {
+
+// `next` is the number of a new node.
+std::uint32_t LineGraph::node_of(std::vector<std::uint32_t>& stamps,
+                                 std::vector<std::uint32_t>& numbers, std::uint32_t place,
+                                 std::uint32_t next) {
+    if (stamps[place] != frame_number_) {
+        stamps[place] = frame_number_;
+        numbers[place] = next;
+    }
+    return numbers[place];
+}
+
+void LineGraph::link(LineFrame& frame) {
+    ++frame_number_;
+    const LineSurface& surface = *frame.surface;
+    vertex_stamps_.resize(surface.mesh().vertex_count());
+    vertex_nodes_.resize(surface.mesh().vertex_count());
+    piercing_stamps_.resize(surface.contacts().piercings.size());
+    piercing_nodes_.resize(surface.contacts().piercings.size());
+    frame.nodes.resize(frame.lines.size());
+    frame.node_vertices.clear();
+    for (std::uint32_t i = 0; i < frame.edge_lines; ++i)
+        for (std::size_t k = 0; k < 2; ++k) {
+            const std::uint32_t vertex = frame.lines[i].vertices[k];
+            const auto next = static_cast<std::uint32_t>(frame.node_vertices.size());
+            const std::uint32_t node = node_of(vertex_stamps_, vertex_nodes_, vertex, next);
+            if (node == next) frame.node_vertices.push_back(vertex);
+            frame.nodes[i][k] = node;
+        }
+    auto count = static_cast<std::uint32_t>(frame.node_vertices.size());
+    for (std::size_t i = frame.edge_lines; i < frame.lines.size(); ++i)
+        for (std::size_t k = 0; k < 2; ++k) {
+            const std::uint32_t piercing =
+                surface.intersections()[frame.lines[i].source].piercings[k];
+            frame.nodes[i][k] = node_of(piercing_stamps_, piercing_nodes_, piercing, count);
+            if (frame.nodes[i][k] == count) ++count;
+        }
+
+    frame.end_begin.assign(count + 1, 0);
+    for (std::size_t i = 0; i < frame.lines.size(); ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+            if (!frame.lines[i].is_cut[k]) ++frame.end_begin[frame.nodes[i][k] + 1];
+    for (std::uint32_t n = 0; n < count; ++n) frame.end_begin[n + 1] += frame.end_begin[n];
+    frame.ends.resize(frame.end_begin.back());
+    next_.assign(frame.end_begin.begin(), frame.end_begin.end() - 1);
+    for (std::uint32_t i = 0; i < frame.lines.size(); ++i)
+        for (std::uint32_t k = 0; k < 2; ++k)
+            if (!frame.lines[i].is_cut[k]) frame.ends[next_[frame.nodes[i][k]]++] = 2 * i + k;
+    walk(frame);
+}
+
+void LineGraph::walk(LineFrame& frame) {
+    frame.walk.clear();
+    is_walked_.assign(frame.edge_lines, 0);
+    for (std::uint32_t first = 0; first < frame.edge_lines; ++first) {
+        std::uint32_t line = first;
+        std::uint32_t node = frame.nodes[first][1];
+        while (is_walked_[line] == 0) {
+            is_walked_[line] = 1;
+            frame.walk.push_back(line);
+            for (const LineEnd end : frame.ends_at(node)) {
+                if (is_walked_[end / 2] != 0) continue;
+                line = end / 2;
+                node = frame.nodes[line][1 - end % 2];
+                break;
+            }
+        }
+    }
+}
+
+}  // namespace rimline

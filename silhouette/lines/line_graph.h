@@ -1,0 +1,30 @@
+#pragma once
+
+// Which lines of a view share a node, and an order in which lines follow each other.
+
+#include <cstdint>
+#include <vector>
+
+#include "silhouette/lines/line_frame.h"
+
+namespace rimline {
+
+class LineGraph {
+public:
+    /// Sets nodes, node_vertices, end_begin, ends and walk of the frame. O(lines).
+    void link(LineFrame& frame);
+
+private:
+    std::uint32_t node_of(std::vector<std::uint32_t>& stamps, std::vector<std::uint32_t>& numbers,
+                          std::uint32_t place, std::uint32_t next);
+    void walk(LineFrame& frame);
+
+    std::uint32_t frame_number_ = 0;
+    // By vertex of the mesh, and by piercing: the frame in which it became a node, and the node.
+    std::vector<std::uint32_t> vertex_stamps_, vertex_nodes_;
+    std::vector<std::uint32_t> piercing_stamps_, piercing_nodes_;
+    std::vector<std::uint32_t> next_;
+    std::vector<std::uint8_t> is_walked_;
+};
+
+}  // namespace rimline
