@@ -55,6 +55,10 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
     for (std::uint32_t i = 0; i < stretches_.size(); ++i)
         grid_.add(i, stretches_[i].ends[0], stretches_[i].ends[1]);
     grid_.finish();
+    boxes_.clear();
+    for (const std::uint32_t i : grid_.all_segments())
+        boxes_.push_back(
+            {PictureBox::around(stretches_[i].ends[0], stretches_[i].ends[1], tolerance), i});
 
     tested_.assign(stretches_.size(), k_no_stretch);
     found_.clear();
@@ -67,6 +71,7 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
             continue;
         }
         const glm::dvec2 along = way / own_length;
+        const PictureBox box = PictureBox::around(own.ends[0], own.ends[1], 0.0);
         const auto visit = [&](std::uint32_t j) {
             const Stretch& other = stretches_[j];
             if (tested_[j] == i || other.line == own.line) return;
@@ -90,7 +95,9 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
                               last >= own_length - tolerance ? own.end : share_at(last)});
         };
         grid_.each_cell(own.ends[0], own.ends[1], [&](std::uint32_t cell) {
-            for (const std::uint32_t j : grid_.segments_in(cell)) visit(j);
+            const std::uint32_t end = grid_.begin_of(cell + 1);
+            for (std::uint32_t k = grid_.begin_of(cell); k < end; ++k)
+                if (boxes_[k].area.meets(box)) visit(boxes_[k].stretch);
         });
     }
     if (found_.empty()) return;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/picture_box.h"
 #include "silhouette/lines/picture_grid.h"
 
 namespace rimline {
@@ -51,8 +52,13 @@ private:
         double begin, end;
         bool is_hidden;
     };
+    struct Box {
+        PictureBox area;
+        std::uint32_t stretch;
+    };
     PictureGrid grid_;
     std::vector<Stretch> stretches_;
+    std::vector<Box> boxes_;  // By place in the grid.
     std::vector<CoveredStretch> found_;
     std::vector<std::uint32_t> tested_;
 };

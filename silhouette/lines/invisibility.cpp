@@ -50,10 +50,12 @@ bool Invisibility::spread_from(std::uint32_t first, LineFrame& frame) {
             const std::uint32_t other = frame.nodes[line][is_second ? 0 : 1];
             const std::int32_t base =
                 is_second ? bases_[node] - steps_[line] : bases_[node] + steps_[line];
+            if (is_used_[line] != 0) continue;
+            is_used_[line] = 1;
             if (bases_[other] == k_unknown_base) {
                 bases_[other] = base;
                 queue_.push_back(other);
-            } else if (!is_second) {
+            } else {
                 ++frame.report.checks;
                 if (bases_[other] != base) {
                     ++frame.report.failed_checks;
@@ -68,6 +70,7 @@ bool Invisibility::spread_from(std::uint32_t first, LineFrame& frame) {
 void Invisibility::spread(LineFrame& frame) {
     steps_.resize(frame.edge_lines);
     has_failed_.assign(frame.lines.size(), 0);
+    is_used_.assign(frame.lines.size(), 0);
     const auto jumps_of = [&](std::uint32_t line) {
         std::int32_t sum = 0;
         for (const LineEvent& event : frame.events_of(line)) sum += event.jump;

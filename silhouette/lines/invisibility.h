@@ -29,6 +29,7 @@ private:
     std::vector<std::int32_t> bases_;  // By node.
     std::vector<std::uint32_t> queue_;
     std::vector<std::uint8_t> has_failed_;  // By line.
+    std::vector<std::uint8_t> is_used_;     // By line: it gave a base, or checked one.
 };
 
 }  // namespace rimline

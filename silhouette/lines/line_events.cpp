@@ -40,13 +40,6 @@ CrossingPlace crossing_of(const FlatLine& a, const FlatLine& b) {
     return {cross_2d(w, v) / turn, cross_2d(w, u) / turn};
 }
 
-// Floats below and above a value, farther away than rounding takes them. (std::nextafter is a call.)
-float below(double value) {
-    const auto rounded = static_cast<float>(value);
-    return rounded - (std::abs(rounded) * 0x1p-23f + 0x1p-120f);
-}
-float above(double value) { return -below(-value); }
-
 }  // namespace
 
 void LineEvents::fill_grid(const LineFrame& frame) {
@@ -75,10 +68,8 @@ void LineEvents::fill_grid(const LineFrame& frame) {
     boxes_.clear();
     for (const std::uint32_t i : grid_.all_segments()) {
         const auto& [ends, depths, shares] = occluders_[i].flat;
-        boxes_.push_back(
-            {below(std::min(ends[0].x, ends[1].x)), below(std::min(ends[0].y, ends[1].y)),
-             above(std::max(ends[0].x, ends[1].x)), above(std::max(ends[0].y, ends[1].y)),
-             below(std::min(depths[0], depths[1])), i});
+        boxes_.push_back({PictureBox::around(ends[0], ends[1], 0.0),
+                          float_below(std::min(depths[0], depths[1])), i});
     }
     tested_.assign(occluders_.size(), k_no_line);
 }
@@ -87,18 +78,13 @@ void LineEvents::fill_grid(const LineFrame& frame) {
 template <typename Visit>
 void LineEvents::each_candidate(const FlatLine& flat, std::uint32_t line, Visit&& visit) {
     const auto& [ends, depths, shares] = flat;
-    const float low_x = below(std::min(ends[0].x, ends[1].x));
-    const float high_x = above(std::max(ends[0].x, ends[1].x));
-    const float low_y = below(std::min(ends[0].y, ends[1].y));
-    const float high_y = above(std::max(ends[0].y, ends[1].y));
-    const float depth = above(std::max(depths[0], depths[1]));
+    const PictureBox own = PictureBox::around(ends[0], ends[1], 0.0);
+    const float depth = float_above(std::max(depths[0], depths[1]));
     grid_.each_cell(ends[0], ends[1], [&](std::uint32_t cell) {
         const std::uint32_t end = grid_.begin_of(cell + 1);
         for (std::uint32_t k = grid_.begin_of(cell); k < end; ++k) {
             const Box& box = boxes_[k];
-            if (int(box.low_x > high_x) | int(box.high_x < low_x) | int(box.low_y > high_y) |
-                int(box.high_y < low_y) | int(box.depth > depth))
-                continue;
+            if (!box.area.meets(own) || box.depth > depth) continue;
             if (tested_[box.occluder] == line) continue;
             tested_[box.occluder] = line;
             visit(occluders_[box.occluder]);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/picture_box.h"
 #include "silhouette/lines/picture_grid.h"
 
 namespace rimline {
@@ -25,9 +26,9 @@ private:
         FlatLine flat;
         std::uint32_t line;
     };
-    // The box of an occluder in the picture, rounded outwards, and its least depth.
     struct Box {
-        float low_x, low_y, high_x, high_y, depth;
+        PictureBox area;
+        float depth;  // The least, rounded down.
         std::uint32_t occluder;
     };
 
