@@ -8,7 +8,7 @@
 
 namespace rimline {
 
-glm::dvec3 ray_end(const LineSurface& surface, const LineView& view, const glm::dvec3& point) {
+glm::dvec3 ray_end(const LineGeometry& surface, const LineView& view, const glm::dvec3& point) {
     const glm::dvec3 eye(view.point().xyz());
     if (!view.is_orthographic()) return eye;
     const Mesh& mesh = surface.mesh();
@@ -16,7 +16,7 @@ glm::dvec3 ray_end(const LineSurface& surface, const LineView& view, const glm::
     return point + distance * glm::normalize(eye);
 }
 
-std::int32_t count_before_vertex(const LineSurface& surface, const LineView& view,
+std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& view,
                                  std::uint32_t vertex) {
     const std::span<const glm::vec3> positions = surface.mesh().positions();
     const glm::vec3& p = positions[vertex];
@@ -35,7 +35,7 @@ std::int32_t count_before_vertex(const LineSurface& surface, const LineView& vie
     return count;
 }
 
-RayCount meets_face(const LineSurface& surface, const LineView& view, const glm::dvec3& point,
+RayCount meets_face(const LineGeometry& surface, const LineView& view, const glm::dvec3& point,
                     std::uint32_t face) {
     constexpr double k_error = 0x1p-44;
     const Triangle& t = surface.mesh().triangles()[face];

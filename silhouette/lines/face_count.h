@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "silhouette/lines/line_surface.h"
+#include "silhouette/lines/line_geometry.h"
 #include "silhouette/lines/line_view.h"
 
 namespace rimline {
 
 /// Before a vertex, exactly. Faces that contain the vertex do not count. O(log faces + faces on the ray).
-std::int32_t count_before_vertex(const LineSurface& surface, const LineView& view,
+std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& view,
                                  std::uint32_t vertex);
 
 struct RayCount {
@@ -21,18 +21,18 @@ struct RayCount {
 };
 /// Before any point, in double. Faces for which `is_own(face)` holds do not count.
 template <typename IsOwn>
-RayCount count_before_point(const LineSurface& surface, const LineView& view,
+RayCount count_before_point(const LineGeometry& surface, const LineView& view,
                             const glm::dvec3& point, IsOwn&& is_own);
 
 /// The end of a ray from a point to the eye: the eye, or for a direction a point outside of the mesh.
-glm::dvec3 ray_end(const LineSurface& surface, const LineView& view, const glm::dvec3& point);
+glm::dvec3 ray_end(const LineGeometry& surface, const LineView& view, const glm::dvec3& point);
 
 /// Whether a ray meets a face: 1 or 0, and whether that is sure.
-RayCount meets_face(const LineSurface& surface, const LineView& view, const glm::dvec3& point,
+RayCount meets_face(const LineGeometry& surface, const LineView& view, const glm::dvec3& point,
                     std::uint32_t face);
 
 template <typename IsOwn>
-RayCount count_before_point(const LineSurface& surface, const LineView& view,
+RayCount count_before_point(const LineGeometry& surface, const LineView& view,
                             const glm::dvec3& point, IsOwn&& is_own) {
     RayCount all{0, true};
     surface.tree().each_along(ray_end(surface, view, point), point, [&](std::uint32_t face) {

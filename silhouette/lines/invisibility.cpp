@@ -13,7 +13,7 @@ namespace {
 constexpr std::int32_t k_unknown_base = std::numeric_limits<std::int32_t>::min();
 
 RayCount count_at(const LineFrame& frame, std::uint32_t line, double share_in_picture) {
-    const LineSurface& surface = *frame.surface;
+    const LineGeometry& surface = *frame.surface;
     const double share =
         frame.flats[line].share_in_space(share_in_picture, frame.view->is_orthographic());
     if (frame.lines[line].is_intersection()) {

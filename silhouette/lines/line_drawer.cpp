@@ -6,6 +6,7 @@
 #include "silhouette/lines/line_collection.h"
 #include "silhouette/lines/line_events.h"
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/line_geometry.h"
 #include "silhouette/lines/line_graph.h"
 #include "silhouette/lines/line_strokes.h"
 #include "silhouette/lines/local_rule.h"
@@ -26,7 +27,7 @@ struct LineDrawer::State {
 };
 
 LineDrawer::LineDrawer(const LineSurface& surface) : state_(std::make_unique<State>()) {
-    state_->frame.surface = &surface;
+    state_->frame.surface = &surface.geometry();
 }
 
 LineDrawer::~LineDrawer() = default;

@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "silhouette/lines/line_drawing.h"
-#include "silhouette/lines/line_surface.h"
+#include "silhouette/lines/line_geometry.h"
 #include "silhouette/lines/line_view.h"
 
 namespace rimline {
@@ -34,7 +34,7 @@ constexpr std::uint32_t k_no_vertex = 0xffffffffu;
 struct ViewLine {
     std::array<std::uint32_t, 2> vertices;  ///< k_no_vertex for a segment of an intersection.
     std::uint32_t
-        source;  ///< The edge, or the number of the segment (LineSurface::intersections()).
+        source;  ///< The edge, or the number of the segment (LineGeometry::intersections()).
     LineKind kind;
     bool is_drawn;  ///< Lines that are not drawn hide others.
     /// Whether an end lies behind the eye. The line is cut before it, and at most one end is.
@@ -74,7 +74,7 @@ struct LineEvent {
 using LineEnd = std::uint32_t;
 
 struct LineFrame {
-    const LineSurface* surface = nullptr;
+    const LineGeometry* surface = nullptr;
     const LineView* view = nullptr;
 
     std::vector<ViewLine> lines;  ///< First the edges, then the segments of intersections.

@@ -15,7 +15,7 @@ std::uint32_t LineGraph::node_of(std::vector<std::uint32_t>& stamps,
 
 void LineGraph::link(LineFrame& frame) {
     ++frame_number_;
-    const LineSurface& surface = *frame.surface;
+    const LineGeometry& surface = *frame.surface;
     vertex_stamps_.resize(surface.mesh().vertex_count());
     vertex_nodes_.resize(surface.mesh().vertex_count());
     piercing_stamps_.resize(surface.contacts().piercings.size());

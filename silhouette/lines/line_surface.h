@@ -1,72 +1,42 @@
 #pragma once
 
-// What line drawings of a mesh need, once a mesh and for all cameras.
+// A mesh prepared for line drawings: what all cameras share.
+//
+// It holds the stars of vertices, a tree over faces, the places where faces pass through each other, and the
+// angles of edges: about 150 bytes a face.
 
-#include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
-#include <span>
-#include <vector>
+#include <memory>
 
-#include "silhouette/lines/face_contacts.h"
-#include "silhouette/lines/vertex_stars.h"
-#include "silhouette/mesh/creases.h"
-#include "silhouette/mesh/face_tree.h"
-#include "silhouette/mesh/mesh.h"
+#include "silhouette/error.h"
 
 namespace rimline {
 
-/// A segment of the curve in which two faces pass through each other.
-struct IntersectionSegment {
-    std::array<glm::dvec3, 2> ends;
-    std::array<std::uint32_t, 2> faces;
-    /// Segments that share an end have the same number there: that of the piercing.
-    std::array<std::uint32_t, 2> piercings;
-};
+class LineGeometry;
+class Mesh;
 
 /// Immutable: any number of drawers may share one, across threads.
 class LineSurface {
 public:
     enum class Contacts : std::uint8_t {
-        found,  ///< Searched for.
-        none,   ///< There are none: is_solid(mesh).
+        found,  ///< Where faces pass through each other is searched for.
+        none,   ///< They do not: is_solid(mesh) (silhouette/mesh/solid.h).
     };
-    /// `mesh` must outlive it. O(n log n) on all threads of oneTBB. Throws Error{cancelled}.
+    /// `mesh` must outlive it. O(n log n) on all threads of oneTBB, about a microsecond a face. The result does
+    /// not depend on their number. Throws Error{cancelled}.
     explicit LineSurface(const Mesh& mesh, Contacts contacts = Contacts::found,
                          const LongCall& call = {});
     LineSurface(Mesh&&, Contacts = Contacts::found, const LongCall& = {}) = delete;
+    ~LineSurface();
+    LineSurface(LineSurface&&) noexcept;
+    LineSurface& operator=(LineSurface&&) noexcept;
 
-    const Mesh& mesh() const noexcept { return mesh_; }
-    const VertexStars& stars() const noexcept { return stars_; }
-    const FaceTree& tree() const noexcept { return tree_; }
-    const FaceContacts& contacts() const noexcept { return contacts_; }
-    /// Whether a vertex has touches: most have none.
-    bool has_touches(std::uint32_t vertex) const noexcept {
-        return !is_touched_.empty() && is_touched_[vertex] != 0;
-    }
-    std::span<const IntersectionSegment> intersections() const noexcept { return intersections_; }
-    /// All edges that bend, sharpest first.
-    std::span<const Crease> creases() const noexcept { return creases_; }
-    /// Faces whose plane (Mesh::plane()) may be far from their corners: slivers. Ascending.
-    std::span<const std::uint32_t> slivers() const noexcept { return slivers_; }
-    /// Edges that can hide others though they are not on a silhouette: non-manifold ones, and those of faces
-    /// without an area.
-    std::span<const EdgeId> special_edges() const noexcept { return special_edges_; }
+    const Mesh& mesh() const noexcept;
+    /// For LineDrawer.
+    const LineGeometry& geometry() const noexcept { return *geometry_; }
 
 private:
-    void find_slivers();
-    void find_special_edges();
-    void find_intersections();
-
-    const Mesh& mesh_;
-    VertexStars stars_;
-    FaceTree tree_;
-    FaceContacts contacts_;
-    std::vector<std::uint8_t> is_touched_;
-    std::vector<IntersectionSegment> intersections_;
-    std::vector<Crease> creases_;
-    std::vector<std::uint32_t> slivers_;
-    std::vector<EdgeId> special_edges_;
+    std::unique_ptr<const LineGeometry> geometry_;
 };
 
 }  // namespace rimline

@@ -1,0 +1,66 @@
+#pragma once
+
+// The content of a LineSurface: what line drawings of a mesh need, once a mesh and for all cameras.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "silhouette/lines/face_contacts.h"
+#include "silhouette/lines/line_surface.h"
+#include "silhouette/lines/vertex_stars.h"
+#include "silhouette/mesh/creases.h"
+#include "silhouette/mesh/face_tree.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline {
+
+/// A segment of the curve in which two faces pass through each other.
+struct IntersectionSegment {
+    std::array<glm::dvec3, 2> ends;
+    std::array<std::uint32_t, 2> faces;
+    /// Segments that share an end have the same number there: that of the piercing.
+    std::array<std::uint32_t, 2> piercings;
+};
+
+class LineGeometry {
+public:
+    /// LineSurface's constructor.
+    LineGeometry(const Mesh& mesh, LineSurface::Contacts contacts, const LongCall& call);
+
+    const Mesh& mesh() const noexcept { return mesh_; }
+    const VertexStars& stars() const noexcept { return stars_; }
+    const FaceTree& tree() const noexcept { return tree_; }
+    const FaceContacts& contacts() const noexcept { return contacts_; }
+    /// Whether a vertex has touches: most have none.
+    bool has_touches(std::uint32_t vertex) const noexcept {
+        return !is_touched_.empty() && is_touched_[vertex] != 0;
+    }
+    std::span<const IntersectionSegment> intersections() const noexcept { return intersections_; }
+    /// All edges that bend, sharpest first.
+    std::span<const Crease> creases() const noexcept { return creases_; }
+    /// Faces whose plane (Mesh::plane()) may be far from their corners: slivers. Ascending.
+    std::span<const std::uint32_t> slivers() const noexcept { return slivers_; }
+    /// Edges that can hide others though they are not on a silhouette: non-manifold ones, and those of faces
+    /// without an area.
+    std::span<const EdgeId> special_edges() const noexcept { return special_edges_; }
+
+private:
+    void find_slivers();
+    void find_special_edges();
+    void find_intersections();
+
+    const Mesh& mesh_;
+    VertexStars stars_;
+    FaceTree tree_;
+    FaceContacts contacts_;
+    std::vector<std::uint8_t> is_touched_;
+    std::vector<IntersectionSegment> intersections_;
+    std::vector<Crease> creases_;
+    std::vector<std::uint32_t> slivers_;
+    std::vector<EdgeId> special_edges_;
+};
+
+}  // namespace rimline
