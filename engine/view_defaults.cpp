@@ -7,27 +7,10 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "silhouette/lines/fitted_eye.h"
+#include "silhouette/mesh/ground_axes.h"
+
 namespace rimline {
-
-namespace {
-
-// A picture is wider than its subject by this factor.
-constexpr double k_margin = 1.06;
-
-// A right-handed pair perpendicular to `up`: the first is the first coordinate axis in that plane.
-struct GroundAxes {
-    glm::dvec3 first, second;
-};
-
-GroundAxes ground_axes(const glm::dvec3& up) {
-    const glm::dvec3 n = glm::normalize(up);
-    const glm::dvec3 x(1, 0, 0);
-    const glm::dvec3 seed = std::abs(n.x) < 0.9 ? x : glm::dvec3(0, 1, 0);
-    const glm::dvec3 first = glm::normalize(seed - n * glm::dot(seed, n));
-    return {first, glm::cross(n, first)};
-}
-
-}  // namespace
 
 Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
     // The center of what is seen depends on the direction of the camera. The iteration converges.
@@ -59,49 +42,26 @@ Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
         const double distance = glm::distance(camera.eye, mesh.center());
         camera.target = camera.eye + distance * (glm::dvec3(center, -1.0) * axes);
     }
-    const double tangent = k_margin * std::max(reach.y, reach.x / aspect);
+    const double tangent = k_picture_margin * std::max(reach.y, reach.x / aspect);
     camera.fov_y_deg = std::max(2.0 * glm::degrees(std::atan(tangent)), k_min_fov_deg);
     return camera;
 }
 
-glm::dvec3 default_view_direction(const glm::dvec3& up) {
-    const auto [first, second] = ground_axes(up);
-    // For y up, `second` points to -z: the viewer stands in front, at +z.
-    return glm::normalize(0.55 * first - 1.0 * second + 0.45 * glm::normalize(up));
-}
+glm::dvec3 default_view_direction(const glm::dvec3& up) { return three_quarter_direction(up); }
 
 Camera fit_camera(Camera camera, const Subject& subject, const glm::dvec3& towards_viewer,
                   double aspect) {
-    const double radius = subject.radius > 0.0 ? subject.radius : 1.0;
-    camera.target = subject.center;
-    camera.eye = camera.target + glm::normalize(towards_viewer) * radius;
-    const glm::dmat3 axes = camera_from_world(camera);
-    const glm::dvec3 back = glm::normalize(towards_viewer);
     if (camera.is_orthographic()) {
-        camera.eye = camera.target + back * (3.0 * radius);
+        const double radius = subject.radius > 0.0 ? subject.radius : 1.0;
+        camera.target = subject.center;
+        camera.eye = camera.target + glm::normalize(towards_viewer) * (3.0 * radius);
         return camera;
     }
-    const glm::dvec2 tangent =
-        std::tan(0.5 * glm::radians(camera.fov_y_deg)) * glm::dvec2(aspect, 1.0) / k_margin;
-    // Each vertex bounds the eye's position along x and y on both sides: the eye must lie at least
-    // |x - eye.x| / tangent behind the vertex. Both sides together give the center and the distance.
-    glm::dvec2 high(-std::numeric_limits<double>::max());
-    glm::dvec2 low(-std::numeric_limits<double>::max());
-    double nearest = 0.0;
-    for (const glm::vec3& position : subject.positions) {
-        const glm::dvec3 p = axes * (glm::dvec3(position) - subject.center);
-        high = glm::max(high, glm::dvec2(p) + p.z * tangent);
-        low = glm::max(low, -glm::dvec2(p) + p.z * tangent);
-        nearest = std::max(nearest, p.z);
-    }
-    const glm::dvec2 shift = 0.5 * (high - low);
-    const glm::dvec2 distance = 0.5 * (high + low) / tangent;
-    // The eye lies in front of the mesh, also if it is thin and points at the viewer.
-    const double back_off = std::max({distance.x, distance.y, nearest + 0.05 * radius});
-    const glm::dvec3 right(axes[0][0], axes[1][0], axes[2][0]);
-    const glm::dvec3 upward(axes[0][1], axes[1][1], axes[2][1]);
-    camera.target = subject.center + shift.x * right + shift.y * upward;
-    camera.eye = camera.target + back_off * back;
+    const double tangent = std::tan(0.5 * glm::radians(camera.fov_y_deg));
+    const FittedEye fitted = fit_eye(subject.positions, subject.center, subject.radius,
+                                     towards_viewer, camera.up, {tangent * aspect, tangent});
+    camera.eye = fitted.eye;
+    camera.target = fitted.target;
     return camera;
 }
 

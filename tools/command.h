@@ -64,6 +64,7 @@ void print_json(const nlohmann::ordered_json& object);
 
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_silhouette_command();
+std::unique_ptr<Command> make_draw_command();
 std::unique_ptr<Command> make_track_command();
 std::unique_ptr<Command> make_origins_command();
 std::unique_ptr<Command> make_field_command();

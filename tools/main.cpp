@@ -44,6 +44,7 @@ constexpr const char* k_footer =
     "  rimline render                     (draws a picture, rimline.png, without any model)\n"
     "  rimline render bunny.obj -o bunny.png\n"
     "  rimline info bunny.obj\n"
+    "  rimline draw bunny.obj -o bunny.svg\n"
     "  rimline silhouette bunny.obj --from 0.3,0.4,0.5 -o lines.svg\n"
     "  rimline track shape:knot:100000 --step 0.5 --verify";
 
@@ -53,6 +54,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     commands.push_back(rimline::tools::make_animate_command());
     commands.push_back(rimline::tools::make_info_command());
     commands.push_back(rimline::tools::make_silhouette_command());
+    commands.push_back(rimline::tools::make_draw_command());
     commands.push_back(rimline::tools::make_track_command());
     commands.push_back(rimline::tools::make_views_command());
     commands.push_back(rimline::tools::make_path_command());

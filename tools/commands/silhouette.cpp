@@ -142,7 +142,9 @@ public:
         app.footer(
             "Exactly one of --from and --direction is needed. Edges are pairs of vertex numbers of "
             "the\n"
-            "file, from 0. In an SVG hidden lines are drawn too.\n\n"
+            "file, from 0. In an SVG hidden lines are drawn too: it is a picture of the data. "
+            "rimline\n"
+            "draw draws lines as they are seen.\n\n"
             "Methods:\n" +
             method_table() +
             "\n"

@@ -6,13 +6,6 @@
 
 namespace rimline::tools {
 
-namespace {
-
-// View direction of the built-in scene.
-constexpr glm::dvec3 k_scene_view(0.22, 0.45, 1.0);
-
-}  // namespace
-
 glm::vec3 linear_from_srgb(const glm::vec3& srgb) {
     const auto linear = [](float c) {
         return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
@@ -54,9 +47,7 @@ Camera make_camera(const Subject& subject, const std::string& model,
                                             : "--eye is the model's center, where it looks");
         return camera;
     }
-    const bool own_scene = model == k_default_model;
-    camera =
-        fit_camera(camera, subject, own_scene ? k_scene_view : default_view_direction(up), aspect);
+    camera = fit_camera(camera, subject, default_view_of(model, up), aspect);
     if (options.target) {
         camera.eye += glm::dvec3(*options.target) - camera.target;
         camera.target = glm::dvec3(*options.target);

@@ -8,12 +8,10 @@
 #include "engine/scene.h"
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/options/default_view.h"
 #include "tools/options/picture_options.h"
 
 namespace rimline::tools {
-
-/// The model if none is given.
-constexpr const char* k_default_model = "shape:scene";
 
 /// Extent of a ground in the model's radii: it has faded out at the first and ends at the second.
 constexpr double k_ground_fade = 7.0;

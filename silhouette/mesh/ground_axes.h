@@ -1,0 +1,33 @@
+#pragma once
+
+// The axes of a ground under a model, and the directions in which drawings show it. For y up, the viewer stands
+// in front at +z.
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace rimline {
+
+/// A right-handed pair perpendicular to `up`, of length 1. `first` points to the right of a viewer in front, and
+/// `second` away from that viewer.
+struct GroundAxes {
+    glm::dvec3 first, second;
+};
+
+/// `first` is the first coordinate axis in the plane of the ground. `up` must not be zero.
+inline GroundAxes ground_axes(const glm::dvec3& up) {
+    const glm::dvec3 n = glm::normalize(up);
+    const glm::dvec3 x(1, 0, 0);
+    const glm::dvec3 seed = std::abs(n.x) < 0.9 ? x : glm::dvec3(0, 1, 0);
+    const glm::dvec3 first = glm::normalize(seed - n * glm::dot(seed, n));
+    return {first, glm::cross(n, first)};
+}
+
+/// The default three-quarter view: towards a viewer in front, to the right and above. Of length 1.
+inline glm::dvec3 three_quarter_direction(const glm::dvec3& up) {
+    const auto [first, second] = ground_axes(up);
+    return glm::normalize(0.55 * first - 1.0 * second + 0.45 * glm::normalize(up));
+}
+
+}  // namespace rimline

@@ -1,0 +1,314 @@
+// rimline draw: the lines of a model as a vector drawing.
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_surface.h"
+#include "silhouette/mesh/brute_force.h"
+#include "tools/command.h"
+#include "tools/options/drawn_lines.h"
+#include "tools/options/line_camera.h"
+#include "tools/options/line_page.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/sheet_views.h"
+#include "tools/output/drawing_file.h"
+#include "tools/output/drawing_json.h"
+#include "tools/output/json_vector.h"
+#include "tools/output/output_file.h"
+#include "tools/output/page_lines.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+using DrawClock = std::chrono::steady_clock;
+
+double milliseconds_since(DrawClock::time_point start) {
+    return std::chrono::duration<double, std::milli>(DrawClock::now() - start).count();
+}
+
+// Of all views together.
+struct DrawnTotals {
+    std::size_t chains = 0, runs = 0, strokes = 0;
+    LineReport report;
+    // Lengths in mm on the page, by LineKind.
+    std::array<double, k_line_kinds> visible{}, hidden{};
+    double surface_ms = 0.0, silhouette_ms = 0.0, ms = 0.0;
+
+    void add(const LineDrawing& drawing) {
+        chains += drawing.chains.size();
+        runs += drawing.runs.size();
+        strokes += drawing.strokes.size();
+        report.lines += drawing.report.lines;
+        report.crossings += drawing.report.crossings;
+        report.contacts += drawing.report.contacts;
+        report.components += drawing.report.components;
+        report.checks += drawing.report.checks;
+        report.failed_checks += drawing.report.failed_checks;
+        report.lines_by_rays += drawing.report.lines_by_rays;
+        report.undecided_lines += drawing.report.undecided_lines;
+    }
+    void add(const PageLine& line) {
+        (line.is_hidden ? hidden : visible)[std::size_t(line.kind)] += line.length_mm();
+    }
+    static double sum(const std::array<double, k_line_kinds>& lengths) {
+        double all = 0.0;
+        for (const double length : lengths) all += length;
+        return all;
+    }
+};
+
+class DrawCommand final : public Command {
+public:
+    std::string name() const override { return "draw"; }
+    std::string summary() const override {
+        return "Draw the lines of a model, as SVG, PDF, DXF or JSON";
+    }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        app.add_option("-o,--output", output_, "Drawing to write: FILE.svg, .pdf, .dxf or .json")
+            ->type_name("FILE")
+            ->capture_default_str()
+            ->group("Output");
+        app.add_flag("--source", has_sources_,
+                     "SVG: say of each path which chains (data-chain) and edges (data-edges) it is "
+                     "made of; edges are pairs of vertex numbers of the file")
+            ->group("Output");
+        camera_.add_to(app);
+        views_option_ = add_sheet_views(app, views_)->group("Camera");
+        page_.add_to(app);
+        lines_.add_to(app);
+        app.footer(
+            "Each line is visible exactly where no face hides it. --hidden shows the others.\n"
+            "Lines are silhouettes, borders of open meshes, creases, and intersections of "
+            "surfaces.\n\n"
+            "Examples:\n"
+            "  rimline draw bunny.obj -o bunny.svg\n"
+            "  rimline draw part.stl --hidden dashed --views front,top,right,iso --scale 1:2 -o "
+            "part.pdf\n"
+            "  rimline draw shape:knot --ortho auto --page fit --lines silhouette -o knot.dxf");
+    }
+
+    ExitStatus run(const Context& context) override {
+        check_options();
+        const DrawingFormat format = drawing_format_of(output_);
+        OutputFile file(output_, model_.model);
+        const Mesh mesh = model_.load_mesh(context);
+        check_has_extent(model_.model, mesh);
+        context.checkpoint();
+
+        const std::vector<LineCamera> cameras = make_cameras(mesh);
+        std::vector<ShownPart> parts;
+        for (const LineCamera& camera : cameras)
+            parts.push_back(shown_part(camera, mesh, page_.format.aspect()));
+        const DrawingPage page =
+            about_model(model_.model, [&] { return place_views(page_.format, cells_of(parts)); });
+
+        DrawnTotals totals;
+        nlohmann::ordered_json views = nlohmann::ordered_json::array();
+        PageDrawing drawing = about_model(model_.model, [&] {
+            return draw_views(context, mesh, cameras, parts, page, format, totals, views);
+        });
+        context.checkpoint();
+        switch (format) {
+            case DrawingFormat::svg: file.write(drawing_svg(drawing)); break;
+            case DrawingFormat::pdf: file.write(drawing_pdf(drawing)); break;
+            case DrawingFormat::dxf: file.write(drawing_dxf(drawing)); break;
+            case DrawingFormat::json:
+                file.write(nlohmann::ordered_json{{"model", printable_ascii(model_.model)},
+                                                  {"page_mm", {page.size_mm.x, page.size_mm.y}},
+                                                  {"views", std::move(views)}}
+                               .dump() +
+                           "\n");
+                break;
+        }
+        context.checkpoint();
+        file.commit();
+        if (context.json)
+            print_result(mesh, cameras, page, totals);
+        else
+            print_summary(page, totals);
+        return ExitStatus::success;
+    }
+
+private:
+    void check_options() const {
+        const bool is_sheet = views_option_->count() > 0;
+        if (is_sheet &&
+            (camera_.eye || camera_.target || camera_.fov_degrees || camera_.ortho_height))
+            throw UsageError(
+                "--views: the views of a sheet are orthographic and show the whole model; leave "
+                "--eye, --target, --fov and a height of --ortho out");
+        if (page_.has_scale() && !is_sheet && !camera_.is_orthographic)
+            throw UsageError("--scale: needs an orthographic view: --ortho auto, or --views");
+        if (lines_.hidden_by > 0 && !lines_.draws_hidden())
+            throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
+    }
+
+    std::vector<LineCamera> make_cameras(const Mesh& mesh) const {
+        if (views_.empty()) return {camera_.make_camera(model_.model, mesh)};
+        std::vector<LineCamera> cameras;
+        for (const SheetView view : views_)
+            cameras.push_back(sheet_camera(view, mesh, camera_.up_of(mesh)));
+        return cameras;
+    }
+
+    std::vector<ViewCell> cells_of(const std::vector<ShownPart>& parts) const {
+        std::vector<ViewCell> cells;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const SheetCell cell = views_.empty() ? SheetCell{0, 0} : cell_of(views_[i]);
+            cells.push_back({parts[i].low, parts[i].high, cell.column, cell.row});
+        }
+        return cells;
+    }
+
+    // Adds to `views` only if the format is JSON.
+    PageDrawing draw_views(const Context& context, const Mesh& mesh,
+                           const std::vector<LineCamera>& cameras,
+                           const std::vector<ShownPart>& parts, const DrawingPage& page,
+                           DrawingFormat format, DrawnTotals& totals,
+                           nlohmann::ordered_json& views) const {
+        auto start = DrawClock::now();
+        const LineSurface surface = [&] {
+            Progress progress(context, "finding contacts of faces");
+            return LineSurface(mesh, LineSurface::Contacts::found, progress.call());
+        }();
+        totals.surface_ms = milliseconds_since(start);
+
+        PageDrawing drawing{.title = "Lines of " + model_.model,
+                            .size_mm = page.size_mm,
+                            .lines = {},
+                            .width_mm = lines_.width_mm,
+                            .hidden_width_mm = lines_.hidden_width_mm,
+                            .dashes_hidden = lines_.hidden == "dashed",
+                            .has_sources = has_sources_};
+        LineDrawer drawer(surface);
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            const LineCamera& camera = cameras[i];
+            start = DrawClock::now();
+            const std::vector<EdgeId> silhouette =
+                brute_force_silhouette(mesh, camera.view.point());
+            totals.silhouette_ms += milliseconds_since(start);
+            context.checkpoint();
+
+            const bool has_edges = has_sources_ && format == DrawingFormat::svg;
+            LineOptions options = lines_.line_options(page.views[i].mm_per_unit);
+            // Points that are left out would take their edges with them.
+            if (has_edges) options.simplify = 0.0;
+            Progress progress(context, "drawing lines");
+            start = DrawClock::now();
+            const LineDrawing& lines =
+                drawer.draw(camera.view, silhouette, options, progress.call());
+            totals.ms += milliseconds_since(start);
+            totals.add(lines);
+
+            PageLineOptions page_options{.min_length_mm = lines_.min_length_mm,
+                                         .simplify_mm = has_edges ? lines_.simplify_mm : 0.0,
+                                         .frame = {},
+                                         .mesh = has_edges ? &mesh : nullptr};
+            if (lines_.hidden_by > 0) page_options.hidden_by = lines_.hidden_by;
+            if (parts[i].is_cut) page_options.frame = {parts[i].low, parts[i].high};
+            add_page_lines(lines, page.views[i], page_options, drawing.lines);
+            if (format == DrawingFormat::json) {
+                nlohmann::ordered_json view = camera_json(camera);
+                view.update(drawing_json(lines, mesh, page.views[i]));
+                views.push_back(std::move(view));
+            }
+        }
+        for (const PageLine& line : drawing.lines) totals.add(line);
+        if (!lines_.draws_hidden())
+            std::erase_if(drawing.lines, [](const PageLine& line) { return line.is_hidden; });
+        return drawing;
+    }
+
+    static nlohmann::ordered_json camera_json(const LineCamera& camera) {
+        return {{"name", camera.name},
+                {"eye", json_vector(camera.eye)},
+                {"target", json_vector(camera.target)},
+                {"up", json_vector(camera.up)},
+                {"orthographic", camera.view.is_orthographic()}};
+    }
+
+    static nlohmann::ordered_json lengths_json(const std::array<double, k_line_kinds>& lengths) {
+        nlohmann::ordered_json by_kind;
+        for (std::size_t kind = 0; kind < k_line_kinds; ++kind)
+            by_kind[std::string(k_line_kind_names[kind])] = lengths[kind];
+        return by_kind;
+    }
+
+    void print_result(const Mesh& mesh, const std::vector<LineCamera>& cameras,
+                      const DrawingPage& page, const DrawnTotals& totals) const {
+        const LineReport& report = totals.report;
+        nlohmann::ordered_json views = nlohmann::ordered_json::array();
+        for (const LineCamera& camera : cameras) views.push_back(camera_json(camera));
+        print_json({{"model", model_.model},
+                    {"faces", mesh.face_count()},
+                    {"lines", report.lines},
+                    {"chains", totals.chains},
+                    {"runs", totals.runs},
+                    {"strokes", totals.strokes},
+                    {"visible_length", DrawnTotals::sum(totals.visible)},
+                    {"hidden_length", DrawnTotals::sum(totals.hidden)},
+                    {"visible_lengths", lengths_json(totals.visible)},
+                    {"hidden_lengths", lengths_json(totals.hidden)},
+                    {"crossings", report.crossings},
+                    {"contacts", report.contacts},
+                    {"components", report.components},
+                    {"checks", report.checks},
+                    {"failed_checks", report.failed_checks},
+                    {"lines_by_rays", report.lines_by_rays},
+                    {"undecided_lines", report.undecided_lines},
+                    {"page", {page.size_mm.x, page.size_mm.y}},
+                    {"mm_per_unit", page.views.front().mm_per_unit},
+                    {"views", std::move(views)},
+                    {"surface_ms", totals.surface_ms},
+                    {"silhouette_ms", totals.silhouette_ms},
+                    {"ms", totals.ms},
+                    {"output", output_}});
+    }
+
+    void print_summary(const DrawingPage& page, const DrawnTotals& totals) const {
+        const LineReport& report = totals.report;
+        std::printf("%s\n", output_.c_str());
+        std::printf("  lines       %u edges in %zu chains, %zu strokes\n", report.lines,
+                    totals.chains, totals.strokes);
+        std::printf("  visible     %.0f mm\n", DrawnTotals::sum(totals.visible));
+        std::printf("  hidden      %.0f mm%s\n", DrawnTotals::sum(totals.hidden),
+                    lines_.draws_hidden() ? "" : ", not drawn");
+        std::printf("  page        %.6g x %.6g mm", page.size_mm.x, page.size_mm.y);
+        if (camera_.is_orthographic || !views_.empty())
+            std::printf(", %.6g mm for each unit of the model", page.views.front().mm_per_unit);
+        std::printf("\n  checks      %llu, of which %llu failed\n",
+                    static_cast<unsigned long long>(report.checks),
+                    static_cast<unsigned long long>(report.failed_checks));
+        if (report.undecided_lines > 0)
+            std::printf("  undecided   %u lines, of which rays could not tell what is seen\n",
+                        report.undecided_lines);
+        std::printf("  time        %.1f ms, and %.1f ms to prepare the model\n",
+                    totals.silhouette_ms + totals.ms, totals.surface_ms);
+    }
+
+    ModelArgument model_;
+    std::string output_ = "rimline.svg";
+    bool has_sources_ = false;
+    LineCameraOptions camera_;
+    std::vector<SheetView> views_;
+    const CLI::Option* views_option_ = nullptr;
+    LinePageOptions page_;
+    DrawnLines lines_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_draw_command() { return std::make_unique<DrawCommand>(); }
+
+}  // namespace rimline::tools

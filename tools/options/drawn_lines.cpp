@@ -1,0 +1,60 @@
+#include "tools/options/drawn_lines.h"
+
+#include <glm/trigonometric.hpp>
+#include <vector>
+
+#include "tools/options/name_list.h"
+#include "tools/options/option_types.h"
+#include "tools/output/drawing_file.h"
+
+namespace rimline::tools {
+
+void DrawnLines::add_to(CLI::App& app) {
+    constexpr const char* k_group = "Lines";
+    add_name_list(
+        app, "--lines", k_line_kind_names,
+        [this](const std::vector<std::size_t>& numbers) {
+            kinds.fill(false);
+            for (const std::size_t n : numbers) kinds[n] = true;
+        },
+        "Draw these kinds of lines (default: all):")
+        ->group(k_group);
+    add_number(app, "--crease", crease_degrees, 1.0, 180.0,
+               "Creases bend by at least this angle in degrees")
+        ->group(k_group);
+    app.add_option("--hidden", hidden,
+                   "Hidden lines: none, dashed, or in a layer of their own, as solid gray lines")
+        ->check(CLI::IsMember({"none", "dashed", "layer"}))
+        ->capture_default_str()
+        ->group(k_group);
+    add_count(app, "--hidden-by", hidden_by, 1, 1'000'000,
+              "Draw only hidden lines with at most N faces in front of them (default: any number)")
+        ->default_str("")
+        ->group(k_group);
+    add_number(app, "--gap", gap_mm, 0.0, 100.0,
+               "Join lines over gaps up to this length, hidden or beside a line that ends")
+        ->group(k_group);
+    add_number(app, "--min-length", min_length_mm, 0.0, 1000.0, "Leave out shorter lines")
+        ->group(k_group);
+    add_number(app, "--simplify", simplify_mm, 0.0, 100.0,
+               "Leave out points where the line moves by at most this")
+        ->group(k_group);
+    add_number(app, "--width", width_mm, 0.001, 100.0, "Width of visible lines")->group(k_group);
+    add_number(app, "--hidden-width", hidden_width_mm, 0.001, 100.0, "Width of hidden lines")
+        ->group(k_group);
+    app.add_flag("--keep-coincident", keeps_coincident,
+                 "Draw all of several lines that coincide in the picture, not one")
+        ->group(k_group);
+}
+
+LineOptions DrawnLines::line_options(double mm_per_unit) const {
+    return {.draws = kinds,
+            .crease_angle_rad = static_cast<float>(glm::radians(crease_degrees)),
+            .gap = gap_mm / mm_per_unit,
+            .min_length = min_length_mm / mm_per_unit,
+            .simplify = simplify_mm / mm_per_unit,
+            .splits_counts = hidden_by > 0,
+            .keeps_coincident = keeps_coincident};
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,32 @@
+#pragma once
+
+// Which lines `draw` draws, and how. Lengths are in mm on the page.
+
+#include <CLI/App.hpp>
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "silhouette/lines/line_drawer.h"
+
+namespace rimline::tools {
+
+struct DrawnLines {
+    std::array<bool, k_line_kinds> kinds{true, true, true, true};  ///< By LineKind.
+    double crease_degrees = 40.0;
+    std::string hidden = "none";  ///< Or dashed, or layer.
+    std::uint32_t hidden_by = 0;  ///< 0: any number of faces.
+    double gap_mm = 0.5;
+    double min_length_mm = 1.0;
+    double simplify_mm = 0.05;
+    double width_mm = 0.35;
+    double hidden_width_mm = 0.18;
+    bool keeps_coincident = false;
+
+    void add_to(CLI::App& app);
+    bool draws_hidden() const { return hidden != "none"; }
+    /// `mm_per_unit` of picture coordinates.
+    LineOptions line_options(double mm_per_unit) const;
+};
+
+}  // namespace rimline::tools

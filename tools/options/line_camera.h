@@ -1,0 +1,54 @@
+#pragma once
+
+// The camera of `draw`: the options of PictureOptions, as a LineView. It needs no engine.
+
+#include <CLI/App.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "silhouette/lines/line_view.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline::tools {
+
+struct LineCamera {
+    std::string name;
+    LineView view;
+    glm::dvec3 eye, target, up;
+    /// Half the height that the field of view, or the height of an orthographic picture, shows, in picture
+    /// coordinates.
+    double half_height;
+    /// The options fix what the picture shows. If not, it shows the whole model.
+    bool is_framed;
+};
+
+/// The part of a picture that a drawing shows, in picture coordinates.
+struct ShownPart {
+    glm::dvec2 low, high;
+    bool is_cut;  ///< Lines can leave it.
+};
+
+struct LineCameraOptions {
+    std::optional<glm::vec3> eye;
+    std::optional<glm::vec3> target;
+    std::optional<glm::vec3> up;
+    std::optional<double> fov_degrees;  ///< Not set: 35.
+    bool is_orthographic = false;
+    std::optional<double>
+        ortho_height;  ///< Not set in an orthographic view: it shows the whole model.
+
+    void add_to(CLI::App& app);
+    /// Without an eye, the camera that `render` chooses. Throws UsageError if eye and target coincide, and
+    /// Error{too_large} if the eye is too far away.
+    LineCamera make_camera(const std::string& model, const Mesh& mesh) const;
+    glm::dvec3 up_of(const Mesh& mesh) const;
+};
+
+/// The frame of the camera if it is framed, or if the model reaches beside or behind the eye: of this aspect. If
+/// not, the bounds of the model's picture. O(vertices).
+ShownPart shown_part(const LineCamera& camera, const Mesh& mesh, double aspect);
+
+}  // namespace rimline::tools

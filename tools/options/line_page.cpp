@@ -1,0 +1,70 @@
+#include "tools/options/line_page.h"
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tools/options/option_types.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr double k_max_page_mm = 5000.0;  // PDF ends at 5,080 mm.
+
+// Two numbers with `separator` between them, each in [low, high].
+std::optional<glm::dvec2> parse_pair(std::string_view text, char separator, double low,
+                                     double high) {
+    const std::size_t at = text.find(separator);
+    if (at == std::string_view::npos) return std::nullopt;
+    const auto number = [&](std::string_view part) -> std::optional<double> {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        const bool is_in_range = value >= low && value <= high;  // False for NaN.
+        if (error != std::errc() || end != part.data() + part.size() || !is_in_range)
+            return std::nullopt;
+        return value;
+    };
+    const auto first = number(text.substr(0, at)), second = number(text.substr(at + 1));
+    if (!first || !second) return std::nullopt;
+    return glm::dvec2(*first, *second);
+}
+
+void parse_page(const std::string& text, PageFormat& format) {
+    format.size_mm.reset();
+    if (text == "fit") return;
+    format.size_mm = parse_pair(text, 'x', 1.0, k_max_page_mm);
+    if (!format.size_mm)
+        throw CLI::ValidationError(
+            "--page", "expected fit, or WxH with both from 1 to 5000 mm, not '" + text + "'");
+}
+
+void parse_scale(const std::string& text, PageFormat& format) {
+    const auto ratio = parse_pair(text, ':', 1e-9, 1e9);
+    if (!ratio)
+        throw CLI::ValidationError("--scale", "expected A:B, for example 1:10, not '" + text + "'");
+    format.mm_per_unit = ratio->x / ratio->y;
+}
+
+}  // namespace
+
+void LinePageOptions::add_to(CLI::App& app) {
+    constexpr const char* k_group = "Page";
+    app.add_option_function<std::string>(
+           "--page", [this](const std::string& text) { parse_page(text, format); },
+           "Width and height in mm; fit: as large as the drawing and its margins")
+        ->type_name("WxH|fit")
+        ->default_str("210x297")
+        ->group(k_group);
+    add_number(app, "--margin", format.margin_mm, 0.0, 1000.0, "Empty border of the page in mm")
+        ->group(k_group);
+    app.add_option_function<std::string>(
+           "--scale", [this](const std::string& text) { parse_scale(text, format); },
+           "True to scale, for orthographic views; units of the model are mm (default: as large "
+           "as the page allows)")
+        ->type_name("A:B")
+        ->group(k_group);
+}
+
+}  // namespace rimline::tools

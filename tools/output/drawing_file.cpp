@@ -1,0 +1,41 @@
+#include "tools/output/drawing_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+#include "tools/command.h"
+
+namespace rimline::tools {
+
+DrawingFormat drawing_format_of(const std::string& file_name) {
+    std::string ending = file_name.substr(std::min(file_name.rfind('.'), file_name.size()));
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (ending == ".svg") return DrawingFormat::svg;
+    if (ending == ".pdf") return DrawingFormat::pdf;
+    if (ending == ".dxf") return DrawingFormat::dxf;
+    if (ending == ".json") return DrawingFormat::json;
+    throw UsageError("-o: expected a name that ends in .svg, .pdf, .dxf or .json, not '" +
+                     file_name + "'");
+}
+
+void append_decimals(std::string& text, double value) {
+    std::array<char, 400> buffer;
+    const char* end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                    std::chars_format::fixed, 3)
+                          .ptr;
+    while (end[-1] == '0') --end;
+    if (end[-1] == '.') --end;
+    const std::string_view digits(buffer.data(), end);
+    text += digits == "-0" ? "0" : digits;
+}
+
+std::string printable_ascii(std::string_view text) {
+    std::string printable(text);
+    for (char& c : printable)
+        if (c < ' ' || c > '~') c = '?';
+    return printable;
+}
+
+}  // namespace rimline::tools

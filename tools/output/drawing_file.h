@@ -1,0 +1,53 @@
+#pragma once
+
+// Files of line drawings, in mm.
+//
+//   .svg   Inkscape layers `1 visible` and `2 hidden`, with a group for each kind of line
+//   .pdf   one page, with the same layers
+//   .dxf   R12, polylines in a layer for each kind (VISIBLE_SILHOUETTE, HIDDEN_BORDER, ...), y upwards
+//   .json  points, runs, chains and strokes (drawing_json.h)
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/output/page_lines.h"
+
+namespace rimline::tools {
+
+enum class DrawingFormat { svg, pdf, dxf, json };
+
+/// The format of the file name's ending, in upper or lower case. Throws UsageError for other endings.
+DrawingFormat drawing_format_of(const std::string& file_name);
+
+/// By LineKind, in lower case.
+constexpr std::array<std::string_view, k_line_kinds> k_line_kind_names{"silhouette", "border",
+                                                                       "crease", "intersection"};
+
+struct PageDrawing {
+    std::string title;
+    glm::dvec2 size_mm;
+    std::vector<PageLine> lines;
+    double width_mm, hidden_width_mm;
+    bool dashes_hidden;  ///< If not, hidden lines are gray.
+    bool has_sources;    ///< SVG: paths have data-chain and data-edges.
+};
+
+/// Of hidden lines: a dash and the space after it, in widths of the line.
+constexpr double k_dash_widths = 10.0, k_dash_space_widths = 5.0;
+/// The gray of hidden lines that are not dashed.
+constexpr int k_hidden_gray = 128;
+
+// The contents of the files.
+std::string drawing_svg(const PageDrawing& drawing);
+std::string drawing_pdf(const PageDrawing& drawing);
+std::string drawing_dxf(const PageDrawing& drawing);
+
+/// Appends the number with at most three decimals, without zeros at its end.
+void append_decimals(std::string& text, double value);
+/// The text with all characters that are not printable ASCII replaced by `?`.
+std::string printable_ascii(std::string_view text);
+
+}  // namespace rimline::tools

@@ -1,0 +1,24 @@
+#pragma once
+
+// A line drawing as data. The JSON has for each view
+//
+//   points   [x, y, depth, arc] in picture coordinates (silhouette/lines/line_view.h), y upwards
+//   sources  for each point [vertex, vertex, share] of its edge, as the file numbers them; null on an intersection
+//   runs     chain, points [first, last), hidden_by, length
+//   chains   id, kind, runs [first, last), closed, length
+//   strokes  parts [run, reversed], closed, length
+//   page     the place on the page of (x, y) is origin_mm + mm_per_unit * (x, -y), from the upper left corner
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "silhouette/lines/line_drawing.h"
+#include "silhouette/mesh/mesh.h"
+#include "tools/output/drawing_page.h"
+
+namespace rimline::tools {
+
+nlohmann::ordered_json drawing_json(const LineDrawing& drawing, const Mesh& mesh,
+                                    const ViewPlace& place);
+
+}  // namespace rimline::tools

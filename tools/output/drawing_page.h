@@ -1,0 +1,54 @@
+#pragma once
+
+// Places pictures on a page: one, or the views of a drawing sheet.
+//
+// Views lie in the cells of a grid, with one scale, and each in the middle of its cell. Views of one column show
+// the model with the same width, and those of one row with the same height. So they are aligned.
+//
+// Places on the page are in mm, x to the right and y downwards, from the upper left corner.
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rimline::tools {
+
+struct PageFormat {
+    std::optional<glm::dvec2> size_mm{
+        {210.0, 297.0}};  ///< Not set: as large as the drawing and margins.
+    double margin_mm = 10.0;
+    std::optional<double> mm_per_unit;  ///< Not set: as large as the page allows.
+
+    /// Width over height of the space between the margins; 4:3 where the size is not set.
+    double aspect() const;
+};
+
+/// The longer side of a page that is as large as its drawing, where the scale is not set.
+constexpr double k_fitted_page_mm = 180.0;
+
+/// What a view shows, in picture coordinates, and its cell.
+struct ViewCell {
+    glm::dvec2 low, high;
+    int column = 0;  ///< From the left.
+    int row = 0;     ///< From above.
+};
+
+struct ViewPlace {
+    glm::dvec2 origin_mm;  ///< The place of the picture coordinates (0, 0).
+    double mm_per_unit;
+    glm::dvec2 to_mm(const glm::dvec2& p) const noexcept {
+        return {origin_mm.x + mm_per_unit * p.x, origin_mm.y - mm_per_unit * p.y};
+    }
+};
+
+struct DrawingPage {
+    glm::dvec2 size_mm;
+    std::vector<ViewPlace> views;  ///< As the cells.
+};
+
+/// The distance between views is the margin, but at least 5 mm. Throws UsageError if the margins leave no
+/// space, or if the drawing does not fit between them, and Error{bad_input} if all cells have no extent.
+DrawingPage place_views(const PageFormat& format, std::span<const ViewCell> cells);
+
+}  // namespace rimline::tools

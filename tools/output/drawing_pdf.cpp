@@ -1,0 +1,117 @@
+// A PDF 1.5 file of one page. Its layers are optional content groups (ISO 32000-1, 8.11). Coordinates are in mm,
+// which a matrix converts to points of 1/72 inch.
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/output/drawing_file.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr double k_points_per_mm = 72.0 / 25.4;
+
+// Objects are numbered from 1, in the order in which they are added.
+class PdfObjects {
+public:
+    void add(std::string_view content) {
+        offsets_.push_back(text_.size());
+        text_ += std::to_string(offsets_.size()) + " 0 obj\n";
+        text_ += content;
+        text_ += "\nendobj\n";
+    }
+    std::string finish(std::string_view trailer) {
+        const std::size_t table = text_.size();
+        const std::string count = std::to_string(offsets_.size() + 1);
+        text_ += "xref\n0 " + count + "\n0000000000 65535 f \n";
+        for (const std::size_t offset : offsets_) {
+            std::array<char, 24> entry{};
+            std::snprintf(entry.data(), entry.size(), "%010zu 00000 n \n", offset);
+            text_ += entry.data();
+        }
+        text_ += "trailer\n<< /Size " + count + " ";
+        text_ += trailer;
+        text_ += " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
+        return std::move(text_);
+    }
+
+private:
+    // Bytes above 127 in a comment say that the file is binary.
+    std::string text_ = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
+    std::vector<std::size_t> offsets_;
+};
+
+std::string pdf_number(double value) {
+    std::string text;
+    append_decimals(text, value);
+    return text;
+}
+
+std::string pdf_string(std::string_view plain) {
+    std::string text = "(";
+    for (const char c : printable_ascii(plain)) {
+        if (c == '(' || c == ')' || c == '\\') text += '\\';
+        text += c;
+    }
+    return text + ")";
+}
+
+void append_pdf_layer(std::string& text, const PageDrawing& drawing, bool is_hidden) {
+    const double width = is_hidden ? drawing.hidden_width_mm : drawing.width_mm;
+    text += is_hidden ? "/OC /Hidden BDC\nq\n" : "/OC /Visible BDC\nq\n";
+    text += pdf_number(width) + " w 1 j ";
+    if (is_hidden && drawing.dashes_hidden)
+        text += "0 J [" + pdf_number(k_dash_widths * width) + " " +
+                pdf_number(k_dash_space_widths * width) + "] 0 d 0 G\n";
+    else
+        text += "1 J " + (is_hidden ? pdf_number(k_hidden_gray / 255.0) : "0") + " G\n";
+    for (const PageLine& line : drawing.lines) {
+        if (line.is_hidden != is_hidden) continue;
+        const char* operation = " m\n";
+        for (const glm::dvec2& p : line.points) {
+            append_decimals(text, p.x);
+            text += ' ';
+            append_decimals(text, drawing.size_mm.y - p.y);
+            text += operation;
+            operation = " l\n";
+        }
+        text += line.is_closed ? "s\n" : "S\n";
+    }
+    text += "Q\nEMC\n";
+}
+
+}  // namespace
+
+std::string drawing_pdf(const PageDrawing& drawing) {
+    // Exact to a hundred-thousandth of a mm in a meter.
+    std::array<char, 64> matrix{};
+    std::snprintf(matrix.data(), matrix.size(), "%.8f 0 0 %.8f 0 0 cm\n", k_points_per_mm,
+                  k_points_per_mm);
+    std::string content = "q\n" + std::string(matrix.data());
+    append_pdf_layer(content, drawing, true);
+    append_pdf_layer(content, drawing, false);
+    content += "Q\n";
+
+    PdfObjects objects;
+    objects.add(
+        "<< /Type /Catalog /Pages 2 0 R /OCProperties << /OCGs [5 0 R 6 0 R] "
+        "/D << /Order [5 0 R 6 0 R] /ON [5 0 R 6 0 R] >> >> >>");
+    objects.add("<< /Type /Pages /Kids [3 0 R] /Count 1 >>");
+    objects.add("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 " +
+                pdf_number(k_points_per_mm * drawing.size_mm.x) + " " +
+                pdf_number(k_points_per_mm * drawing.size_mm.y) +
+                "] /Contents 4 0 R /Resources << /Properties << /Visible 5 0 R /Hidden 6 0 R >> >> "
+                ">>");
+    objects.add("<< /Length " + std::to_string(content.size()) + " >>\nstream\n" + content +
+                "endstream");
+    objects.add("<< /Type /OCG /Name (1 visible) >>");
+    objects.add("<< /Type /OCG /Name (2 hidden) >>");
+    objects.add("<< /Title " + pdf_string(drawing.title) + " /Producer (Rimline) >>");
+    return objects.finish("/Root 1 0 R /Info 7 0 R");
+}
+
+}  // namespace rimline::tools

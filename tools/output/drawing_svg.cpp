@@ -1,0 +1,117 @@
+#include <string>
+#include <string_view>
+
+#include "tools/output/drawing_file.h"
+
+namespace rimline::tools {
+
+namespace {
+
+class SvgWriter {
+public:
+    explicit SvgWriter(const PageDrawing& drawing) : drawing_(drawing) {}
+
+    std::string write() {
+        add(R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" width=")");
+        add(drawing_.size_mm.x).add("mm\" height=\"").add(drawing_.size_mm.y);
+        add("mm\" viewBox=\"0 0 ").add(drawing_.size_mm.x).add(" ").add(drawing_.size_mm.y);
+        add("\">\n<title>").add_escaped(printable_ascii(drawing_.title)).add("</title>\n");
+        // Visible lines lie above hidden ones.
+        add_layer(true);
+        add_layer(false);
+        add("</svg>\n");
+        return std::move(text_);
+    }
+
+private:
+    SvgWriter& add(std::string_view text) {
+        text_ += text;
+        return *this;
+    }
+    SvgWriter& add(double value) {
+        append_decimals(text_, value);
+        return *this;
+    }
+    SvgWriter& add_escaped(std::string_view plain) {
+        for (const char c : plain) {
+            if (c == '<')
+                text_ += "&lt;";
+            else if (c == '&')
+                text_ += "&amp;";
+            else
+                text_ += c;
+        }
+        return *this;
+    }
+
+    void add_layer(bool is_hidden) {
+        const std::string_view name = is_hidden ? "hidden" : "visible";
+        const double width = is_hidden ? drawing_.hidden_width_mm : drawing_.width_mm;
+        bool is_open = false;
+        for (std::size_t kind = 0; kind < k_line_kinds; ++kind) {
+            bool has_kind = false;
+            for (const PageLine& line : drawing_.lines) {
+                if (line.is_hidden != is_hidden || line.kind != static_cast<LineKind>(kind))
+                    continue;
+                if (!is_open) open_layer(name, width, is_hidden);
+                is_open = true;
+                if (!has_kind)
+                    add("<g id=\"").add(name).add("-").add(k_line_kind_names[kind]).add("\">\n");
+                has_kind = true;
+                add_path(line);
+            }
+            if (has_kind) add("</g>\n");
+        }
+        // The layer of visible lines is always there.
+        if (!is_open && !is_hidden) open_layer(name, width, is_hidden);
+        if (is_open || !is_hidden) add("</g>\n");
+    }
+
+    void open_layer(std::string_view name, double width, bool is_hidden) {
+        add("<g id=\"").add(name).add("\" inkscape:groupmode=\"layer\" inkscape:label=\"");
+        add(is_hidden ? "2 " : "1 ").add(name).add("\" fill=\"none\" stroke=\"");
+        if (is_hidden && !drawing_.dashes_hidden) {
+            const auto gray = std::to_string(k_hidden_gray);
+            add("rgb(").add(gray).add(",").add(gray).add(",").add(gray).add(")");
+        } else {
+            add("#000");
+        }
+        add("\" stroke-width=\"").add(width).add("\" stroke-linejoin=\"round\" stroke-linecap=\"");
+        if (is_hidden && drawing_.dashes_hidden)
+            add("butt\" stroke-dasharray=\"")
+                .add(k_dash_widths * width)
+                .add(" ")
+                .add(k_dash_space_widths * width);
+        else
+            add("round");
+        add("\">\n");
+    }
+
+    void add_path(const PageLine& line) {
+        add("<path d=\"M");
+        for (std::size_t i = 0; i < line.points.size(); ++i)
+            add(i > 0 ? " " : "").add(line.points[i].x).add(",").add(line.points[i].y);
+        if (line.is_closed) add("Z");
+        if (drawing_.has_sources) {
+            add("\" data-chain=\"");
+            for (std::size_t i = 0; i < line.chains.size(); ++i)
+                add(i > 0 ? " " : "").add(std::to_string(line.chains[i]));
+            add("\" data-edges=\"");
+            for (std::size_t i = 0; i < line.edges.size(); ++i)
+                add(i > 0 ? " " : "")
+                    .add(std::to_string(line.edges[i][0]))
+                    .add("-")
+                    .add(std::to_string(line.edges[i][1]));
+        }
+        add("\"/>\n");
+    }
+
+    const PageDrawing& drawing_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string drawing_svg(const PageDrawing& drawing) { return SvgWriter(drawing).write(); }
+
+}  // namespace rimline::tools

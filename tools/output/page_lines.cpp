@@ -1,0 +1,198 @@
+#include "tools/output/page_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "silhouette/lines/line_simplify.h"
+
+namespace rimline::tools {
+
+namespace {
+
+glm::dvec2 rounded_to_um(const glm::dvec2& mm) { return glm::round(mm * 1e3) / 1e3; }
+
+// The part of the segment in the rectangle, as shares of it (Liang, Barsky, 1984). Empty if first >= last.
+struct SegmentPart {
+    double first = 0.0, last = 1.0;
+};
+
+SegmentPart cut_segment(const PictureRectangle& frame, const glm::dvec2& a, const glm::dvec2& b) {
+    SegmentPart part;
+    const auto cut = [&](double from_border, double way) {  // Inside: from_border + t * way >= 0.
+        if (way == 0.0) {
+            if (from_border < 0.0) part.last = -1.0;
+        } else if (way > 0.0) {
+            part.first = std::max(part.first, -from_border / way);
+        } else {
+            part.last = std::min(part.last, -from_border / way);
+        }
+    };
+    for (int axis = 0; axis < 2; ++axis) {
+        const double way = b[axis] - a[axis];
+        cut(a[axis] - frame.low[axis], way);
+        cut(frame.high[axis] - a[axis], -way);
+    }
+    return part;
+}
+
+class PageLineMaker {
+public:
+    PageLineMaker(const LineDrawing& drawing, const ViewPlace& place,
+                  const PageLineOptions& options, std::vector<PageLine>& lines)
+        : drawing_(drawing), place_(place), options_(options), lines_(lines) {}
+
+    void add_strokes() {
+        for (const LineStroke& stroke : drawing_.strokes) {
+            begin();
+            for (const StrokePart& part : drawing_.parts_of(stroke))
+                add_run(part.run, part.is_reversed);
+            end(false, stroke.is_closed);
+        }
+    }
+
+    void add_hidden_lines() {
+        for (std::uint32_t c = 0; c < drawing_.chains.size(); ++c) {
+            const LineChain& chain = drawing_.chains[c];
+            // A closed chain begins where one of its lines does, unless all of it is one line.
+            std::uint32_t start = chain.first_run;
+            if (chain.is_closed)
+                while (start < chain.last_run &&
+                       goes_on(start == chain.first_run ? chain.last_run - 1 : start - 1, start))
+                    ++start;
+            const bool is_loop = start == chain.last_run;
+            if (is_loop) start = chain.first_run;
+            const std::uint32_t count = chain.last_run - chain.first_run;
+            begin();
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const std::uint32_t run = chain.first_run + (start - chain.first_run + i) % count;
+                const std::uint32_t before = run == chain.first_run ? chain.last_run - 1 : run - 1;
+                if (i > 0 && !goes_on(before, run)) {
+                    end(true, false);
+                    begin();
+                }
+                if (is_drawn_hidden(run)) add_run(run, false);
+            }
+            end(true, is_loop);
+        }
+    }
+
+private:
+    bool is_drawn_hidden(std::uint32_t run) const {
+        const std::uint32_t count = drawing_.runs[run].hidden_by;
+        return count > 0 && count <= options_.hidden_by;
+    }
+    bool goes_on(std::uint32_t before, std::uint32_t run) const {
+        return is_drawn_hidden(before) && is_drawn_hidden(run) &&
+               place_.mm_per_unit *
+                       glm::distance(drawing_.points_of(drawing_.runs[before]).back().position,
+                                     drawing_.points_of(drawing_.runs[run]).front().position) <
+                   1e-3;
+    }
+
+    void begin() {
+        positions_.clear();
+        chains_.clear();
+        edges_.clear();
+        lengths_.fill(0.0);
+    }
+
+    void add_run(std::uint32_t number, bool is_reversed) {
+        const LineRun& run = drawing_.runs[number];
+        const std::span<const LinePoint> points = drawing_.points_of(run);
+        simplify(points, options_.simplify_mm / place_.mm_per_unit, kept_);
+        if (is_reversed) std::reverse(kept_.begin(), kept_.end());
+        for (const std::uint32_t i : kept_) positions_.push_back(points[i].position);
+        lengths_[std::size_t(drawing_.chains[run.chain].kind)] += run.length;
+        if (chains_.empty() || chains_.back() != drawing_.chains[run.chain].id)
+            chains_.push_back(drawing_.chains[run.chain].id);
+        if (options_.mesh == nullptr) return;
+        for (std::uint32_t i = run.first_point; i < run.last_point; ++i) {
+            const std::uint32_t at = is_reversed ? run.last_point - 1 - (i - run.first_point) : i;
+            const EdgeId edge = drawing_.sources[at].edge;
+            if (edge != k_no_edge && (edges_.empty() || edges_.back() != edge))
+                edges_.push_back(edge);
+        }
+    }
+
+    // Adds the line that was begun, or its parts in the frame.
+    void end(bool is_hidden, bool is_closed) {
+        if (positions_.empty()) return;
+        if (!options_.frame) {
+            for (const glm::dvec2& p : positions_) add_point(p);
+            add_line(is_hidden, is_closed);
+            return;
+        }
+        if (is_closed) positions_.push_back(positions_.front());
+        bool is_cut = false;
+        for (std::size_t i = 0; i + 1 < positions_.size(); ++i) {
+            const glm::dvec2 a = positions_[i], b = positions_[i + 1];
+            const SegmentPart part = cut_segment(*options_.frame, a, b);
+            const bool is_outside = part.first >= part.last;
+            if (is_outside || part.first > 0.0) add_line(is_hidden, false);
+            is_cut = is_cut || is_outside || part.first > 0.0 || part.last < 1.0;
+            if (is_outside) continue;
+            if (points_.empty()) add_point(glm::mix(a, b, part.first));
+            add_point(part.last < 1.0 ? glm::mix(a, b, part.last) : b);
+            if (part.last < 1.0) add_line(is_hidden, false);
+        }
+        add_line(is_hidden, is_closed && !is_cut);
+    }
+
+    void add_point(const glm::dvec2& position) {
+        const glm::dvec2 mm = rounded_to_um(place_.to_mm(position));
+        if (points_.empty() || points_.back() != mm) points_.push_back(mm);
+    }
+
+    void add_line(bool is_hidden, bool is_closed) {
+        if (is_closed && points_.size() > 1 && points_.front() == points_.back())
+            points_.pop_back();
+        const auto longest = std::max_element(lengths_.begin(), lengths_.end());
+        PageLine line{.kind = static_cast<LineKind>(longest - lengths_.begin()),
+                      .is_hidden = is_hidden,
+                      .is_closed = is_closed && points_.size() > 2,
+                      .points = points_,
+                      .chains = chains_,
+                      .edges = {}};
+        points_.clear();
+        if (line.points.size() < 2 || (is_hidden && line.length_mm() < options_.min_length_mm))
+            return;
+        for (const EdgeId edge : edges_) {
+            const auto& [v, w] = options_.mesh->edge(edge).vertices;
+            line.edges.push_back({options_.mesh->file_vertex(v), options_.mesh->file_vertex(w)});
+        }
+        lines_.push_back(std::move(line));
+    }
+
+    const LineDrawing& drawing_;
+    const ViewPlace& place_;
+    const PageLineOptions& options_;
+    std::vector<PageLine>& lines_;
+
+    std::vector<glm::dvec2> positions_;  // Of the line that was begun, in picture coordinates.
+    std::vector<std::uint32_t> chains_;
+    std::vector<EdgeId> edges_;
+    std::array<double, k_line_kinds> lengths_{};
+    std::vector<glm::dvec2> points_;  // In mm.
+    std::vector<std::uint32_t> kept_;
+};
+
+}  // namespace
+
+double PageLine::length_mm() const {
+    double length = is_closed ? glm::distance(points.back(), points.front()) : 0.0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        length += glm::distance(points[i], points[i + 1]);
+    return length;
+}
+
+void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
+                    const PageLineOptions& options, std::vector<PageLine>& lines) {
+    PageLineMaker maker(drawing, place, options, lines);
+    maker.add_strokes();
+    maker.add_hidden_lines();
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,51 @@
+#pragma once
+
+// The lines of a drawing as polylines on a page, which all formats of drawings write.
+//
+// A visible line is a stroke. A hidden line is what follows each other of a chain's hidden runs. Coordinates are
+// whole thousandths of a mm, as the files have them.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "silhouette/lines/line_drawing.h"
+#include "silhouette/mesh/mesh.h"
+#include "tools/output/drawing_page.h"
+
+namespace rimline::tools {
+
+struct PageLine {
+    LineKind kind;  ///< Of a stroke of several kinds, that of its greatest length.
+    bool is_hidden;
+    bool is_closed;  ///< The last point goes on to the first.
+    std::vector<glm::dvec2>
+        points;  ///< In mm, y downwards. At least two, and no two equal ones in a row.
+    std::vector<std::uint32_t> chains;
+    /// As pairs of the file's vertices, in the order of the line. Empty unless asked for.
+    std::vector<std::array<std::uint32_t, 2>> edges;
+
+    double length_mm() const;
+};
+
+/// A rectangle in picture coordinates.
+struct PictureRectangle {
+    glm::dvec2 low, high;
+};
+
+struct PageLineOptions {
+    std::uint32_t hidden_by = 0xffffffffu;  ///< Hidden runs with more faces in front are left out.
+    double min_length_mm = 0.0;             ///< Shorter hidden lines are left out.
+    /// Points are left out where the line moves by at most this. For drawings whose runs have all points.
+    double simplify_mm = 0.0;
+    std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
+    const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.
+};
+
+/// Appends the lines of the drawing.
+void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
+                    const PageLineOptions& options, std::vector<PageLine>& lines);
+
+}  // namespace rimline::tools
