@@ -15,6 +15,7 @@
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
 #include "tools/options/line_camera.h"
+#include "tools/options/line_kind_names.h"
 #include "tools/options/line_page.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/sheet_views.h"
@@ -100,6 +101,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         check_options();
+        const double aspect = page_.aspect();  // Reports margins without space before the work.
         const DrawingFormat format = drawing_format_of(output_);
         OutputFile file(output_, model_.model);
         const Mesh mesh = model_.load_mesh(context);
@@ -108,10 +110,9 @@ public:
 
         const std::vector<LineCamera> cameras = make_cameras(mesh);
         std::vector<ShownPart> parts;
-        for (const LineCamera& camera : cameras)
-            parts.push_back(shown_part(camera, mesh, page_.format.aspect()));
+        for (const LineCamera& camera : cameras) parts.push_back(shown_part(camera, mesh, aspect));
         const DrawingPage page =
-            about_model(model_.model, [&] { return place_views(page_.format, cells_of(parts)); });
+            about_model(model_.model, [&] { return place_views(page_, cells_of(parts)); });
 
         DrawnTotals totals;
         nlohmann::ordered_json views = nlohmann::ordered_json::array();
@@ -148,7 +149,7 @@ private:
             throw UsageError(
                 "--views: the views of a sheet are orthographic and show the whole model; leave "
                 "--eye, --target, --fov and a height of --ortho out");
-        if (page_.has_scale() && !is_sheet && !camera_.is_orthographic)
+        if (page_.mm_per_unit && !is_sheet && !camera_.is_orthographic)
             throw UsageError("--scale: needs an orthographic view: --ortho auto, or --views");
         if (lines_.hidden_by > 0 && !lines_.draws_hidden())
             throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
@@ -303,7 +304,7 @@ private:
     LineCameraOptions camera_;
     std::vector<SheetView> views_;
     const CLI::Option* views_option_ = nullptr;
-    LinePageOptions page_;
+    LinePage page_;
     DrawnLines lines_;
 };
 
