@@ -2,8 +2,8 @@
 
 // Places pictures on a page: one, or the views of a drawing sheet.
 //
-// Views lie in the cells of a grid, with one scale, and each in the middle of its cell. Views of one column show
-// the model with the same width, and those of one row with the same height. So they are aligned.
+// Views lie in the cells of a grid, with one scale, and each in the middle of its cell. A view from the front and
+// one from above have the same width and one column, so they are aligned; so are views of one row.
 //
 // Places on the page are in mm, x to the right and y downwards, from the upper left corner.
 
