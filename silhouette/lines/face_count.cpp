@@ -29,7 +29,8 @@ std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& vi
                             &c = positions[index(t[2])];
             const int side = seen_side(view.point(), a, b, p);
             if (side != 0 && seen_side(view.point(), b, c, p) == side &&
-                seen_side(view.point(), c, a, p) == side && plane_side(a, b, c, p) == -side)
+                seen_side(view.point(), c, a, p) == side && plane_side(a, b, c, p) == -side &&
+                seen_side(view.point(), a, b, c) == side)  // Else it lies behind the eye.
                 ++count;
         });
     return count;
