@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 PROGRAM = os.path.abspath(sys.argv[1])
-COMMANDS = ("render", "animate", "info", "silhouette", "track", "views", "path", "light", "origins",
+COMMANDS = ("render", "animate", "info", "silhouette", "draw", "track", "views", "path", "light", "origins",
             "field", "points", "bench", "view", "devices")
 
 

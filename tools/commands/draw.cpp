@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_oracle.h"
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
 #include "tools/options/line_camera.h"
+#include "tools/options/line_kind_names.h"
 #include "tools/options/line_page.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/sheet_views.h"
@@ -35,6 +37,9 @@ double milliseconds_since(DrawClock::time_point start) {
     return std::chrono::duration<double, std::milli>(DrawClock::now() - start).count();
 }
 
+// --verify takes a sample every so many mm on the page: a quarter of a pixel of a screen.
+constexpr double k_verify_spacing_mm = 0.066;
+
 // Of all views together.
 struct DrawnTotals {
     std::size_t chains = 0, runs = 0, strokes = 0;
@@ -42,7 +47,16 @@ struct DrawnTotals {
     // Lengths in mm on the page, by LineKind.
     std::array<double, k_line_kinds> visible{}, hidden{};
     double surface_ms = 0.0, silhouette_ms = 0.0, ms = 0.0;
+    LineCheck check;  // Of --verify.
 
+    void add(const LineCheck& other) {
+        check.samples += other.samples;
+        check.undecided += other.undecided;
+        check.wrong += other.wrong;
+        check.wrong_visibility += other.wrong_visibility;
+        check.missing_edges += other.missing_edges;
+        if (check.first_difference.empty()) check.first_difference = other.first_difference;
+    }
     void add(const LineDrawing& drawing) {
         chains += drawing.chains.size();
         runs += drawing.runs.size();
@@ -83,6 +97,11 @@ public:
                      "SVG: say of each path which chains (data-chain) and edges (data-edges) it is "
                      "made of; edges are pairs of vertex numbers of the file")
             ->group("Output");
+        app.add_flag(
+               "--verify", verifies_,
+               "Count the faces in front of all lines by another method, in long double; exit "
+               "3 if a count differs")
+            ->group("Output");
         camera_.add_to(app);
         views_option_ = add_sheet_views(app, views_)->group("Camera");
         page_.add_to(app);
@@ -100,6 +119,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         check_options();
+        const double aspect = page_.aspect();  // Reports margins without space before the work.
         const DrawingFormat format = drawing_format_of(output_);
         OutputFile file(output_, model_.model);
         const Mesh mesh = model_.load_mesh(context);
@@ -108,10 +128,9 @@ public:
 
         const std::vector<LineCamera> cameras = make_cameras(mesh);
         std::vector<ShownPart> parts;
-        for (const LineCamera& camera : cameras)
-            parts.push_back(shown_part(camera, mesh, page_.format.aspect()));
+        for (const LineCamera& camera : cameras) parts.push_back(shown_part(camera, mesh, aspect));
         const DrawingPage page =
-            about_model(model_.model, [&] { return place_views(page_.format, cells_of(parts)); });
+            about_model(model_.model, [&] { return place_views(page_, cells_of(parts)); });
 
         DrawnTotals totals;
         nlohmann::ordered_json views = nlohmann::ordered_json::array();
@@ -137,7 +156,9 @@ public:
             print_result(mesh, cameras, page, totals);
         else
             print_summary(page, totals);
-        return ExitStatus::success;
+        return report_check(totals.check.first_difference.empty()
+                                ? ""
+                                : model_.model + ": " + totals.check.first_difference);
     }
 
 private:
@@ -148,7 +169,7 @@ private:
             throw UsageError(
                 "--views: the views of a sheet are orthographic and show the whole model; leave "
                 "--eye, --target, --fov and a height of --ortho out");
-        if (page_.has_scale() && !is_sheet && !camera_.is_orthographic)
+        if (page_.mm_per_unit && !is_sheet && !camera_.is_orthographic)
             throw UsageError("--scale: needs an orthographic view: --ortho auto, or --views");
         if (lines_.hidden_by > 0 && !lines_.draws_hidden())
             throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
@@ -204,6 +225,7 @@ private:
             LineOptions options = lines_.line_options(page.views[i].mm_per_unit);
             // Points that are left out would take their edges with them.
             if (has_edges) options.simplify = 0.0;
+            if (verifies_) verify(context, mesh, camera, silhouette, page.views[i], drawer, totals);
             Progress progress(context, "drawing lines");
             start = DrawClock::now();
             const LineDrawing& lines =
@@ -230,6 +252,19 @@ private:
         return drawing;
     }
 
+    // Of a drawing of its own: that of the file has joined and simplified lines.
+    void verify(const Context& context, const Mesh& mesh, const LineCamera& camera,
+                const std::vector<EdgeId>& silhouette, const ViewPlace& place, LineDrawer& drawer,
+                DrawnTotals& totals) const {
+        LineOptions options = checkable(lines_.line_options(place.mm_per_unit));
+        options.draws[std::size_t(LineKind::silhouette)] = true;
+        options.draws[std::size_t(LineKind::border)] = true;
+        Progress progress(context, "verifying lines");
+        const LineDrawing& all = drawer.draw(camera.view, silhouette, options, progress.call());
+        totals.add(check_lines(mesh, camera.view, all, k_verify_spacing_mm / place.mm_per_unit,
+                               progress.call()));
+    }
+
     static nlohmann::ordered_json camera_json(const LineCamera& camera) {
         return {{"name", camera.name},
                 {"eye", json_vector(camera.eye)},
@@ -250,30 +285,37 @@ private:
         const LineReport& report = totals.report;
         nlohmann::ordered_json views = nlohmann::ordered_json::array();
         for (const LineCamera& camera : cameras) views.push_back(camera_json(camera));
-        print_json({{"model", model_.model},
-                    {"faces", mesh.face_count()},
-                    {"lines", report.lines},
-                    {"chains", totals.chains},
-                    {"runs", totals.runs},
-                    {"strokes", totals.strokes},
-                    {"visible_length", DrawnTotals::sum(totals.visible)},
-                    {"hidden_length", DrawnTotals::sum(totals.hidden)},
-                    {"visible_lengths", lengths_json(totals.visible)},
-                    {"hidden_lengths", lengths_json(totals.hidden)},
-                    {"crossings", report.crossings},
-                    {"contacts", report.contacts},
-                    {"components", report.components},
-                    {"checks", report.checks},
-                    {"failed_checks", report.failed_checks},
-                    {"lines_by_rays", report.lines_by_rays},
-                    {"undecided_lines", report.undecided_lines},
-                    {"page", {page.size_mm.x, page.size_mm.y}},
-                    {"mm_per_unit", page.views.front().mm_per_unit},
-                    {"views", std::move(views)},
-                    {"surface_ms", totals.surface_ms},
-                    {"silhouette_ms", totals.silhouette_ms},
-                    {"ms", totals.ms},
-                    {"output", output_}});
+        nlohmann::ordered_json result{{"model", model_.model},
+                                      {"faces", mesh.face_count()},
+                                      {"lines", report.lines},
+                                      {"chains", totals.chains},
+                                      {"runs", totals.runs},
+                                      {"strokes", totals.strokes},
+                                      {"visible_length", DrawnTotals::sum(totals.visible)},
+                                      {"hidden_length", DrawnTotals::sum(totals.hidden)},
+                                      {"visible_lengths", lengths_json(totals.visible)},
+                                      {"hidden_lengths", lengths_json(totals.hidden)},
+                                      {"crossings", report.crossings},
+                                      {"contacts", report.contacts},
+                                      {"components", report.components},
+                                      {"checks", report.checks},
+                                      {"failed_checks", report.failed_checks},
+                                      {"lines_by_rays", report.lines_by_rays},
+                                      {"undecided_lines", report.undecided_lines},
+                                      {"page", {page.size_mm.x, page.size_mm.y}},
+                                      {"mm_per_unit", page.views.front().mm_per_unit},
+                                      {"views", std::move(views)},
+                                      {"surface_ms", totals.surface_ms},
+                                      {"silhouette_ms", totals.silhouette_ms},
+                                      {"ms", totals.ms},
+                                      {"output", output_}};
+        if (verifies_)
+            result["verify"] = {{"samples", totals.check.samples},
+                                {"undecided", totals.check.undecided},
+                                {"wrong", totals.check.wrong},
+                                {"wrong_visibility", totals.check.wrong_visibility},
+                                {"missing_edges", totals.check.missing_edges}};
+        print_json(result);
     }
 
     void print_summary(const DrawingPage& page, const DrawnTotals& totals) const {
@@ -293,6 +335,11 @@ private:
         if (report.undecided_lines > 0)
             std::printf("  undecided   %u lines, of which rays could not tell what is seen\n",
                         report.undecided_lines);
+        if (verifies_)
+            std::printf("  verified    %llu samples, of which %llu undecided and %llu wrong\n",
+                        static_cast<unsigned long long>(totals.check.samples),
+                        static_cast<unsigned long long>(totals.check.undecided),
+                        static_cast<unsigned long long>(totals.check.wrong));
         std::printf("  time        %.1f ms, and %.1f ms to prepare the model\n",
                     totals.silhouette_ms + totals.ms, totals.surface_ms);
     }
@@ -300,10 +347,11 @@ private:
     ModelArgument model_;
     std::string output_ = "rimline.svg";
     bool has_sources_ = false;
+    bool verifies_ = false;
     LineCameraOptions camera_;
     std::vector<SheetView> views_;
     const CLI::Option* views_option_ = nullptr;
-    LinePageOptions page_;
+    LinePage page_;
     DrawnLines lines_;
 };
 

@@ -3,9 +3,9 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "tools/options/line_kind_names.h"
 #include "tools/options/name_list.h"
 #include "tools/options/option_types.h"
-#include "tools/output/drawing_file.h"
 
 namespace rimline::tools {
 

@@ -5,13 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "tools/command.h"
 #include "tools/options/option_types.h"
 
 namespace rimline::tools {
 
 namespace {
-
-constexpr double k_max_page_mm = 5000.0;  // PDF ends at 5,080 mm.
 
 // Two numbers with `separator` between them, each in [low, high].
 std::optional<glm::dvec2> parse_pair(std::string_view text, char separator, double low,
@@ -31,40 +30,53 @@ std::optional<glm::dvec2> parse_pair(std::string_view text, char separator, doub
     return glm::dvec2(*first, *second);
 }
 
-void parse_page(const std::string& text, PageFormat& format) {
-    format.size_mm.reset();
+void parse_page(const std::string& text, LinePage& page) {
+    page.size_mm.reset();
     if (text == "fit") return;
-    format.size_mm = parse_pair(text, 'x', 1.0, k_max_page_mm);
-    if (!format.size_mm)
+    page.size_mm = parse_pair(text, 'x', 1.0, k_max_page_mm);
+    if (!page.size_mm)
         throw CLI::ValidationError(
             "--page", "expected fit, or WxH with both from 1 to 5000 mm, not '" + text + "'");
 }
 
-void parse_scale(const std::string& text, PageFormat& format) {
+void parse_scale(const std::string& text, LinePage& page) {
     const auto ratio = parse_pair(text, ':', 1e-9, 1e9);
     if (!ratio)
         throw CLI::ValidationError("--scale", "expected A:B, for example 1:10, not '" + text + "'");
-    format.mm_per_unit = ratio->x / ratio->y;
+    page.mm_per_unit = ratio->x / ratio->y;
 }
 
 }  // namespace
 
-void LinePageOptions::add_to(CLI::App& app) {
+void LinePage::add_to(CLI::App& app) {
     constexpr const char* k_group = "Page";
     app.add_option_function<std::string>(
-           "--page", [this](const std::string& text) { parse_page(text, format); },
+           "--page", [this](const std::string& text) { parse_page(text, *this); },
            "Width and height in mm; fit: as large as the drawing and its margins")
         ->type_name("WxH|fit")
         ->default_str("210x297")
         ->group(k_group);
-    add_number(app, "--margin", format.margin_mm, 0.0, 1000.0, "Empty border of the page in mm")
+    add_number(app, "--margin", margin_mm, 0.0, 1000.0, "Empty border of the page in mm")
         ->group(k_group);
     app.add_option_function<std::string>(
-           "--scale", [this](const std::string& text) { parse_scale(text, format); },
+           "--scale", [this](const std::string& text) { parse_scale(text, *this); },
            "True to scale, for orthographic views; units of the model are mm (default: as large "
            "as the page allows)")
         ->type_name("A:B")
         ->group(k_group);
+}
+
+glm::dvec2 LinePage::space_mm() const {
+    const glm::dvec2 space = *size_mm - 2.0 * margin_mm;
+    if (!(space.x > 0.0 && space.y > 0.0))
+        throw UsageError("--margin: the margins leave no space on the page");
+    return space;
+}
+
+double LinePage::aspect() const {
+    if (!size_mm) return 4.0 / 3.0;
+    const glm::dvec2 space = space_mm();
+    return space.x / space.y;
 }
 
 }  // namespace rimline::tools

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
 
 namespace rimline::tools {

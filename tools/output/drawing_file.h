@@ -7,7 +7,6 @@
 //   .dxf   R12, polylines in a layer for each kind (VISIBLE_SILHOUETTE, HIDDEN_BORDER, ...), y upwards
 //   .json  points, runs, chains and strokes (drawing_json.h)
 
-#include <array>
 #include <glm/vec2.hpp>
 #include <string>
 #include <string_view>
@@ -21,10 +20,6 @@ enum class DrawingFormat { svg, pdf, dxf, json };
 
 /// The format of the file name's ending, in upper or lower case. Throws UsageError for other endings.
 DrawingFormat drawing_format_of(const std::string& file_name);
-
-/// By LineKind, in lower case.
-constexpr std::array<std::string_view, k_line_kinds> k_line_kind_names{"silhouette", "border",
-                                                                       "crease", "intersection"};
 
 struct PageDrawing {
     std::string title;

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/output/drawing_file.h"
+#include "tools/options/line_kind_names.h"
 
 namespace rimline::tools {
 

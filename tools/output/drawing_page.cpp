@@ -52,45 +52,30 @@ std::string in_mm(const glm::dvec2& size) {
     return text.data();
 }
 
-glm::dvec2 space_of(const PageFormat& format) {
-    const glm::dvec2 space = *format.size_mm - 2.0 * format.margin_mm;
-    if (!(space.x > 0.0 && space.y > 0.0))
-        throw UsageError("--margin: the margins leave no space on a page of " +
-                         in_mm(*format.size_mm));
-    return space;
-}
-
 }  // namespace
 
-double PageFormat::aspect() const {
-    if (!size_mm) return 4.0 / 3.0;
-    const glm::dvec2 space = space_of(*this);
-    return space.x / space.y;
-}
-
-DrawingPage place_views(const PageFormat& format, std::span<const ViewCell> cells) {
+DrawingPage place_views(const LinePage& paper, std::span<const ViewCell> cells) {
     Tracks columns, rows;
     for (const ViewCell& cell : cells) {
         columns.include(cell.column, cell.high.x - cell.low.x);
         rows.include(cell.row, cell.high.y - cell.low.y);
     }
-    const double gap = std::max(format.margin_mm, k_min_view_gap_mm);
+    const double gap = std::max(paper.margin_mm, k_min_view_gap_mm);
     const glm::dvec2 extent(columns.extent(), rows.extent());
     const glm::dvec2 gaps(columns.gaps_mm(gap), rows.gaps_mm(gap));
     if (!(std::max(extent.x, extent.y) > 0.0))
         throw Error(ErrorCode::bad_input, "from here the model is a point: choose another --eye");
 
     const glm::dvec2 space =
-        (format.size_mm ? space_of(format)
-                        : glm::dvec2(k_fitted_page_mm - 2.0 * format.margin_mm)) -
+        (paper.size_mm ? paper.space_mm() : glm::dvec2(k_fitted_page_mm - 2.0 * paper.margin_mm)) -
         gaps;
     double scale = 0.0;
-    if (format.mm_per_unit) {
-        scale = *format.mm_per_unit;
+    if (paper.mm_per_unit) {
+        scale = *paper.mm_per_unit;
         const glm::dvec2 size = scale * extent + gaps;
         // A drawing as large as the space fits, whatever the rounding of its size.
         const glm::dvec2 allowed = (space + gaps) * (1.0 + 1e-6);
-        if (format.size_mm && (size.x > allowed.x || size.y > allowed.y))
+        if (paper.size_mm && (size.x > allowed.x || size.y > allowed.y))
             throw UsageError("--scale: the drawing has " + in_mm(size) +
                              ", the page has space for " + in_mm(space + gaps) +
                              "; take a smaller scale, a larger --page or --page fit");
@@ -101,8 +86,11 @@ DrawingPage place_views(const PageFormat& format, std::span<const ViewCell> cell
         scale = std::min(space.x / extent.x, space.y / extent.y);
     }
     const glm::dvec2 size = scale * extent + gaps;
-    DrawingPage page{
-        format.size_mm.value_or(glm::ceil((size + 2.0 * format.margin_mm) * 1e3) * 1e-3), {}};
+    DrawingPage page{paper.size_mm.value_or(glm::ceil((size + 2.0 * paper.margin_mm) * 1e3) * 1e-3),
+                     {}};
+    if (page.size_mm.x > k_max_page_mm || page.size_mm.y > k_max_page_mm)
+        throw UsageError("--scale: the drawing has " + in_mm(size) +
+                         ", too large for a page; take a smaller scale");
     const glm::dvec2 begin = 0.5 * (page.size_mm - size);
     columns.place(begin.x, scale, gap);
     rows.place(begin.y, scale, gap);

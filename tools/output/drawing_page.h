@@ -2,30 +2,18 @@
 
 // Places pictures on a page: one, or the views of a drawing sheet.
 //
-// Views lie in the cells of a grid, with one scale, and each in the middle of its cell. Views of one column show
-// the model with the same width, and those of one row with the same height. So they are aligned.
+// Views lie in the cells of a grid, with one scale, and each in the middle of its cell. A view from the front and
+// one from above have the same width and one column, so they are aligned; so are views of one row.
 //
 // Places on the page are in mm, x to the right and y downwards, from the upper left corner.
 
 #include <glm/vec2.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "tools/options/line_page.h"
+
 namespace rimline::tools {
-
-struct PageFormat {
-    std::optional<glm::dvec2> size_mm{
-        {210.0, 297.0}};  ///< Not set: as large as the drawing and margins.
-    double margin_mm = 10.0;
-    std::optional<double> mm_per_unit;  ///< Not set: as large as the page allows.
-
-    /// Width over height of the space between the margins; 4:3 where the size is not set.
-    double aspect() const;
-};
-
-/// The longer side of a page that is as large as its drawing, where the scale is not set.
-constexpr double k_fitted_page_mm = 180.0;
 
 /// What a view shows, in picture coordinates, and its cell.
 struct ViewCell {
@@ -47,8 +35,12 @@ struct DrawingPage {
     std::vector<ViewPlace> views;  ///< As the cells.
 };
 
+/// The longer side of a page that is as large as its drawing, where the scale is not set.
+constexpr double k_fitted_page_mm = 180.0;
+
 /// The distance between views is the margin, but at least 5 mm. Throws UsageError if the margins leave no
-/// space, or if the drawing does not fit between them, and Error{bad_input} if all cells have no extent.
-DrawingPage place_views(const PageFormat& format, std::span<const ViewCell> cells);
+/// space, or if the drawing does not fit between them or on a page of k_max_page_mm, and Error{bad_input} if
+/// all cells have no extent.
+DrawingPage place_views(const LinePage& paper, std::span<const ViewCell> cells);
 
 }  // namespace rimline::tools

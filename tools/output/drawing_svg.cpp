@@ -1,6 +1,7 @@
 #include <string>
 #include <string_view>
 
+#include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
 
 namespace rimline::tools {

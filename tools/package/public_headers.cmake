@@ -23,6 +23,10 @@ set(rimline_silhouette_headers
     silhouette/hough/silhouette_tracker.h
     silhouette/hough/service/published_change.h
     silhouette/hough/service/silhouette_service.h
+    silhouette/lines/line_drawer.h
+    silhouette/lines/line_drawing.h
+    silhouette/lines/line_surface.h
+    silhouette/lines/line_view.h
     silhouette/field/best_views.h
     silhouette/field/camera_path.h
     silhouette/field/named_functions.h

@@ -1,0 +1,396 @@
+"""rimline draw."""
+import collections
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+from program import fail, model, run, skip, succeed
+
+SVG = "{http://www.w3.org/2000/svg}"
+INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+KINDS = ("silhouette", "border", "crease", "intersection")
+# Borders, creases, hidden lines; a surface that other surfaces pass through.
+SAMPLES = (["shape:knot:3000"], ["shape:scene"], ["shape:terrain:2000", "--eye", "2,1,3"], ["shape:box", "--ortho", "auto"],
+           ["shape:scene", "--views", "front,top,right,iso", "--page", "297x210"])
+
+Line = collections.namedtuple("Line", "layer kind closed points")
+
+
+def length(line):
+    points = line.points + line.points[:1] if line.closed else line.points
+    return sum(math.dist(a, b) for a, b in zip(points, points[1:]))
+
+
+def read_svg(path):
+    root = xml.etree.ElementTree.parse(path).getroot()
+    lines = []
+    for layer in root.findall(SVG + "g"):
+        assert layer.get(INKSCAPE + "groupmode") == "layer"
+        for group in layer.findall(SVG + "g"):
+            name, kind = group.get("id").split("-")
+            assert name == layer.get("id")
+            for path_element in group.findall(SVG + "path"):
+                data = path_element.get("d")
+                assert re.fullmatch(r"M(-?\d+(\.\d{1,3})?,-?\d+(\.\d{1,3})? ?)+Z?", data), data
+                points = [tuple(map(float, pair.split(","))) for pair in data.strip("MZ").split()]
+                lines.append(Line(name, kind, data.endswith("Z"), points))
+    return root, lines
+
+
+def read_pdf(path):
+    with open(path, "rb") as file:
+        data = file.read()
+    assert data.startswith(b"%PDF-1.5\n") and data.endswith(b"%%EOF\n")
+    table = int(re.search(rb"startxref\n(\d+)\n%%EOF\n$", data).group(1))
+    count = int(re.match(rb"xref\n0 (\d+)\n", data[table:]).group(1))
+    entries = data[table:].split(b"\n", 2)[2]
+    for number in range(1, count):
+        entry = entries[20 * number:20 * number + 20]
+        assert re.fullmatch(rb"\d{10} 00000 n \n", entry), entry
+        assert data[int(entry[:10]):].startswith(b"%d 0 obj\n" % number)
+    stream = re.search(rb"/Length (\d+) >>\nstream\n", data)
+    content = data[stream.end():stream.end() + int(stream.group(1))]
+    assert data[stream.end() + len(content):].startswith(b"endstream")
+    lines, layer, points = [], "", []
+    for command in content.decode().splitlines():
+        if command.endswith(" BDC"):
+            layer = command.split()[1][1:].lower()
+        elif command.endswith(" m"):
+            points = [tuple(map(float, command.split()[:2]))]
+        elif command.endswith(" l"):
+            points.append(tuple(map(float, command.split()[:2])))
+        elif command in ("s", "S"):
+            lines.append(Line(layer, None, command == "s", points))
+    box = [float(x) for x in re.search(rb"/MediaBox \[0 0 (\S+) (\S+)\]", data).groups()]
+    return [side / 72 * 25.4 for side in box], lines
+
+
+def read_dxf(path):
+    with open(path) as file:
+        text = file.read().splitlines()
+    pairs = [(int(code), value) for code, value in zip(text[::2], text[1::2])]
+    assert len(text) % 2 == 0 and pairs[-1] == (0, "EOF") and (1, "AC1009") in pairs
+    lines, entity = [], ""
+    layers = [value for code, value in pairs[:pairs.index((2, "ENTITIES"))] if code == 2]
+    for code, value in pairs[pairs.index((2, "ENTITIES")):]:
+        if code == 0:
+            entity = value
+        if code == 0 and value == "VERTEX":
+            lines[-1].points.append([None, None])
+        elif entity == "POLYLINE" and code == 8:
+            assert value in layers
+            layer, kind = value.lower().split("_")
+            lines.append(Line(layer, kind, False, []))
+        elif entity == "POLYLINE" and code == 70:
+            lines[-1] = lines[-1]._replace(closed=value == "1")
+        elif entity == "VERTEX" and code in (10, 20):
+            lines[-1].points[-1][code // 10 - 1] = float(value)
+    return lines
+
+
+def check_lengths(lines, result, hidden):
+    for name in ("visible", "hidden") if hidden else ("visible",):
+        drawn = [line for line in lines if line.layer == name]
+        assert math.isclose(sum(map(length, drawn)), result[name + "_length"], abs_tol=1e-6)
+        if any(line.kind for line in drawn):
+            for kind in KINDS:
+                of_kind = sum(length(line) for line in drawn if line.kind == kind)
+                assert math.isclose(of_kind, result[name + "_lengths"][kind], abs_tol=1e-6)
+    if not hidden:
+        assert all(line.layer == "visible" for line in lines)
+
+
+def bounds(lines):
+    points = [point for line in lines for point in line.points]
+    return [min(p[0] for p in points), min(p[1] for p in points), max(p[0] for p in points), max(p[1] for p in points)]
+
+
+def is_close(a, b, tolerance):
+    return len(a) == len(b) and all(abs(x - y) <= tolerance for x, y in zip(a, b))
+
+
+def test_a_drawing_has_its_lines_in_millimeters_in_every_format():
+    with tempfile.TemporaryDirectory() as folder:
+        for sample in SAMPLES:
+            size = [297.0, 210.0] if "--page" in sample else [210.0, 297.0]
+            read = {}
+            for hidden in ("none", "dashed", "layer"):
+                for ending in ("svg", "pdf", "dxf", "json"):
+                    path = os.path.join(folder, "a." + ending)
+                    result = succeed("draw", *sample, "--hidden", hidden, "-o", path)
+                    assert result["output"] == path and result["page"] == size and result["failed_checks"] == 0
+                    if ending == "svg":
+                        root, read["svg"] = read_svg(path)
+                        assert root.get("viewBox") == "0 0 %g %g" % tuple(size)
+                        assert [root.get("width"), root.get("height")] == ["%gmm" % side for side in size]
+                        labels = [layer.get(INKSCAPE + "label") for layer in root.findall(SVG + "g")]
+                        assert labels == (["1 visible"] if hidden == "none" else ["2 hidden", "1 visible"])
+                        assert ("dasharray" in open(path).read()) == (hidden == "dashed")
+                    elif ending == "pdf":
+                        box, read["pdf"] = read_pdf(path)
+                        assert is_close(box, size, 1e-3)
+                    elif ending == "dxf":
+                        read["dxf"] = read_dxf(path)
+                for lines in read.values():
+                    check_lengths(lines, result, hidden != "none")
+                    assert sum(line.layer == "visible" for line in lines) == result["strokes"]
+                # The whole drawing touches the margins of one direction and is in the middle of the page.
+                for ending, lines in read.items():
+                    low_x, low_y, high_x, high_y = bounds(lines)
+                    assert abs(low_x + high_x - size[0]) < 0.2 and abs(low_y + high_y - size[1]) < 0.2, (sample, ending)
+                    assert min(low_x, low_y) > 9.9 and min(low_x, low_y) < 10.2, (sample, ending)
+                # The y axes of PDF and DXF point upwards.
+                points = sorted(point for line in read["svg"] for point in line.points)
+                for ending in ("pdf", "dxf"):
+                    flipped = sorted((x, round(size[1] - y, 3)) for line in read[ending] for x, y in line.points)
+                    assert all(is_close(a, b, 1e-9) for a, b in zip(points, flipped)) and len(points) == len(flipped)
+
+
+def test_other_programs_read_the_drawings():
+    readers = {"svg": ["rsvg-convert", "-f", "png", "-o"], "pdf": ["pdftocairo", "-png", "-singlefile"]}
+    missing = []
+    with tempfile.TemporaryDirectory() as folder:
+        for ending, reader in readers.items():
+            path = os.path.join(folder, "a." + ending)
+            succeed("draw", "shape:scene", "--hidden", "dashed", "-o", path)
+            picture = os.path.join(folder, ending + ".png")
+            if not shutil.which(reader[0]):
+                missing.append(reader[0])
+                continue
+            arguments = [picture, path] if ending == "svg" else [path, picture[:-4]]
+            found = subprocess.run(reader + arguments, capture_output=True, text=True, timeout=60)
+            assert found.returncode == 0 and found.stderr == "", found.stderr
+            assert os.path.getsize(picture) > 2000
+        path = os.path.join(folder, "a.dxf")
+        result = succeed("draw", "shape:scene", "--hidden", "dashed", "-o", path)
+        script = ("import ezdxf, sys\n"
+                  "from ezdxf import recover\n"
+                  "from ezdxf.math import Vec3\n"
+                  "drawing, audit = recover.readfile(sys.argv[1])\n"
+                  "assert not audit.errors and not audit.fixes and drawing.dxfversion == 'AC1009'\n"
+                  "sums = {'VISIBLE': 0.0, 'HIDDEN': 0.0}\n"
+                  "for line in drawing.modelspace().query('POLYLINE'):\n"
+                  "    points = list(line.points()) + list(line.points())[:1 if line.is_closed else 0]\n"
+                  "    sums[line.dxf.layer.split('_')[0]] += sum(Vec3(a).distance(b) for a, b in zip(points, points[1:]))\n"
+                  "print(sums['VISIBLE'], sums['HIDDEN'])\n")
+        pythons = [python for python in (sys.executable, "/usr/bin/python3")
+                   if os.path.exists(python) and subprocess.run([python, "-c", "import ezdxf"], capture_output=True).returncode == 0]
+        if pythons:
+            found = subprocess.run([pythons[0], "-c", script, path], capture_output=True, text=True, timeout=60)
+            assert found.returncode == 0, found.stderr
+            visible, hidden = map(float, found.stdout.split())
+            assert math.isclose(visible, result["visible_length"], abs_tol=1e-6)
+            assert math.isclose(hidden, result["hidden_length"], abs_tol=1e-6)
+        else:
+            missing.append("ezdxf")
+    if missing:
+        skip("no " + ", ".join(missing))
+
+
+def test_a_sphere_is_one_visible_loop():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        for camera in ([], ["--ortho", "auto"], ["--views", "iso"]):
+            result = succeed("draw", "shape:sphere:20000", *camera, "--hidden", "layer", "-o", path)
+            _, lines = read_svg(path)
+            assert [(line.layer, line.kind, line.closed) for line in lines] == [("visible", "silhouette", True)]
+            assert result["hidden_length"] == 0 and abs(result["visible_length"] / (190 * math.pi) - 1) < 2e-3
+
+
+def test_a_box_from_the_front_has_four_edges_and_true_lengths():
+    low, high = succeed("info", "shape:box:12")["bounds"]
+    width, height, depth = (b - a for a, b in zip(low, high))
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        front = succeed("draw", "shape:box:12", "--ortho", "auto", "--eye", f"0,0,{9 * depth}", "--target", "0,0,0",
+                        "--scale", "25:2", "--hidden", "layer", "-o", path)
+        _, lines = read_svg(path)
+        assert front["mm_per_unit"] == 12.5 and all(line.layer == "visible" for line in lines)
+        assert front["hidden_length"] == 0 and abs(front["visible_length"] - 25 * (width + height)) < 0.05
+        both = succeed("draw", "shape:box:12", "--ortho", "auto", "--eye", f"0,0,{9 * depth}", "--target", "0,0,0",
+                       "--scale", "25:2", "--hidden", "layer", "--keep-coincident", "-o", path)
+        assert abs(both["hidden_length"] + both["visible_length"] - 2 * front["visible_length"]) < 0.2
+        corner = succeed("draw", "shape:box:12", "--hidden", "layer", "-o", path)
+        assert corner["lines"] == 12 and corner["hidden_lengths"]["silhouette"] == 0 < corner["hidden_length"]
+        silhouettes = succeed("draw", "shape:box:12", "--lines", "silhouette", "-o", path)
+        assert silhouettes["lines"] == 6 and silhouettes["visible_length"] < corner["visible_length"]
+
+
+def test_the_views_of_a_sheet_are_aligned_in_third_angle_projection():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.json")
+        arguments = ["draw", "shape:scene", "--views", "front,top,right,left,bottom,back,iso", "--scale", "1:1", "--page", "fit", "--simplify", "0"]
+        result = succeed(*arguments, "-o", path)
+        with open(path) as file:
+            drawing = json.load(file)
+        boxes = {}
+        for view in drawing["views"]:
+            x, y = view["page"]["origin_mm"]
+            assert view["page"]["mm_per_unit"] == 1 and view["orthographic"]
+            boxes[view["name"]] = (x + min(p[0] for p in view["points"]), y - max(p[1] for p in view["points"]),
+                                   x + max(p[0] for p in view["points"]), y - min(p[1] for p in view["points"]))
+        front = boxes["front"]
+        for name in ("top", "bottom"):
+            assert is_close(boxes[name][::2], front[::2], 1e-3), boxes
+        for name in ("right", "left", "back"):
+            assert is_close(boxes[name][1::2], front[1::2], 1e-3), boxes
+        # The gap between views is the margin. Where one of a column is smaller, more.
+        assert boxes["top"][3] < front[1] < front[3] < boxes["bottom"][1]
+        assert boxes["left"][2] < front[0] < front[2] < boxes["right"][0] < boxes["back"][0]
+        assert is_close([front[0] - boxes["left"][2], boxes["bottom"][1] - front[3]], [10, 10], 1e-3)
+        assert boxes["iso"][0] > front[2] and boxes["iso"][3] < front[1]
+        low, high = succeed("info", "shape:scene")["bounds"]
+        assert is_close([front[2] - front[0], front[3] - front[1]], [high[0] - low[0], high[1] - low[1]], 1e-4)
+        assert is_close([boxes["right"][2] - boxes["right"][0]], [high[2] - low[2]], 1e-4)
+        assert [view["name"] for view in result["views"]] == [view["name"] for view in drawing["views"]]
+        assert [view["up"] for view in result["views"][:2]] == [[0, 1, 0], [0, 0, -1]]
+
+
+def test_a_drawing_as_json_is_consistent():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.json")
+        result = succeed("draw", "shape:scene", "--min-length", "0", "-o", path)
+        with open(path) as file:
+            drawing = json.load(file)
+        view, = drawing["views"]
+        scale = view["page"]["mm_per_unit"]
+        assert drawing["page_mm"] == result["page"] and scale == result["mm_per_unit"]
+        assert len(view["points"]) == len(view["sources"]) and len(view["chains"]) == result["chains"]
+        assert len(view["runs"]) == result["runs"] and len(view["strokes"]) == result["strokes"]
+        assert len({chain["id"] for chain in view["chains"]}) == len(view["chains"])
+        for number, chain in enumerate(view["chains"]):
+            assert chain["kind"] in KINDS
+            first, last = chain["runs"]
+            assert all(run["chain"] == number for run in view["runs"][first:last]) and first < last
+        parts = [part for stroke in view["strokes"] for part, _ in stroke["parts"]]
+        visible = [i for i, run in enumerate(view["runs"]) if run["hidden_by"] == 0]
+        assert sorted(parts) == visible
+        # Without the gaps that strokes join.
+        drawn = scale * sum(view["runs"][i]["length"] for i in visible)
+        assert 0.98 < drawn / result["visible_length"] < 1.02
+        for source in view["sources"]:
+            assert source is None or len(source) == 3 and 0 <= source[2] <= 1
+        margin = [scale * (p[axis]) * sign + origin for p in view["points"]
+                  for axis, sign, origin in ((0, 1, view["page"]["origin_mm"][0]), (1, -1, view["page"]["origin_mm"][1]))]
+        assert min(margin) > 9.99
+
+
+def test_a_drawing_says_which_edges_it_is_made_of():
+    corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    faces = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    with tempfile.TemporaryDirectory() as folder:
+        cube = os.path.join(folder, "cube.obj")
+        with open(cube, "w") as file:
+            file.writelines("v %d %d %d\n" % corner for corner in corners)
+            file.writelines("f %d %d %d %d\n" % tuple(i + 1 for i in face) for face in faces)
+        path = os.path.join(folder, "a.svg")
+        succeed("draw", cube, "--source", "--hidden", "layer", "-o", path)
+        root, lines = read_svg(path)
+        elements = list(root.iter(SVG + "path"))
+        edges = [tuple(sorted(map(int, edge.split("-")))) for element in elements for edge in element.get("data-edges").split()]
+        assert sorted(edges) == sorted((a, a | bit) for a in range(8) for bit in (1, 2, 4) if not a & bit)
+        assert all(re.fullmatch(r"\d+( \d+)*", element.get("data-chain")) for element in elements)
+        # The lines are those of a drawing without sources.
+        for shape in (cube, "shape:scene"):
+            with_sources = succeed("draw", shape, "--source", "-o", path)
+            _, lines = read_svg(path)
+            without = succeed("draw", shape, "-o", path)
+            _, same = read_svg(path)
+            assert abs(with_sources["visible_length"] / without["visible_length"] - 1) < 1e-3
+            assert sum(len(line.points) for line in lines) < 1.1 * sum(len(line.points) for line in same)
+        assert "data-" not in open(path).read()
+
+
+def test_hidden_lines_can_be_limited_by_what_hides_them():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        lengths = [succeed("draw", "shape:scene", "--hidden", "dashed", "--gap", "0", "--min-length", "0", *limit, "-o", path)["hidden_length"]
+                   for limit in (["--hidden-by", "1"], ["--hidden-by", "3"], ["--hidden-by", "1000"], [])]
+        assert 0 < lengths[0] < lengths[1] < lengths[2] and abs(lengths[2] / lengths[3] - 1) < 0.01
+
+
+def test_pages_have_the_size_that_is_asked_for():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        for page, margin in (("100x50", 5), ("420x297", 20)):
+            result = succeed("draw", "shape:knot:2000", "--page", page, "--margin", str(margin), "-o", path)
+            low_x, low_y, high_x, high_y = bounds(read_svg(path)[1])
+            width, height = map(float, page.split("x"))
+            assert result["page"] == [width, height]
+            assert abs(min(low_x, low_y) - margin) < 0.1 and max(high_x - width, high_y - height) < -margin + 0.1
+        result = succeed("draw", "shape:knot:2000", "--page", "fit", "--margin", "3", "-o", path)
+        box = bounds(read_svg(path)[1])
+        assert max(result["page"]) == 180
+        assert is_close(box, [3, 3, result["page"][0] - 3, result["page"][1] - 3], 0.1)
+        # Each tolerance has the length on the page that is asked for.
+        few = succeed("draw", "shape:knot:20000", "--simplify", "1", "-o", path)
+        coarse = sum(len(line.points) for line in read_svg(path)[1])
+        many = succeed("draw", "shape:knot:20000", "--simplify", "0", "-o", path)
+        assert coarse < 0.5 * sum(len(line.points) for line in read_svg(path)[1])
+        assert few["chains"] == many["chains"]
+        succeed("draw", "shape:scene", "--min-length", "30", "--hidden", "layer", "-o", path)
+        assert min(map(length, read_svg(path)[1])) >= 29.9
+
+
+def test_a_drawing_ends_at_the_borders_of_its_picture():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        inside = ["--eye", "0,3,0", "--target", "1,0.5,0.3"]
+        for camera in (inside, [*inside, "--fov", "100"], ["--eye", "3,2,4", "--fov", "12"], ["--ortho", "1"]):
+            for hidden in ("none", "layer"):
+                result = succeed("draw", "shape:scene", *camera, "--page", "200x150", "--hidden", hidden, "-o", path)
+                _, lines = read_svg(path)
+                check_lengths(lines, result, hidden == "layer")
+                low_x, low_y, high_x, high_y = bounds(lines)
+                assert min(low_x, low_y) >= 10 and high_x <= 190 and high_y <= 140
+                assert hidden == "none" or min(low_x - 10, low_y - 10, 190 - high_x, 140 - high_y) < 1e-3
+        # 1 unit is as high as the space between the margins.
+        assert result["mm_per_unit"] == 130
+
+
+def test_wrong_drawings_are_told_in_plain_words():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        box = ["draw", "shape:box", "-o", path]
+        assert "expected a name that ends in .svg, .pdf, .dxf or .json, not 'a.png'" in fail(2, "draw", "shape:box", "-o", "a.png")
+        assert "--lines: expected some of silhouette,border,crease,intersection, not 'edges'" in fail(2, *box, "--lines", "border,edges")
+        assert "'border' is given twice" in fail(2, *box, "--lines", "border,border")
+        assert "--views: expected some of front,top,right,iso,left,bottom,back, not ''" in fail(2, *box, "--views", "")
+        assert "--scale: needs an orthographic view" in fail(2, *box, "--scale", "1:1")
+        assert "--scale: expected A:B, for example 1:10, not '3'" in fail(2, *box, "--ortho", "auto", "--scale", "3")
+        assert "--scale: the drawing has" in fail(2, *box, "--ortho", "auto", "--scale", "1000:1")
+        assert "--page: expected fit, or WxH with both from 1 to 5000 mm, not '0x9'" in fail(2, *box, "--page", "0x9")
+        assert "--margin: the margins leave no space" in fail(2, *box, "--margin", "105")
+        assert "--ortho: expected auto or a height" in fail(2, *box, "--ortho", "-1")
+        assert "--views: the views of a sheet" in fail(2, *box, "--views", "front", "--eye", "1,2,3")
+        assert "--hidden-by: needs --hidden" in fail(2, *box, "--hidden-by", "2")
+        assert "--eye and --target are the same point" in fail(2, *box, "--eye", "1,2,3", "--target", "1,2,3")
+        for page in ("nan", "xx", "1e9x5", "10x", "fits"):
+            fail(2, *box, "--page", page)
+        point = os.path.join(folder, "a.obj")
+        with open(point, "w") as file:
+            file.write("v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")
+        assert "radius" in fail(1, "draw", point, "-o", path)
+        assert sorted(os.listdir(folder)) == ["a.obj"]
+        with open(point, "w") as file:
+            file.write("v 0 0 0\nv 0 0 1\nv 0 0 2\nf 1 2 3\n")
+        assert "from here the model is a point" in fail(1, "draw", point, "--views", "front", "-o", path)
+        # Seen from aside, it is a line.
+        result = run("draw", point, "-o", path, "--page", "fit")
+        assert result.returncode == 0 and 'id="visible"' in open(path).read(), result.stderr
+
+
+def test_machine_parts_and_scans_are_drawn():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.pdf")
+        sheet = succeed("draw", model("fandisk.obj"), "--ortho", "auto", "--views", "front,top,right,iso", "--scale", "1:1", "-o", path)
+        assert sheet["failed_checks"] == 0 and len(read_pdf(path)[1]) == sheet["strokes"]
+        head = succeed("draw", model("igea.ply"), "--hidden", "layer", "-o", path)
+        assert head["failed_checks"] == head["undecided_lines"] == 0 and 0 < head["visible_length"] < head["hidden_length"]
+        check_lengths(read_pdf(path)[1], head, True)

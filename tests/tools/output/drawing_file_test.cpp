@@ -1,0 +1,98 @@
+#include "tools/output/drawing_file.h"
+
+#include <doctest/doctest.h>
+
+#include "tools/command.h"
+
+using namespace rimline;
+using tools::DrawingFormat;
+using tools::PageDrawing;
+
+namespace {
+
+std::string decimals(double value) {
+    std::string text;
+    tools::append_decimals(text, value);
+    return text;
+}
+
+PageDrawing made_page() {
+    PageDrawing drawing{.title = "a <b> & (c)\\ \xC3\xA4",
+                        .size_mm = {100.0, 50.0},
+                        .lines = {},
+                        .width_mm = 0.5,
+                        .hidden_width_mm = 0.2,
+                        .dashes_hidden = true,
+                        .has_sources = false};
+    drawing.lines.push_back({LineKind::border, false, true, {{1, 2}, {3, 2}, {3, 4}}, {5}, {}});
+    drawing.lines.push_back({LineKind::crease, true, false, {{1, 2}, {3.5, 2}}, {6}, {}});
+    return drawing;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("numbers have at most three decimals and no zeros at their end") {
+    CHECK(decimals(0.0) == "0");
+    CHECK(decimals(-0.0001) == "0");
+    CHECK(decimals(1.5) == "1.5");
+    CHECK(decimals(-20.0) == "-20");
+    CHECK(decimals(1.23456) == "1.235");
+    CHECK(decimals(1e15) == "1000000000000000");
+}
+
+TEST_CASE("the format of a drawing is the ending of its name") {
+    CHECK(tools::drawing_format_of("a.svg") == DrawingFormat::svg);
+    CHECK(tools::drawing_format_of("b.c/A.PDF") == DrawingFormat::pdf);
+    CHECK(tools::drawing_format_of("x.dxf") == DrawingFormat::dxf);
+    CHECK(tools::drawing_format_of(".json") == DrawingFormat::json);
+    for (const char* name : {"", "svg", "a.png", "a.svg.gz"})
+        CHECK_THROWS_AS(tools::drawing_format_of(name), tools::UsageError);
+}
+
+TEST_CASE("an SVG has a layer for visible and one for hidden lines") {
+    const std::string text = drawing_svg(made_page());
+    CHECK(contains(text, "<title>a &lt;b> &amp; (c)\\ ??</title>"));
+    CHECK(contains(text, R"(width="100mm" height="50mm" viewBox="0 0 100 50")"));
+    CHECK(
+        contains(text, R"(<g id="visible" inkscape:groupmode="layer" inkscape:label="1 visible")"));
+    CHECK(contains(text, R"(<g id="hidden" inkscape:groupmode="layer" inkscape:label="2 hidden")"));
+    CHECK(contains(text, R"(stroke-dasharray="2 1")"));
+    CHECK(contains(text, "<g id=\"visible-border\">\n<path d=\"M1,2 3,2 3,4Z\"/>\n</g>"));
+    CHECK(contains(text, "<g id=\"hidden-crease\">\n<path d=\"M1,2 3.5,2\"/>\n</g>"));
+}
+
+TEST_CASE("an SVG without lines has the layer of visible lines") {
+    PageDrawing drawing = made_page();
+    drawing.lines.clear();
+    const std::string text = drawing_svg(drawing);
+    CHECK(contains(text, "<g id=\"visible\""));
+    CHECK_FALSE(contains(text, "<g id=\"hidden\""));
+}
+
+TEST_CASE("a path of an SVG says its chains and edges if they are asked for") {
+    PageDrawing drawing = made_page();
+    drawing.has_sources = true;
+    drawing.lines[1].chains = {6, 9};
+    drawing.lines[1].edges = {{1, 2}, {2, 7}};
+    CHECK(contains(drawing_svg(drawing),
+                   R"(<path d="M1,2 3.5,2" data-chain="6 9" data-edges="1-2 2-7"/>)"));
+}
+
+TEST_CASE("a PDF has its y axis upwards and escapes its title") {
+    const std::string text = drawing_pdf(made_page());
+    CHECK(contains(text, "/Title (a <b> & \\(c\\)\\\\ ??)"));
+    CHECK(contains(text, "1 48 m\n3 48 l\n3 46 l\ns\n"));
+    CHECK(contains(text, "[2 1] 0 d"));
+}
+
+TEST_CASE("a DXF has a layer for each kind of lines that it holds") {
+    const std::string text = drawing_dxf(made_page());
+    CHECK(contains(text, "LAYER\n2\nVISIBLE_BORDER\n70\n0\n62\n7\n6\nCONTINUOUS\n"));
+    CHECK(contains(text, "LAYER\n2\nHIDDEN_CREASE\n70\n0\n62\n7\n6\nDASHED\n"));
+    CHECK_FALSE(contains(text, "VISIBLE_CREASE"));
+    CHECK(contains(text, "VERTEX\n8\nHIDDEN_CREASE\n10\n3.5\n20\n48.0\n30\n0.0\n"));
+}

@@ -1,0 +1,176 @@
+#include "tools/output/page_lines.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace rimline;
+using tools::PageLine;
+using tools::PageLineOptions;
+using tools::ViewPlace;
+
+namespace {
+
+// Places on the page are picture coordinates, with y downwards.
+constexpr ViewPlace k_place{{0.0, 0.0}, 1.0};
+
+struct MadeDrawing {
+    LineDrawing drawing;
+
+    void begin_chain(LineKind kind, bool is_closed) {
+        const auto number = static_cast<std::uint32_t>(drawing.chains.size());
+        const auto run = static_cast<std::uint32_t>(drawing.runs.size());
+        drawing.chains.push_back({run, run, 7 + number, kind, is_closed, 0.0});
+    }
+    void add_run(std::uint32_t hidden_by, const std::vector<glm::dvec2>& positions) {
+        const auto first = static_cast<std::uint32_t>(drawing.points.size());
+        double length = 0.0;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            if (i > 0) length += glm::length(positions[i] - positions[i - 1]);
+            drawing.points.push_back({positions[i], 1.0, length});
+            drawing.sources.push_back({k_no_edge, 0.0f});
+        }
+        const auto chain = static_cast<std::uint32_t>(drawing.chains.size() - 1);
+        drawing.runs.push_back(
+            {chain, first, static_cast<std::uint32_t>(drawing.points.size()), hidden_by, length});
+        drawing.chains.back().last_run = static_cast<std::uint32_t>(drawing.runs.size());
+    }
+    void add_stroke(const std::vector<StrokePart>& parts, bool is_closed) {
+        const auto first = static_cast<std::uint32_t>(drawing.stroke_parts.size());
+        for (const StrokePart& part : parts) drawing.stroke_parts.push_back(part);
+        drawing.strokes.push_back(
+            {first, static_cast<std::uint32_t>(drawing.stroke_parts.size()), is_closed, 0.0});
+    }
+    std::vector<PageLine> lines(const PageLineOptions& options = {}) const {
+        std::vector<PageLine> lines;
+        tools::add_page_lines(drawing, k_place, options, lines);
+        return lines;
+    }
+};
+
+using Points = std::vector<glm::dvec2>;
+
+}  // namespace
+
+TEST_CASE("a stroke is one line through its parts, turned where they are reversed") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::crease, false);
+    made.add_run(0, {{0, 0}, {1, 0}});
+    made.begin_chain(LineKind::silhouette, false);
+    made.add_run(0, {{5, 0}, {1.1, 0}});
+    made.add_stroke({{0, false}, {1, true}}, false);
+    const auto lines = made.lines();
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].points == Points{{0, 0}, {1, 0}, {1.1, 0}, {5, 0}});
+    CHECK(lines[0].kind == LineKind::silhouette);
+    CHECK(lines[0].chains == std::vector<std::uint32_t>{7, 8});
+    CHECK(lines[0].length_mm() == doctest::Approx(5.0));
+    CHECK_FALSE(lines[0].is_closed);
+    CHECK_FALSE(lines[0].is_hidden);
+}
+
+TEST_CASE("the last point of a loop is its first one and not written twice") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::border, true);
+    made.add_run(0, {{0, 0}, {2, 0}, {2, -1}, {0, 0}});
+    made.add_stroke({{0, false}}, true);
+    const auto lines = made.lines();
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].points == Points{{0, 0}, {2, 0}, {2, 1}});
+    CHECK(lines[0].is_closed);
+    CHECK(lines[0].length_mm() == doctest::Approx(3.0 + std::sqrt(5.0)));
+}
+
+TEST_CASE(
+    "hidden runs that follow each other are one line, also over the beginning of a closed chain") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::silhouette, true);
+    made.add_run(2, {{0, 0}, {1, 0}});
+    made.add_run(0, {{1, 0}, {2, 0}});
+    made.add_run(1, {{2, 0}, {2, 3}});
+    made.add_run(3, {{2, 3}, {0, 3}});
+    made.add_run(1, {{0, 3}, {0, 0}});
+    auto lines = made.lines();
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].points == Points{{2, 0}, {2, -3}, {0, -3}, {0, 0}, {1, 0}});
+    CHECK(lines[0].is_hidden);
+    // Without the run behind three faces and the short one before it.
+    lines = made.lines({.hidden_by = 2, .min_length_mm = 3.5, .frame = {}});
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].points == Points{{0, -3}, {0, 0}, {1, 0}});
+}
+
+TEST_CASE("a chain that is hidden all around is a loop") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::silhouette, true);
+    made.add_run(1, {{0, 0}, {1, 0}, {1, 1}});
+    made.add_run(2, {{1, 1}, {0, 0}});
+    made.begin_chain(LineKind::silhouette, true);
+    made.add_run(1, {{5, 5}, {6, 5}, {6, 6}, {5, 5}});
+    const auto lines = made.lines();
+    REQUIRE(lines.size() == 2);
+    for (const PageLine& line : lines) {
+        CHECK(line.is_closed);
+        CHECK(line.points.size() == 3);
+    }
+}
+
+TEST_CASE("hidden runs with a gap between them are two lines") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::crease, false);
+    made.add_run(1, {{0, 0}, {1, 0}});
+    made.add_run(1, {{1.5, 0}, {2, 0}});
+    CHECK(made.lines().size() == 2);
+}
+
+TEST_CASE("lines end at the borders of the frame") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::silhouette, false);
+    made.add_run(0, {{-3, 0.5}, {0.5, 0.5}, {0.5, 4}, {0.75, 4}, {0.75, 0}, {0.8, 0}});
+    made.add_stroke({{0, false}}, false);
+    made.begin_chain(LineKind::silhouette, false);
+    made.add_run(0, {{2, 2}, {3, 3}});
+    made.add_stroke({{1, false}}, false);
+    const auto lines = made.lines({.frame = {{{0, 0}, {1, 1}}}});
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0].points == Points{{0, -0.5}, {0.5, -0.5}, {0.5, -1}});
+    CHECK(lines[1].points == Points{{0.75, -1}, {0.75, 0}, {0.8, 0}});
+}
+
+TEST_CASE("a loop in the frame stays closed and a loop across its border does not") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::silhouette, true);
+    made.add_run(0, {{0, 0}, {2, 0}, {2, 2}, {0, 0}});
+    made.add_stroke({{0, false}}, true);
+    auto lines = made.lines({.frame = {{{-1, -1}, {3, 3}}}});
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].is_closed);
+    lines = made.lines({.frame = {{{-1, -1}, {1, 3}}}});
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0].points == Points{{0, 0}, {1, 0}});
+    CHECK(lines[1].points == Points{{1, -1}, {0, 0}});
+    CHECK_FALSE(lines[0].is_closed);
+}
+
+TEST_CASE("points that are one at a thousandth of a millimeter are written once") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::silhouette, false);
+    made.add_run(0, {{0, 0}, {0.0001, 0.0002}, {1.00049, 0}});
+    made.add_stroke({{0, false}}, false);
+    made.begin_chain(LineKind::silhouette, false);
+    made.add_run(0, {{3, 3}, {3.0001, 3}});
+    made.add_stroke({{1, false}}, false);
+    const auto lines = made.lines();
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].points == Points{{0, 0}, {1, 0}});
+}
+
+TEST_CASE("simplification moves no line by more than its tolerance") {
+    MadeDrawing made;
+    made.begin_chain(LineKind::silhouette, false);
+    made.add_run(0, {{0, 0}, {1, 0.09}, {2, 0}, {3, 0.5}, {4, 0}});
+    made.add_stroke({{0, false}}, false);
+    const auto lines = made.lines({.simplify_mm = 0.1, .frame = {}});
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].points == Points{{0, 0}, {2, 0}, {3, -0.5}, {4, 0}});
+}
