@@ -55,7 +55,7 @@ TEST_CASE("the format of a drawing is the ending of its name") {
 
 TEST_CASE("an SVG has a layer for visible and one for hidden lines") {
     const std::string text = drawing_svg(made_page());
-    CHECK(contains(text, "<title>a &lt;b> &amp; (c)\\ ??</title>"));
+    CHECK(contains(text, "<title>a &lt;b> &amp; (c)\\ ?\?</title>"));
     CHECK(contains(text, R"(width="100mm" height="50mm" viewBox="0 0 100 50")"));
     CHECK(
         contains(text, R"(<g id="visible" inkscape:groupmode="layer" inkscape:label="1 visible")"));
@@ -84,7 +84,7 @@ TEST_CASE("a path of an SVG says its chains and edges if they are asked for") {
 
 TEST_CASE("a PDF has its y axis upwards and escapes its title") {
     const std::string text = drawing_pdf(made_page());
-    CHECK(contains(text, "/Title (a <b> & \\(c\\)\\\\ ??)"));
+    CHECK(contains(text, "/Title (a <b> & \\(c\\)\\\\ ?\?)"));
     CHECK(contains(text, "1 48 m\n3 48 l\n3 46 l\ns\n"));
     CHECK(contains(text, "[2 1] 0 d"));
 }
