@@ -37,13 +37,17 @@ constexpr double k_end_share = 1e-6;
 // Intersections have rounded ends: faces so near to them, in radii, are their own.
 constexpr long double k_own_height = 1e-9L;
 // Of a piece of a line: one that passes beside the eye is long in the picture.
-constexpr double k_max_samples = 4000.0;
-constexpr int k_oracle_cells = 512;
+constexpr double k_max_samples = 200.0;
 constexpr std::uint32_t k_oracle_runs_a_checkpoint = 256;
 
 class LineOracle {
 public:
-    LineOracle(const Mesh& mesh, const LineView& view) : mesh_(mesh), view_(view) { fill_cells(); }
+    LineOracle(const Mesh& mesh, const LineView& view)
+        : mesh_(mesh),
+          view_(view),
+          side_(std::clamp(static_cast<std::uint32_t>(std::sqrt(mesh.face_count())), 4u, 512u)) {
+        fill_cells();
+    }
 
     struct Count {
         std::int32_t faces;
@@ -144,9 +148,10 @@ private:
 
     std::uint32_t cell_of(const glm::dvec2& p) const {
         const auto place = [&](double value, double low) {
-            return std::clamp(static_cast<int>((value - low) / width_), 0, k_oracle_cells - 1);
+            return static_cast<std::uint32_t>(
+                std::clamp((value - low) / width_, 0.0, double(side_ - 1)));
         };
-        return static_cast<std::uint32_t>(place(p.y, low_.y) * k_oracle_cells + place(p.x, low_.x));
+        return place(p.y, low_.y) * side_ + place(p.x, low_.x);
     }
 
     // Faces by the cells of the picture that their boxes meet; those that come near the eye by themselves.
@@ -164,8 +169,8 @@ private:
             low_ = {std::min(low_.x, p.position.x), std::min(low_.y, p.position.y)};
             high = {std::max(high.x, p.position.x), std::max(high.y, p.position.y)};
         }
-        width_ = std::max({high.x - low_.x, high.y - low_.y, 1e-300}) / (k_oracle_cells - 1);
-        begin_.assign(std::size_t{k_oracle_cells} * k_oracle_cells + 1, 0);
+        width_ = std::max({high.x - low_.x, high.y - low_.y, 1e-300}) / (side_ - 1);
+        begin_.assign(std::size_t{side_} * side_ + 1, 0);
         std::vector<std::uint32_t> next;
         const double slack = 1e-6 * width_;
         for (const bool fills : {false, true}) {
@@ -184,10 +189,9 @@ private:
                     continue;
                 }
                 const std::uint32_t first = cell_of(from - slack), last = cell_of(to + slack);
-                for (std::uint32_t y = first / k_oracle_cells; y <= last / k_oracle_cells; ++y)
-                    for (std::uint32_t x = first % k_oracle_cells; x <= last % k_oracle_cells;
-                         ++x) {
-                        const std::uint32_t cell = y * k_oracle_cells + x;
+                for (std::uint32_t y = first / side_; y <= last / side_; ++y)
+                    for (std::uint32_t x = first % side_; x <= last % side_; ++x) {
+                        const std::uint32_t cell = y * side_ + x;
                         if (fills)
                             faces_[next[cell]++] = f;
                         else
@@ -203,6 +207,7 @@ private:
 
     const Mesh& mesh_;
     const LineView& view_;
+    const std::uint32_t side_;  // Cells of a side of the picture.
     glm::dvec2 low_{0.0};
     double width_ = 1.0;
     std::vector<std::uint32_t> begin_, faces_;

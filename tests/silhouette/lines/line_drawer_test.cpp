@@ -1,0 +1,232 @@
+#include "silhouette/lines/line_drawer.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "silhouette/mesh/brute_force.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/silhouette/lines/against_oracle.h"
+#include "tests/silhouette/mesh/random.h"
+
+namespace rimline {
+namespace {
+
+using tests::Cameras;
+
+LineDrawing draw(const Mesh& mesh, const LineView& view, const LineOptions& options = {}) {
+    const LineSurface surface(mesh);
+    LineDrawer drawer(surface);
+    return drawer.draw(view, brute_force_silhouette(mesh, view.point()), options);
+}
+
+double length_of(const LineDrawing& drawing, bool is_visible) {
+    double length = 0.0;
+    for (const LineRun& run : drawing.runs)
+        if (run.is_visible() == is_visible) length += run.length;
+    return length;
+}
+
+// Corners on a grid of small integers, so that faces touch and coincide in every way.
+MeshSource grid_soup(std::uint64_t seed) {
+    tests::Random random(seed);
+    MeshSource source;
+    const int size = 3 + static_cast<int>(random.below(6));
+    const std::uint32_t faces = 10 + random.below(60);
+    for (std::uint32_t f = 0; f < faces; ++f) {
+        const glm::vec3 at(random.between(0, size), random.between(0, size),
+                           random.between(0, size));
+        for (int k = 0; k < 3; ++k)
+            source.positions.push_back(at + glm::vec3(random.between(-2, 2), random.between(-2, 2),
+                                                      random.between(-2, 2)));
+        source.triangles.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+    }
+    return source;
+}
+
+// Boxes on a grid that touch and overlap.
+MeshSource grid_boxes(std::uint64_t seed) {
+    constexpr std::uint32_t k_sides[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                             {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+    tests::Random random(seed);
+    MeshSource source;
+    for (int box = 0; box < 12; ++box) {
+        const auto first = static_cast<std::uint32_t>(source.positions.size());
+        const glm::vec3 low(random.between(0, 5), random.between(0, 5), random.between(0, 5));
+        const glm::vec3 size(random.between(1, 3), random.between(1, 3), random.between(1, 3));
+        for (int corner = 0; corner < 8; ++corner)
+            source.positions.push_back(
+                low + size * glm::vec3(corner >> 2 & 1, corner >> 1 & 1, corner & 1));
+        for (const auto& [a, b, c, d] : k_sides) {
+            source.triangles.push_back({first + a, first + b, first + c});
+            source.triangles.push_back({first + a, first + c, first + d});
+        }
+    }
+    return source;
+}
+
+// With holes, faces the other way round, faces twice, and fins.
+MeshSource broken_knot(std::uint64_t seed) {
+    MeshSource source = make_built_in_shape("knot", 2000);
+    tests::Random random(seed);
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (const auto& t : source.triangles) {
+        const std::uint32_t chance = random.below(100);
+        if (chance < 5) continue;
+        triangles.push_back(t);
+        if (chance < 10) std::swap(triangles.back()[0], triangles.back()[1]);
+        if (chance >= 97) triangles.push_back(t);
+        if (chance == 50) {
+            const auto fin = static_cast<std::uint32_t>(source.positions.size());
+            source.positions.push_back(source.positions[t[0]] + 0.1f * random.in_cube());
+            triangles.push_back({t[0], t[1], fin});
+        }
+    }
+    source.triangles = std::move(triangles);
+    return source;
+}
+
+TEST_CASE("lines of built-in shapes are hidden where a count of faces says") {
+    for (const char* shape : {"sphere", "torus", "knot", "box", "spring", "terrain", "scene"}) {
+        CAPTURE(shape);
+        const Mesh mesh(make_built_in_shape(shape, shape == std::string("box") ? 12 : 3000));
+        tests::check_views(mesh, Cameras::around, 2, 11);
+        tests::check_views(mesh, Cameras::axes, 3, 12);
+        tests::check_views(mesh, Cameras::inside, 1, 13, 100.0);
+    }
+}
+
+TEST_CASE("lines of soups on a grid are hidden where a count of faces says") {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const Mesh mesh(grid_soup(seed));
+        tests::check_views(mesh, Cameras::around, 1, seed, 100.0);
+        tests::check_views(mesh, Cameras::axes, 1, seed, 100.0);
+        tests::check_views(mesh, Cameras::inside, 1, seed, 100.0);
+    }
+}
+
+TEST_CASE("lines of boxes that touch and overlap are hidden where a count of faces says") {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Mesh mesh(grid_boxes(seed));
+        tests::check_views(mesh, Cameras::around, 2, seed, 200.0);
+        tests::check_views(mesh, Cameras::axes, 3, seed, 200.0);
+    }
+}
+
+TEST_CASE("lines of a broken mesh are hidden where a count of faces says") {
+    const Mesh mesh(broken_knot(4));
+    CHECK(mesh.edges_of_class(EdgeClass::border).size() > 100);
+    CHECK(mesh.edges_of_class(EdgeClass::nonmanifold).size() > 100);
+    CHECK(mesh.edges_of_class(EdgeClass::inconsistent).size() > 100);
+    tests::check_views(mesh, Cameras::around, 3, 14);
+}
+
+TEST_SUITE("long") {
+    TEST_CASE("lines of two thousand soups are hidden where a count of faces says") {
+        for (std::uint64_t seed = 1000; seed < 3000; ++seed)
+            tests::check_views(Mesh(grid_soup(seed)),
+                               seed % 2 == 0 ? Cameras::axes : Cameras::around, 1, seed, 100.0);
+    }
+}
+
+TEST_CASE("a sphere is one visible loop") {
+    const Mesh mesh(make_built_in_shape("sphere", 5000));
+    LineOptions options;
+    options.draws = {true, true, false, true};
+    for (const bool is_orthographic : {false, true}) {
+        const LineDrawing drawing =
+            draw(mesh, tests::view_of(mesh, {1, 2, 3}, is_orthographic), options);
+        REQUIRE(drawing.chains.size() == 1);
+        CHECK(drawing.chains[0].is_closed);
+        REQUIRE(drawing.runs.size() == 1);
+        CHECK(drawing.runs[0].is_visible());
+        REQUIRE(drawing.strokes.size() == 1);
+        CHECK(drawing.strokes[0].is_closed);
+    }
+}
+
+TEST_CASE("a box from the front has four visible edges and no hidden line") {
+    const Mesh mesh(make_built_in_shape("box", 12));
+    const LineView view = tests::view_of(mesh, {0, 0, 1}, true);
+    const LineDrawing drawing = draw(mesh, view);
+    CHECK(length_of(drawing, false) == 0.0);
+    const Bounds& bounds = mesh.bounds();
+    const double outline =
+        2.0 * (double{bounds.high.x} - bounds.low.x) + 2.0 * (double{bounds.high.y} - bounds.low.y);
+    CHECK(length_of(drawing, true) == doctest::Approx(outline).epsilon(1e-6));
+
+    LineOptions all;
+    all.keeps_coincident = true;
+    CHECK(length_of(draw(mesh, view, all), false) > 0.4 * outline);
+}
+
+TEST_CASE("a mesh without faces has no lines") {
+    const Mesh mesh(MeshSource{});
+    const LineSurface surface(mesh);
+    LineDrawer drawer(surface);
+    const LineView view = LineView::perspective({0, 0, 3}, {0, 0, 0}, {0, 1, 0});
+    CHECK(drawer.draw(view, {}).chains.empty());
+}
+
+// Scaled by a power of two, or with all faces reversed, nothing changes.
+TEST_CASE("visibility does not depend on scale and orientation") {
+    const MeshSource source = broken_knot(5);
+    const auto counts_of = [](const MeshSource& s, double scale) {
+        const Mesh mesh(s);
+        const LineView view =
+            LineView::perspective(scale * glm::dvec3(2, 3, 4), glm::dvec3(0.0), {0, 1, 0});
+        std::vector<std::uint32_t> counts;
+        const LineDrawing drawing = draw(mesh, view, checkable({}));
+        for (const LineRun& run : drawing.runs) counts.push_back(run.hidden_by);
+        std::sort(counts.begin(), counts.end());
+        return counts;
+    };
+    const std::vector<std::uint32_t> counts = counts_of(source, 1.0);
+    CHECK(counts.size() > 500);
+    MeshSource scaled = source;
+    for (glm::vec3& p : scaled.positions) p *= 0x1p10f;
+    CHECK(counts_of(scaled, 0x1p10) == counts);
+    MeshSource reversed = source;
+    for (auto& t : reversed.triangles) std::swap(t[1], t[2]);
+    CHECK(counts_of(reversed, 1.0) == counts);
+}
+
+TEST_CASE("gaps are bridged up to their length and short strokes are left out") {
+    const Mesh mesh(make_built_in_shape("scene", 20'000));
+    const LineView view = tests::view_of(mesh, {1, 1, 2}, false);
+    LineOptions options;
+    const LineDrawing exact = draw(mesh, view, options);
+    options.gap = 0.002;
+    const LineDrawing bridged = draw(mesh, view, options);
+    CHECK(bridged.strokes.size() < exact.strokes.size());
+    options.min_length = 0.01;
+    const LineDrawing longer = draw(mesh, view, options);
+    CHECK(longer.strokes.size() < bridged.strokes.size());
+    for (const LineStroke& stroke : longer.strokes) CHECK(stroke.length >= 0.01);
+    for (const LineChain& chain : exact.chains) {
+        double length = 0.0;
+        for (const LineRun& run : exact.runs_of(chain)) length += run.length;
+        CHECK(length <= chain.length * (1.0 + 1e-9));
+    }
+}
+
+TEST_CASE("a drawing can be cancelled") {
+    const Mesh mesh(make_built_in_shape("knot", 2000));
+    const LineSurface surface(mesh);
+    LineDrawer drawer(surface);
+    const LineView view = tests::view_of(mesh, {1, 2, 3}, false);
+    const std::vector<EdgeId> silhouette = brute_force_silhouette(mesh, view.point());
+    for (int calls = 0; calls < 5; ++calls) {
+        std::stop_source stop;
+        int count = 0;
+        const LongCall call{stop.get_token(), [&](double) {
+                                if (count++ == calls) stop.request_stop();
+                            }};
+        CHECK_THROWS_AS(drawer.draw(view, silhouette, {}, call), Error);
+    }
+    CHECK(!drawer.draw(view, silhouette).chains.empty());
+}
+
+}  // namespace
+}  // namespace rimline

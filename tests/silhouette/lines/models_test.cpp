@@ -1,0 +1,49 @@
+// Line drawings of real models against the oracle, each model a case of its own.
+
+#include <doctest/doctest.h>
+
+#include "silhouette/mesh/formats/mesh_file.h"
+#include "tests/models.h"
+#include "tests/silhouette/lines/against_oracle.h"
+#include "tests/skip.h"
+
+namespace rimline {
+namespace {
+
+#define RIMLINE_LINES_CASE(file)                                                    \
+    TEST_CASE("lines are hidden where a count of faces says on " file) {            \
+        const auto path = tests::find_model(file);                                  \
+        if (!path) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds " file); \
+        const Mesh mesh(read_mesh_file(*path));                                     \
+        tests::check_views(mesh, tests::Cameras::around, 1, 81);                    \
+        tests::check_views(mesh, tests::Cameras::axes, 1, 82);                      \
+    }
+
+RIMLINE_LINES_CASE("beetle-alt.obj")
+RIMLINE_LINES_CASE("fandisk.obj")
+RIMLINE_LINES_CASE("ogre.obj")
+RIMLINE_LINES_CASE("rocker-arm.obj")
+RIMLINE_LINES_CASE("stanford-bunny.obj")
+
+TEST_SUITE("long") {
+    TEST_CASE("lines are hidden where a count of faces says on all models from 21 views") {
+        bool found = false;
+        for (const char* file :
+             {"alligator.obj", "beetle-alt.obj", "fandisk.obj", "horse.ply", "igea.ply",
+              "nefertiti.obj", "ogre.obj", "rocker-arm.obj", "stanford-bunny.obj"}) {
+            const auto path = tests::find_model(file);
+            if (!path) continue;
+            found = true;
+            CAPTURE(file);
+            const Mesh mesh(read_mesh_file(*path));
+            for (const std::uint64_t seed : {91u, 92u}) {
+                tests::check_views(mesh, tests::Cameras::around, 18, seed);
+                tests::check_views(mesh, tests::Cameras::axes, 3, seed);
+            }
+        }
+        if (!found) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds models");
+    }
+}
+
+}  // namespace
+}  // namespace rimline
