@@ -12,6 +12,7 @@ def test_an_interrupt_ends_the_program_by_its_signal_and_leaves_nothing():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "lines.svg")
         for number, arguments in ((signal.SIGINT, ["track", "shape:knot:20000", "--frames", "10000000", "--verify"]),
+                                  (signal.SIGINT, ["draw", "shape:knot:4000", "--subdivide", "5", "-o", path]),
                                   (signal.SIGTERM, ["silhouette", "shape:knot:4000", "--subdivide", "5",
                                                     "--from", "3,2,1", "-o", path])):
             process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

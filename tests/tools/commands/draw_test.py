@@ -386,6 +386,24 @@ def test_wrong_drawings_are_told_in_plain_words():
         assert result.returncode == 0 and 'id="visible"' in open(path).read(), result.stderr
 
 
+def test_another_method_counts_the_same_faces_before_all_lines():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        for arguments in (["shape:scene"], ["shape:scene", "--views", "front,top,right,left,bottom,back", "--crease", "20"],
+                          ["shape:scene", "--eye", "0,3,0", "--target", "1,0.5,0.3"], ["shape:terrain:2000", "--lines", "crease"],
+                          [model("rocker-arm.obj")], [model("ogre.obj"), "--lines", "silhouette,intersection"]):
+            result = succeed("draw", *arguments, "--verify", "-o", path)
+            found = result["verify"]
+            assert found["wrong"] == found["wrong_visibility"] == found["missing_edges"] == 0 < found["samples"], arguments
+            assert found["undecided"] < 0.02 * found["samples"]
+            # What is written does not depend on it.
+            with open(path) as file:
+                verified = file.read()
+            succeed("draw", *arguments, "-o", path)
+            with open(path) as file:
+                assert file.read() == verified
+
+
 def test_machine_parts_and_scans_are_drawn():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.pdf")
