@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "silhouette/lines/coincident_lines.h"
-#include "silhouette/lines/line_drawer.h"
 #include "silhouette/lines/line_drawing.h"
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/line_options.h"
 
 namespace rimline {
 

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/lines/line_drawer.h"
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/line_options.h"
 
 namespace rimline {
 

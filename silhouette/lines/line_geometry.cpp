@@ -15,10 +15,9 @@ constexpr float k_min_bend_rad = 1.0f * std::numbers::pi_v<float> / 180.0f;
 
 }  // namespace
 
-LineGeometry::LineGeometry(const Mesh& mesh, LineSurface::Contacts contacts, const LongCall& call)
+LineGeometry::LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall& call)
     : mesh_(mesh), stars_(mesh), tree_(mesh) {
-    if (contacts == LineSurface::Contacts::found)
-        contacts_ = find_face_contacts(mesh, tree_, call.part(0.1, 0.9));
+    if (finds_contacts) contacts_ = find_face_contacts(mesh, tree_, call.part(0.1, 0.9));
     if (!contacts_.touches.empty()) {
         is_touched_.resize(mesh.vertex_count());
         for (const FaceContacts::Touch& touch : contacts_.touches) is_touched_[touch.vertex] = 1;

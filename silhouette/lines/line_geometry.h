@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "silhouette/lines/face_contacts.h"
-#include "silhouette/lines/line_surface.h"
 #include "silhouette/lines/vertex_stars.h"
 #include "silhouette/mesh/creases.h"
 #include "silhouette/mesh/face_tree.h"
@@ -27,8 +26,8 @@ struct IntersectionSegment {
 
 class LineGeometry {
 public:
-    /// LineSurface's constructor.
-    LineGeometry(const Mesh& mesh, LineSurface::Contacts contacts, const LongCall& call);
+    /// As LineSurface's constructor.
+    LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall& call);
 
     const Mesh& mesh() const noexcept { return mesh_; }
     const VertexStars& stars() const noexcept { return stars_; }

@@ -11,7 +11,9 @@
 #include <cstdint>
 #include <string>
 
-#include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_drawing.h"
+#include "silhouette/lines/line_options.h"
+#include "silhouette/lines/line_view.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "silhouette/lines/line_drawer.h"
 #include "silhouette/lines/line_drawing.h"
+#include "silhouette/lines/line_options.h"
 
 namespace rimline {
 

@@ -5,7 +5,7 @@
 namespace rimline {
 
 LineSurface::LineSurface(const Mesh& mesh, Contacts contacts, const LongCall& call)
-    : geometry_(std::make_unique<const LineGeometry>(mesh, contacts, call)) {}
+    : geometry_(std::make_unique<const LineGeometry>(mesh, contacts == Contacts::found, call)) {}
 
 LineSurface::~LineSurface() = default;
 LineSurface::LineSurface(LineSurface&&) noexcept = default;

@@ -25,6 +25,7 @@ set(rimline_silhouette_headers
     silhouette/hough/service/silhouette_service.h
     silhouette/lines/line_drawer.h
     silhouette/lines/line_drawing.h
+    silhouette/lines/line_options.h
     silhouette/lines/line_surface.h
     silhouette/lines/line_view.h
     silhouette/field/best_views.h

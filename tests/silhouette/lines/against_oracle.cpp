@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
 #include "tests/silhouette/mesh/random.h"
 

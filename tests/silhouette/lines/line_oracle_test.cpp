@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/lines/against_oracle.h"

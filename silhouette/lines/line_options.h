@@ -1,0 +1,27 @@
+#pragma once
+
+// Which lines are drawn, and what becomes of short gaps and short lines.
+
+#include <array>
+
+#include "silhouette/lines/line_drawing.h"
+
+namespace rimline {
+
+/// Lengths are in picture coordinates (line_view.h).
+struct LineOptions {
+    /// By LineKind, which lines are drawn. All lines hide others, drawn or not.
+    std::array<bool, k_line_kinds> draws{true, true, true, true};
+    float crease_angle_rad = 0.7f;  ///< Creases bend by at least this angle.
+    /// Hidden runs between visible ones are visible up to this length, and visible runs that end nearer to each
+    /// other than this and go on in one direction are one stroke.
+    double gap = 0.0;
+    double min_length = 0.0;  ///< Shorter chains are left out.
+    double simplify = 0.0;    ///< Points are left out where the line moves by at most this.
+    /// Runs end where LineRun::hidden_by changes, not only where visibility does.
+    bool splits_counts = false;
+    bool keeps_coincident =
+        false;  ///< Lines that coincide in the picture are drawn more than once.
+};
+
+}  // namespace rimline
