@@ -136,7 +136,10 @@ float bend_of(const LineFrame& frame, EdgeId edge) {
         const Plane& p = frame.surface->mesh().plane(f);
         return glm::vec3(p.nx, p.ny, p.nz);
     };
-    return std::acos(glm::clamp(glm::dot(normal(faces[0]), normal(faces[1])), -1.0f, 1.0f));
+    // Faces that traverse the edge in the same direction have opposite normals where they are coplanar.
+    const float turn =
+        frame.surface->mesh().edge_class(edge) == EdgeClass::inconsistent ? -1.0f : 1.0f;
+    return std::acos(glm::clamp(turn * glm::dot(normal(faces[0]), normal(faces[1])), -1.0f, 1.0f));
 }
 
 }  // namespace

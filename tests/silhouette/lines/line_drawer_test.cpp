@@ -169,6 +169,29 @@ TEST_CASE("a mesh without faces has no lines") {
     CHECK(drawer.draw(view, {}).chains.empty());
 }
 
+// Seen edge-on, a face's plane and its corners differ about its side. Its edges are creases all the same.
+TEST_CASE("a crease between faces of opposite directions is drawn where one is seen edge-on") {
+    const Mesh mesh({{{3, 4, -1},
+                      {2, 3, 0},
+                      {1, 3, 0},
+                      {0, 4, 4},
+                      {-1, 3, 2},
+                      {1, 3, 3},
+                      {2, 2, 1},
+                      {3, 3, 2},
+                      {1, 4, 1},
+                      {-1, 3, 0},
+                      {1, 4, 0},
+                      {-1, 4, 1}},
+                     {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {7, 8, 9}}});
+    const LineDrawing drawing = draw(mesh, tests::view_of(mesh, {0, -1, 0}, true), checkable({}));
+    bool is_drawn = false;
+    for (const LineSource& source : drawing.sources)
+        is_drawn |= mesh.edge_class(source.edge) == EdgeClass::inconsistent;
+    REQUIRE(mesh.edges_of_class(EdgeClass::inconsistent).size() == 1);
+    CHECK(is_drawn);
+}
+
 // Scaled by a power of two, or with all faces reversed, nothing changes.
 TEST_CASE("visibility does not depend on scale and orientation") {
     const MeshSource source = broken_knot(5);
