@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::uint32_t k_no_line = 0xffffffffu;
 constexpr std::uint32_t k_max_lines_a_cell = 8;
+// Of an intersection: how far beside the end of an edge, and behind it in radii, it still meets it.
+constexpr double k_share_slack = 1e-9, k_depth_slack = 0x1p-30;
 
 double cross_2d(const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; }
 
@@ -223,6 +225,7 @@ void LineEvents::add_footholds(LineFrame& frame) {
 }
 
 // The ends of a segment of an intersection are rounded, so its signs are those of doubles.
+// A ray decides each of its pieces (invisibility.h): an event too many costs a ray, and one too few an error.
 void LineEvents::find_events_of_intersections(LineFrame& frame) {
     const Mesh& mesh = frame.surface->mesh();
     const glm::dvec3 point(frame.view->point().xyz());
@@ -236,8 +239,8 @@ void LineEvents::find_events_of_intersections(LineFrame& frame) {
         };
         each_candidate(flat, i, [&](const Occluder& occluder) {
             const CrossingPlace place = crossing_of(flat, occluder.flat);
-            if (!(place.share > 0.0 && place.share < 1.0 && place.other_share > 0.0 &&
-                  place.other_share < 1.0))
+            if (!(place.share > 0.0 && place.share < 1.0 && place.other_share > -k_share_slack &&
+                  place.other_share < 1.0 + k_share_slack))
                 return;
             // Edges of the two faces meet the segment at its ends only.
             const ViewLine& other = frame.lines[occluder.line];
@@ -248,7 +251,8 @@ void LineEvents::find_events_of_intersections(LineFrame& frame) {
                         0x1p-40 * mesh.radius())
                         return;
                 }
-            if (inverse_depth(occluder.flat, place.other_share) >= inverse_depth(flat, place.share))
+            if (inverse_depth(occluder.flat, place.other_share) >=
+                inverse_depth(flat, place.share) + k_depth_slack * mesh.radius())
                 return;
             const double turn = cross_2d(occluder.flat.ends[1] - occluder.flat.ends[0],
                                          flat.ends[1] - flat.ends[0]);
@@ -270,7 +274,8 @@ void LineEvents::find_events_of_intersections(LineFrame& frame) {
             const double share = before / (before - after);
             const glm::dvec3 place = glm::mix(from, to, share);
             for (std::size_t k = 0; k < 3; ++k)
-                if (glm::dot(glm::cross(corner(k + 1) - corner(k), place - corner(k)), n) < 0.0)
+                if (glm::dot(glm::cross(corner(k + 1) - corner(k), place - corner(k)), n) <
+                    -1e-9 * glm::dot(n, n))
                     return;
             const double facing =
                 is_flat_view ? glm::dot(n, point) : glm::dot(n, point - corner(0));
