@@ -1,6 +1,7 @@
 #include "silhouette/lines/invisibility.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <limits>
 
@@ -17,10 +18,12 @@ RayCount count_at(const LineFrame& frame, std::uint32_t line, double share_in_pi
     const double share =
         frame.flats[line].share_in_space(share_in_picture, frame.view->is_orthographic());
     if (frame.lines[line].is_intersection()) {
-        const auto& [ends, faces, piercings] = surface.intersections()[frame.lines[line].source];
+        const IntersectionCurves& curves = surface.curves();
+        const auto& segment = curves.segments()[frame.lines[line].source];
         return count_before_point(
-            surface, *frame.view, glm::mix(ends[0], ends[1], share),
-            [&](std::uint32_t face) { return face == faces[0] || face == faces[1]; });
+            surface, *frame.view,
+            glm::mix(frame.end_of(frame.lines[line], 0), frame.end_of(frame.lines[line], 1), share),
+            [&](std::uint32_t face) { return curves.is_own(segment, face); });
     }
     const auto [v, w] = frame.lines[line].vertices;
     const auto has = [&](std::uint32_t face, std::uint32_t vertex) {
@@ -33,12 +36,30 @@ RayCount count_at(const LineFrame& frame, std::uint32_t line, double share_in_pi
         [&](std::uint32_t face) { return has(face, v) && has(face, w); });
 }
 
+// A ray that passes a border may be unsure where another one is not.
+RayCount count_on_piece(const LineFrame& frame, std::uint32_t line, double begin, double end) {
+    constexpr std::array k_shares{0.5, 0.38, 0.64, 0.27, 0.81};
+    RayCount last{0, false};
+    for (const double share : k_shares) {
+        last = count_at(frame, line, begin + share * (end - begin));
+        if (last.is_sure) break;
+    }
+    return last;
+}
+
+// The faces before a node of intersections, without those that contain it.
+RayCount count_before_node(const LineFrame& frame, std::uint32_t node) {
+    const IntersectionCurves& curves = frame.surface->curves();
+    return count_before_point(*frame.surface, *frame.view, curves.position(node),
+                              [&](std::uint32_t face) { return curves.contains(node, face); });
+}
+
 }  // namespace
 
 // Gives base to all nodes that are connected with one. Returns whether all checks hold.
-bool Invisibility::spread_from(std::uint32_t first, LineFrame& frame) {
+bool Invisibility::spread_from(std::uint32_t first, std::int32_t base, LineFrame& frame) {
     ++frame.report.components;
-    bases_[first] = count_before_vertex(*frame.surface, *frame.view, frame.node_vertices[first]);
+    bases_[first] = base;
     queue_.assign(1, first);
     bool holds = true;
     for (std::size_t head = 0; head < queue_.size(); ++head) {
@@ -47,28 +68,63 @@ bool Invisibility::spread_from(std::uint32_t first, LineFrame& frame) {
             const std::uint32_t line = end / 2;
             const bool is_second = end % 2 != 0;
             if (frame.lines[line].is_cut[0] || frame.lines[line].is_cut[1]) continue;
-            const std::uint32_t other = frame.nodes[line][is_second ? 0 : 1];
-            const std::int32_t base =
-                is_second ? bases_[node] - steps_[line] : bases_[node] + steps_[line];
-            if (is_used_[line] != 0) continue;
+            if (is_used_[line] != 0 || frame.is_line_doubtful(line)) continue;
             is_used_[line] = 1;
+            const std::uint32_t other = frame.nodes[line][is_second ? 0 : 1];
+            const std::int32_t next =
+                is_second ? bases_[node] - steps_[line] : bases_[node] + steps_[line];
             if (bases_[other] == k_unknown_base) {
-                bases_[other] = base;
+                bases_[other] = next;
                 queue_.push_back(other);
-            } else {
-                ++frame.report.checks;
-                if (bases_[other] != base) {
-                    ++frame.report.failed_checks;
-                    holds = false;
-                }
+            } else if (!check(bases_[other] == next, frame)) {
+                holds = false;
             }
         }
     }
     return holds;
 }
 
+bool Invisibility::check(bool holds, LineFrame& frame) {
+    ++frame.report.checks;
+    if (!holds) ++frame.report.failed_checks;
+    return holds;
+}
+
+void Invisibility::fail_component(const LineFrame& frame) {
+    for (const std::uint32_t node : queue_)
+        for (const LineEnd end : frame.ends_at(node)) has_failed_[end / 2] = 1;
+}
+
+// A ray is exact at a vertex.
+void Invisibility::spread_edges(LineFrame& frame) {
+    for (std::uint32_t node = 0; node < frame.node_vertices.size(); ++node) {
+        if (bases_[node] != k_unknown_base || frame.ends_at(node).empty()) continue;
+        const std::int32_t base =
+            count_before_vertex(*frame.surface, *frame.view, frame.node_vertices[node]);
+        if (!spread_from(node, base, frame)) fail_component(frame);
+    }
+}
+
+// A ray to a node of intersections may be unsure: then another node of the component may do. A second ray checks
+// the component at its end, where no cycle does.
+void Invisibility::spread_intersections(LineFrame& frame) {
+    const auto first = static_cast<std::uint32_t>(frame.node_vertices.size());
+    for (std::uint32_t node = first; node < bases_.size(); ++node) {
+        if (bases_[node] != k_unknown_base || frame.ends_at(node).empty()) continue;
+        const RayCount ray = count_before_node(frame, frame.node_curves[node - first]);
+        if (!ray.is_sure) continue;
+        bool holds = spread_from(node, ray.count, frame);
+        if (queue_.size() > 1) {
+            const std::uint32_t last = queue_.back();
+            const RayCount second = count_before_node(frame, frame.node_curves[last - first]);
+            if (second.is_sure) holds = check(second.count == bases_[last], frame) && holds;
+        }
+        if (!holds) fail_component(frame);
+    }
+}
+
 void Invisibility::spread(LineFrame& frame) {
-    steps_.resize(frame.edge_lines);
+    steps_.resize(frame.lines.size());
     has_failed_.assign(frame.lines.size(), 0);
     is_used_.assign(frame.lines.size(), 0);
     const auto jumps_of = [&](std::uint32_t line) {
@@ -76,34 +132,33 @@ void Invisibility::spread(LineFrame& frame) {
         for (const LineEvent& event : frame.events_of(line)) sum += event.jump;
         return sum;
     };
-    for (std::uint32_t i = 0; i < frame.edge_lines; ++i)
+    for (std::uint32_t i = 0; i < frame.lines.size(); ++i)
         steps_[i] = frame.locals[i][0] - frame.locals[i][1] + jumps_of(i);
-    bases_.assign(frame.node_vertices.size(), k_unknown_base);
-    for (std::uint32_t node = 0; node < frame.node_vertices.size(); ++node)
-        if (bases_[node] == k_unknown_base && !frame.ends_at(node).empty() &&
-            !spread_from(node, frame))
-            for (const std::uint32_t failed : queue_)
-                for (const LineEnd end : frame.ends_at(failed)) has_failed_[end / 2] = 1;
+    bases_.assign(frame.end_begin.size() - 1, k_unknown_base);
+    spread_edges(frame);
+    spread_intersections(frame);
 
     frame.first_counts.resize(frame.lines.size());
-    for (std::uint32_t i = 0; i < frame.edge_lines; ++i) {
+    for (std::uint32_t i = 0; i < frame.lines.size(); ++i) {
         const auto& [first, second] = frame.nodes[i];
-        frame.first_counts[i] = !frame.lines[i].is_cut[0]
-                                    ? bases_[first] + frame.locals[i][0]
-                                    : bases_[second] + frame.locals[i][1] - jumps_of(i);
+        const bool is_from_first = !frame.lines[i].is_cut[0];
+        const std::int32_t base = bases_[is_from_first ? first : second];
+        if (base == k_unknown_base || frame.is_line_doubtful(i)) has_failed_[i] = 1;
+        frame.first_counts[i] = base == k_unknown_base ? 0
+                                : is_from_first        ? base + frame.locals[i][0]
+                                                       : base + frame.locals[i][1] - jumps_of(i);
     }
     decide_by_rays(frame);
 }
 
 void Invisibility::decide_by_rays(LineFrame& frame) {
     for (std::uint32_t i = 0; i < frame.lines.size(); ++i) {
-        const bool is_intersection = i >= frame.edge_lines;
-        std::int32_t least = is_intersection ? 0 : frame.first_counts[i];
+        std::int32_t least = frame.first_counts[i];
         std::int32_t count = least;
         for (const LineEvent& event : frame.events_of(i))
             least = std::min(least, count += event.jump);
         // Below zero there is an error too.
-        if (is_intersection || has_failed_[i] != 0 || least < 0) decide_by_ray_a_piece(i, frame);
+        if (has_failed_[i] != 0 || least < 0) decide_by_ray_a_piece(i, frame);
     }
 }
 
@@ -117,7 +172,7 @@ void Invisibility::decide_by_ray_a_piece(std::uint32_t line, LineFrame& frame) {
         // A piece without length has no middle of its own.
         std::int32_t count = before;
         if (end > begin || first == last) {
-            const RayCount ray = count_at(frame, line, 0.5 * (begin + end));
+            const RayCount ray = count_on_piece(frame, line, begin, end);
             count = ray.count;
             is_sure = is_sure && ray.is_sure;
         }
@@ -128,7 +183,7 @@ void Invisibility::decide_by_ray_a_piece(std::uint32_t line, LineFrame& frame) {
         before = count;
         begin = end;
     }
-    if (!frame.lines[line].is_intersection()) ++frame.report.lines_by_rays;
+    ++frame.report.lines_by_rays;
     if (!is_sure) ++frame.report.undecided_lines;
 }
 

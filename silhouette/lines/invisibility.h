@@ -21,11 +21,15 @@ public:
     void spread(LineFrame& frame);
 
 private:
-    bool spread_from(std::uint32_t node, LineFrame& frame);
+    void spread_edges(LineFrame& frame);
+    void spread_intersections(LineFrame& frame);
+    bool spread_from(std::uint32_t node, std::int32_t base, LineFrame& frame);
+    bool check(bool holds, LineFrame& frame);
+    void fail_component(const LineFrame& frame);
     void decide_by_rays(LineFrame& frame);
     void decide_by_ray_a_piece(std::uint32_t line, LineFrame& frame);
 
-    std::vector<std::int32_t> steps_;  // Of base, along each edge line.
+    std::vector<std::int32_t> steps_;  // Of base, along each line.
     std::vector<std::int32_t> bases_;  // By node.
     std::vector<std::uint32_t> queue_;
     std::vector<std::uint8_t> has_failed_;  // By line.

@@ -95,13 +95,8 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
     const bool is_reversed = entered_at % 2 != 0;
     const FlatLine& flat = frame.flats[line];
     const bool is_orthographic = frame.view->is_orthographic();
-    std::array<glm::dvec3, 2> ends;
-    if (frame.lines[line].is_intersection()) {
-        ends = frame.surface->intersections()[frame.lines[line].source].ends;
-    } else {
-        const auto [v, w] = frame.lines[line].vertices;
-        ends = {glm::dvec3(frame.position(v)), glm::dvec3(frame.position(w))};
-    }
+    const std::array<glm::dvec3, 2> ends{frame.end_of(frame.lines[line], 0),
+                                         frame.end_of(frame.lines[line], 1)};
     const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
         const double share = flat.share_in_space(share_in_picture, is_orthographic);
         const LineView::Projected seen = frame.view->project(glm::mix(ends[0], ends[1], share));

@@ -85,7 +85,7 @@ void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptio
         }
     frame.edge_lines = static_cast<std::uint32_t>(frame.lines.size());
     if (draws(LineKind::intersection)) {
-        const std::size_t count = frame.surface->intersections().size();
+        const std::size_t count = frame.surface->curves().segments().size();
         for (std::uint32_t i = 0; i < count; ++i)
             frame.lines.push_back({.vertices = {k_no_vertex, k_no_vertex},
                                    .source = i,
@@ -107,11 +107,7 @@ void LineCollection::project(LineFrame& frame) const {
     for (std::size_t i = 0; i < frame.lines.size(); ++i) {
         ViewLine line = frame.lines[i];
         std::array<glm::dvec3, 2> ends;
-        if (line.is_intersection())
-            ends = frame.surface->intersections()[line.source].ends;
-        else
-            ends = {glm::dvec3(frame.position(line.vertices[0])),
-                    glm::dvec3(frame.position(line.vertices[1]))};
+        for (std::size_t k = 0; k < 2; ++k) ends[k] = frame.end_of(line, k);
         FlatLine flat{.ends = {}, .depths = {}, .shares = {0.0, 1.0}};
         std::array<LineView::Projected, 2> seen{view.project_from_point(ends[0]),
                                                 view.project_from_point(ends[1])};

@@ -1,6 +1,7 @@
 #include "silhouette/lines/line_drawer.h"
 
 #include "silhouette/lines/coincident_lines.h"
+#include "silhouette/lines/curve_rule.h"
 #include "silhouette/lines/invisibility.h"
 #include "silhouette/lines/line_chains.h"
 #include "silhouette/lines/line_collection.h"
@@ -47,6 +48,7 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     state_->graph.link(frame);
     call.checkpoint(0.1);
     find_locals(frame, options.draws[std::size_t(LineKind::crease)], options.crease_angle_rad);
+    find_curve_locals(frame);
     call.checkpoint(0.3);
     state_->events.find(frame);
     call.checkpoint(0.6);

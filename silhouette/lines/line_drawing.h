@@ -75,8 +75,8 @@ struct LineReport {
     std::uint32_t components = 0;     ///< Sets of connected lines. One ray decides each.
     std::uint64_t checks = 0;         ///< Cycles of lines, each of which checks all signs on it.
     std::uint64_t failed_checks = 0;  ///< Of these, those that found an error.
-    std::uint32_t lines_by_rays =
-        0;  ///< Lines of components that failed, decided by a ray a piece instead.
+    /// Lines decided by a ray a piece: those of components that failed, and doubtful ones of intersections.
+    std::uint32_t lines_by_rays = 0;
     std::uint32_t undecided_lines = 0;  ///< Of these, lines for which rays could not tell either.
 };
 

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint32_t k_no_line = 0xffffffffu;
 constexpr std::uint32_t k_max_lines_a_cell = 8;
-// Of an intersection: how far beside the end of an edge, and behind it in radii, it still meets it.
-constexpr double k_share_slack = 1e-9, k_depth_slack = 0x1p-30;
+// In radii: of a segment of an intersection and a line so near to each other in depth, either may lie in front.
+constexpr double k_depth_slack = 0x1p-40;
 
 double cross_2d(const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; }
 
@@ -224,63 +224,66 @@ void LineEvents::add_footholds(LineFrame& frame) {
     }
 }
 
-// The ends of a segment of an intersection are rounded, so its signs are those of doubles.
-// A ray decides each of its pieces (invisibility.h): an event too many costs a ray, and one too few an error.
+// The ends of a segment are rounded, and segments that share a node share its position. So a line passes behind
+// the chain of segments where it does exactly, but perhaps beside the segment that says so. A segment is doubtful
+// where an occluder passes so near to it that doubles do not decide on which side, or which lies in front.
+void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, const Occluder& occluder) {
+    const IntersectionCurves& curves = frame.surface->curves();
+    const IntersectionCurves::Segment& segment = curves.segments()[frame.lines[i].source];
+    const ViewLine& other = frame.lines[occluder.line];
+    // The edges of its own faces do not pass before it, and those at its ends are up to the local rule.
+    for (const FaceId face : frame.surface->mesh().faces_of(EdgeId{other.source}))
+        if (index(face) == segment.faces[0] || index(face) == segment.faces[1]) return;
+    for (const std::uint32_t node : segment.nodes)
+        if (curves.vertex(node) == other.vertices[0] || curves.vertex(node) == other.vertices[1])
+            return;
+    const FlatLine& flat = frame.flats[i];
+    const auto& [a, b] = flat.ends;
+    const auto& [p, q] = occluder.flat.ends;
+    bool is_sure = true;
+    const auto side = [&](const glm::dvec2& u, const glm::dvec2& v, const glm::dvec2& x) {
+        const int turn = turn_in_picture(u, v, x, frame.picture_size);
+        if (turn != 0) return turn;
+        is_sure = false;
+        return cross_2d(v - u, x - u) >= 0.0 ? 1 : -1;
+    };
+    const int side_b = side(p, q, b);
+    const bool is_crossed = side(a, b, p) != side(a, b, q) && side(p, q, a) != side_b;
+    if (!is_crossed && is_sure) return;
+    const auto depth_at = [&](const FlatLine& line, double share) {
+        return frame.view->is_orthographic()
+                   ? glm::mix(line.depths[0], line.depths[1], share)
+                   : 1.0 / glm::mix(1.0 / line.depths[0], 1.0 / line.depths[1], share);
+    };
+    const CrossingPlace place = crossing_of(flat, occluder.flat);
+    const double share = std::clamp(place.share, 0.0, 1.0);
+    const double behind =
+        depth_at(flat, share) - depth_at(occluder.flat, std::clamp(place.other_share, 0.0, 1.0));
+    const double slack = k_depth_slack * frame.surface->mesh().radius();
+    if (!(behind > -slack)) return;
+    if (!is_sure || behind < slack) frame.set_doubtful(i);
+    found_.push_back({i, is_crossed && behind > 0.0 ? side_b * other.balance : 0, share});
+    ++frame.report.crossings;
+}
+
 void LineEvents::find_events_of_intersections(LineFrame& frame) {
     const Mesh& mesh = frame.surface->mesh();
-    const glm::dvec3 point(frame.view->point().xyz());
     for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i) {
-        const FlatLine& flat = frame.flats[i];
-        const bool is_flat_view = frame.view->is_orthographic();
-        const IntersectionSegment& segment = frame.surface->intersections()[frame.lines[i].source];
-        const auto inverse_depth = [&](const FlatLine& f, double share) {
-            return is_flat_view ? glm::mix(f.depths[0], f.depths[1], share)
-                                : 1.0 / glm::mix(1.0 / f.depths[0], 1.0 / f.depths[1], share);
-        };
-        each_candidate(flat, i, [&](const Occluder& occluder) {
-            const CrossingPlace place = crossing_of(flat, occluder.flat);
-            if (!(place.share > 0.0 && place.share < 1.0 && place.other_share > -k_share_slack &&
-                  place.other_share < 1.0 + k_share_slack))
-                return;
-            // Edges of the two faces meet the segment at its ends only.
-            const ViewLine& other = frame.lines[occluder.line];
-            for (const FaceId face : mesh.faces_of(EdgeId{other.source}))
-                if (index(face) == segment.faces[0] || index(face) == segment.faces[1]) {
-                    const double depth = inverse_depth(flat, place.share);
-                    if (std::abs(depth - inverse_depth(occluder.flat, place.other_share)) <=
-                        0x1p-40 * mesh.radius())
-                        return;
-                }
-            if (inverse_depth(occluder.flat, place.other_share) >=
-                inverse_depth(flat, place.share) + k_depth_slack * mesh.radius())
-                return;
-            const double turn = cross_2d(occluder.flat.ends[1] - occluder.flat.ends[0],
-                                         flat.ends[1] - flat.ends[0]);
-            found_.push_back({i, turn > 0.0 ? other.balance : -other.balance, place.share});
-            ++frame.report.crossings;
-        });
-        // Third faces that the segment passes through.
-        const auto& [from, to] = segment.ends;
-        frame.surface->tree().each_along(from, to, [&](std::uint32_t face) {
-            if (face == segment.faces[0] || face == segment.faces[1]) return;
+        each_candidate(frame.flats[i], i,
+                       [&](const Occluder& occluder) { cross_segment(frame, i, occluder); });
+        for (const auto& [kind, face, share] :
+             frame.surface->curves().passages(frame.lines[i].source)) {
+            if (kind != IntersectionCurves::Passage::Kind::through) frame.set_doubtful(i);
             const Triangle& t = mesh.triangles()[face];
             const auto corner = [&](std::size_t k) {
-                return glm::dvec3(frame.position(index(t[k % 3])));
+                return glm::dvec3(frame.position(index(t[k])));
             };
             const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
-            const double before = glm::dot(n, from - corner(0)),
-                         after = glm::dot(n, to - corner(0));
-            if (!(before * after < 0.0)) return;
-            const double share = before / (before - after);
-            const glm::dvec3 place = glm::mix(from, to, share);
-            for (std::size_t k = 0; k < 3; ++k)
-                if (glm::dot(glm::cross(corner(k + 1) - corner(k), place - corner(k)), n) <
-                    -1e-9 * glm::dot(n, n))
-                    return;
-            const double facing =
-                is_flat_view ? glm::dot(n, point) : glm::dot(n, point - corner(0));
-            add_contact(frame, i, (after < 0.0) == (facing > 0.0) ? 1 : -1, share);
-        });
+            const int facing = seen_side(frame.view->point(), frame.position(index(t[0])),
+                                         frame.position(index(t[1])), frame.position(index(t[2])));
+            const double after = glm::dot(n, frame.end_of(frame.lines[i], 1) - corner(0));
+            add_contact(frame, i, (after < 0.0) == (facing > 0) ? 1 : -1, share);
+        }
     }
 }
 

@@ -43,6 +43,7 @@ private:
     void add_footholds(LineFrame& frame);
     void add_contact(LineFrame& frame, std::uint32_t line, std::int32_t jump,
                      double share_in_space);
+    void cross_segment(LineFrame& frame, std::uint32_t line, const Occluder& occluder);
     void find_events_of_intersections(LineFrame& frame);
     void sort(LineFrame& frame);
 

@@ -6,7 +6,8 @@
 //   collect   line_collection.h   silhouettes, borders, creases and what else can hide; segments of
 //                                 intersections
 //   link      line_graph.h        lines that share a vertex
-//   local     local_rule.h        of each line its balance: its faces left of it minus those right of it in the
+//   local     local_rule.h,
+//             curve_rule.h        of each line its balance: its faces left of it minus those right of it in the
 //                                 picture; of each end its own invisibility: how many faces at the vertex cover
 //                                 the line there and lie in front of it
 //   events    line_events.h       where the invisibility of a line changes: where it passes behind a line, by
@@ -15,7 +16,8 @@
 //                                 differences of base between vertices. One ray gives its value for each set of
 //                                 connected lines, and every cycle is a check
 //
-// All signs are exact (exact_signs.h), from the view's point (LineView::point()).
+// All signs of edges are exact (exact_signs.h), from the view's point (LineView::point()). Segments of
+// intersections have rounded ends.
 
 #include <array>
 #include <cstdint>
@@ -33,8 +35,7 @@ constexpr std::uint32_t k_no_vertex = 0xffffffffu;
 
 struct ViewLine {
     std::array<std::uint32_t, 2> vertices;  ///< k_no_vertex for a segment of an intersection.
-    std::uint32_t
-        source;  ///< The edge, or the number of the segment (LineGeometry::intersections()).
+    std::uint32_t source;  ///< The edge, or the segment (IntersectionCurves::segments()).
     LineKind kind;
     bool is_drawn;  ///< Lines that are not drawn hide others.
     /// Whether an end lies behind the eye. The line is cut before it, and at most one end is.
@@ -82,17 +83,20 @@ struct LineFrame {
     std::vector<FlatLine> flats;
     double picture_size = 0.0;  ///< The greatest coordinate in the picture.
 
-    // Nodes: first the vertices of edges, then the piercings at ends of segments.
+    // Nodes: first the vertices of edges, then the nodes of intersections.
     std::vector<std::array<std::uint32_t, 2>> nodes;  ///< Of each line.
     std::vector<std::uint32_t> node_vertices;  ///< The mesh's vertex of each of the first nodes.
+    std::vector<std::uint32_t> node_curves;    ///< The IntersectionCurves' node of each other one.
     std::vector<std::uint32_t> end_begin;      ///< Of each node, and one more.
     std::vector<LineEnd> ends;                 ///< Ends that are cut are at no node.
     /// All edge lines in the order of a walk along them, so that what comes next lies near in memory.
     std::vector<std::uint32_t> walk;
 
-    std::vector<std::array<std::int32_t, 2>> locals;  ///< Of the ends of edge lines.
-    std::vector<std::uint32_t> event_begin;           ///< Of each line, and one more.
-    std::vector<LineEvent> events;                    ///< By line, then by share.
+    std::vector<std::array<std::int32_t, 2>> locals;  ///< Of the ends of each line.
+    /// By segment of an intersection: doubles do not decide one of its signs. A ray decides each of its pieces.
+    std::vector<std::uint8_t> is_doubtful;
+    std::vector<std::uint32_t> event_begin;  ///< Of each line, and one more.
+    std::vector<LineEvent> events;           ///< By line, then by share.
     std::vector<std::int32_t> first_counts;  ///< The invisibility at the first end of each line.
     LineReport report;
 
@@ -101,6 +105,16 @@ struct LineFrame {
     }
     std::span<const LineEvent> events_of(std::uint32_t line) const noexcept {
         return {events.data() + event_begin[line], events.data() + event_begin[line + 1]};
+    }
+    bool is_line_doubtful(std::uint32_t line) const noexcept {
+        return line >= edge_lines && is_doubtful[line - edge_lines] != 0;
+    }
+    void set_doubtful(std::uint32_t line) noexcept { is_doubtful[line - edge_lines] = 1; }
+    /// The end of a line in space, before it is cut.
+    glm::dvec3 end_of(const ViewLine& line, std::size_t end) const noexcept {
+        if (!line.is_intersection()) return glm::dvec3(position(line.vertices[end]));
+        const IntersectionCurves& curves = surface->curves();
+        return curves.position(curves.segments()[line.source].nodes[end]);
     }
     const glm::vec3& position(std::uint32_t vertex) const noexcept {
         return surface->mesh().positions()[vertex];

@@ -24,8 +24,9 @@ LineGeometry::LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall
     }
     call.checkpoint(0.9);
     find_slivers();
-    find_special_edges();
-    find_intersections();
+    const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
+    find_special_edges(is_flat);
+    curves_ = IntersectionCurves(mesh, stars_, tree_, contacts_, is_flat, call.part(0.92, 0.97));
     creases_ = find_creases(mesh, k_min_bend_rad);
     call.checkpoint(1.0);
 }
@@ -46,11 +47,10 @@ void LineGeometry::find_slivers() {
     }
 }
 
-void LineGeometry::find_special_edges() {
+void LineGeometry::find_special_edges(std::span<const std::uint8_t> is_flat) {
     const Mesh::EdgeRange nonmanifold = mesh_.edges_of_class(EdgeClass::nonmanifold);
     for (std::uint32_t e = nonmanifold.first; e < nonmanifold.last; ++e)
         special_edges_.push_back(EdgeId{e});
-    const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh_);
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
         if (is_flat[f] != 0)
             for (const EdgeId edge : mesh_.edges_of(FaceId{f}))
@@ -58,45 +58,6 @@ void LineGeometry::find_special_edges() {
     std::sort(special_edges_.begin(), special_edges_.end());
     special_edges_.erase(std::unique(special_edges_.begin(), special_edges_.end()),
                          special_edges_.end());
-}
-
-// Two faces that pass through each other do so along a segment between two piercings: of an edge of one by the
-// other, or both of edges of one.
-void LineGeometry::find_intersections() {
-    struct End {
-        std::array<std::uint32_t, 2> faces;
-        std::uint32_t piercing;
-    };
-    std::vector<End> ends;
-    for (std::uint32_t i = 0; i < contacts_.piercings.size(); ++i) {
-        const auto& [edge, face] = contacts_.piercings[i];
-        for (const FaceId other : mesh_.faces_of(EdgeId{edge}))
-            ends.push_back({{std::min(face, index(other)), std::max(face, index(other))}, i});
-    }
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
-        return a.faces != b.faces ? a.faces < b.faces : a.piercing < b.piercing;
-    });
-    const auto position_of = [&](std::uint32_t piercing) {
-        const auto& [edge, face] = contacts_.piercings[piercing];
-        const auto at = [&](VertexId v) { return glm::dvec3(mesh_.positions()[index(v)]); };
-        const Triangle& t = mesh_.triangles()[face];
-        const glm::dvec3 a = at(t[0]);
-        const glm::dvec3 n = glm::cross(at(t[1]) - a, at(t[2]) - a);
-        const glm::dvec3 from = at(mesh_.edge(EdgeId{edge}).vertices[0]);
-        const glm::dvec3 way = at(mesh_.edge(EdgeId{edge}).vertices[1]) - from;
-        const double share = glm::dot(n, a - from) / glm::dot(n, way);
-        return from + std::clamp(share, 0.0, 1.0) * way;
-    };
-    for (std::size_t i = 0; i + 1 < ends.size();) {
-        std::size_t j = i + 1;
-        while (j < ends.size() && ends[j].faces == ends[i].faces) ++j;
-        if (j - i == 2)
-            intersections_.push_back(
-                {.ends = {position_of(ends[i].piercing), position_of(ends[i + 1].piercing)},
-                 .faces = ends[i].faces,
-                 .piercings = {ends[i].piercing, ends[i + 1].piercing}});
-        i = j;
-    }
 }
 
 }  // namespace rimline

@@ -2,27 +2,18 @@
 
 // The content of a LineSurface: what line drawings of a mesh need, once a mesh and for all cameras.
 
-#include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "silhouette/lines/face_contacts.h"
+#include "silhouette/lines/intersection_curves.h"
 #include "silhouette/lines/vertex_stars.h"
 #include "silhouette/mesh/creases.h"
 #include "silhouette/mesh/face_tree.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
-
-/// A segment of the curve in which two faces pass through each other.
-struct IntersectionSegment {
-    std::array<glm::dvec3, 2> ends;
-    std::array<std::uint32_t, 2> faces;
-    /// Segments that share an end have the same number there: that of the piercing.
-    std::array<std::uint32_t, 2> piercings;
-};
 
 class LineGeometry {
 public:
@@ -37,7 +28,7 @@ public:
     bool has_touches(std::uint32_t vertex) const noexcept {
         return !is_touched_.empty() && is_touched_[vertex] != 0;
     }
-    std::span<const IntersectionSegment> intersections() const noexcept { return intersections_; }
+    const IntersectionCurves& curves() const noexcept { return curves_; }
     /// All edges that bend, sharpest first.
     std::span<const Crease> creases() const noexcept { return creases_; }
     /// Faces whose plane (Mesh::plane()) may be far from their corners: slivers. Ascending.
@@ -48,15 +39,14 @@ public:
 
 private:
     void find_slivers();
-    void find_special_edges();
-    void find_intersections();
+    void find_special_edges(std::span<const std::uint8_t> is_flat);
 
     const Mesh& mesh_;
     VertexStars stars_;
     FaceTree tree_;
     FaceContacts contacts_;
     std::vector<std::uint8_t> is_touched_;
-    std::vector<IntersectionSegment> intersections_;
+    IntersectionCurves curves_;
     std::vector<Crease> creases_;
     std::vector<std::uint32_t> slivers_;
     std::vector<EdgeId> special_edges_;

@@ -18,10 +18,11 @@ void LineGraph::link(LineFrame& frame) {
     const LineGeometry& surface = *frame.surface;
     vertex_stamps_.resize(surface.mesh().vertex_count());
     vertex_nodes_.resize(surface.mesh().vertex_count());
-    piercing_stamps_.resize(surface.contacts().piercings.size());
-    piercing_nodes_.resize(surface.contacts().piercings.size());
+    curve_stamps_.resize(surface.curves().node_count());
+    curve_nodes_.resize(surface.curves().node_count());
     frame.nodes.resize(frame.lines.size());
     frame.node_vertices.clear();
+    frame.node_curves.clear();
     for (std::uint32_t i = 0; i < frame.edge_lines; ++i)
         for (std::size_t k = 0; k < 2; ++k) {
             const std::uint32_t vertex = frame.lines[i].vertices[k];
@@ -33,10 +34,9 @@ void LineGraph::link(LineFrame& frame) {
     auto count = static_cast<std::uint32_t>(frame.node_vertices.size());
     for (std::size_t i = frame.edge_lines; i < frame.lines.size(); ++i)
         for (std::size_t k = 0; k < 2; ++k) {
-            const std::uint32_t piercing =
-                surface.intersections()[frame.lines[i].source].piercings[k];
-            frame.nodes[i][k] = node_of(piercing_stamps_, piercing_nodes_, piercing, count);
-            if (frame.nodes[i][k] == count) ++count;
+            const std::uint32_t node = surface.curves().segments()[frame.lines[i].source].nodes[k];
+            frame.nodes[i][k] = node_of(curve_stamps_, curve_nodes_, node, count);
+            if (frame.nodes[i][k] == count) ++count, frame.node_curves.push_back(node);
         }
 
     frame.end_begin.assign(count + 1, 0);

@@ -11,7 +11,7 @@ namespace rimline {
 
 class LineGraph {
 public:
-    /// Sets nodes, node_vertices, end_begin, ends and walk of the frame. O(lines).
+    /// Sets nodes, node_vertices, node_curves, end_begin, ends and walk of the frame. O(lines).
     void link(LineFrame& frame);
 
 private:
@@ -20,9 +20,9 @@ private:
     void walk(LineFrame& frame);
 
     std::uint32_t frame_number_ = 0;
-    // By vertex of the mesh, and by piercing: the frame in which it became a node, and the node.
+    // By vertex of the mesh, and by node of its curves: the frame in which it became a node, and the node.
     std::vector<std::uint32_t> vertex_stamps_, vertex_nodes_;
-    std::vector<std::uint32_t> piercing_stamps_, piercing_nodes_;
+    std::vector<std::uint32_t> curve_stamps_, curve_nodes_;
     std::vector<std::uint32_t> next_;
     std::vector<std::uint8_t> is_walked_;
 };

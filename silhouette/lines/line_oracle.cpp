@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <span>
 #include <vector>
@@ -20,7 +21,15 @@ struct LongVector {
     friend LongVector operator-(const LongVector& a, const LongVector& b) {
         return {a.x - b.x, a.y - b.y, a.z - b.z};
     }
+    friend LongVector operator+(const LongVector& a, const LongVector& b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    friend LongVector operator*(long double s, const LongVector& a) {
+        return {s * a.x, s * a.y, s * a.z};
+    }
 };
+
+LongVector long_vector(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 LongVector cross(const LongVector& a, const LongVector& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -214,24 +223,55 @@ private:
     std::vector<std::uint32_t> near_faces_;
 };
 
-void check_run(const LineOracle& oracle, const Mesh& mesh, const LineDrawing& drawing,
-               std::uint32_t run, double spacing, LineCheck& check) {
+// The places of a piece of a run in space: on its edge, or for an intersection where the picture says.
+struct Piece {
+    LongVector from, way;
+    EdgeId edge;
+    double size;  // Of its length: the share of the edge, or for an intersection in radii.
+};
+
+Piece piece_of(const Mesh& mesh, const LineView& view, const LineDrawing& drawing,
+               std::uint32_t point) {
+    const LineSource &from = drawing.sources[point], &to = drawing.sources[point + 1];
+    if (from.edge == k_no_edge) {
+        const auto place = [&](const LinePoint& p) {
+            return long_vector(view.unproject({p.position, p.depth}));
+        };
+        const LongVector a = place(drawing.points[point]);
+        const LongVector way = place(drawing.points[point + 1]) - a;
+        return {a, way, k_no_edge, static_cast<double>(length(way)) / mesh.radius()};
+    }
+    const auto& [v, w] = mesh.edge(from.edge).vertices;
+    const auto at = [&](VertexId vertex) {
+        return long_vector(glm::dvec3(mesh.positions()[index(vertex)]));
+    };
+    const LongVector a = at(v), ab = at(w) - a;
+    const long double first = from.share, last = to.share;
+    return {a + first * ab, (last - first) * ab, from.edge,
+            std::abs(double{to.share} - double{from.share})};
+}
+
+std::string text_of(long double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.9Lg", value);
+    return text.data();
+}
+
+void check_run(const LineOracle& oracle, const Mesh& mesh, const LineView& view,
+               const LineDrawing& drawing, std::uint32_t run, double spacing, LineCheck& check) {
     const LineRun& r = drawing.runs[run];
     for (std::uint32_t i = r.first_point; i + 1 < r.last_point; ++i) {
-        const LineSource &from = drawing.sources[i], &to = drawing.sources[i + 1];
-        if (from.edge != to.edge || from.edge == k_no_edge) continue;
+        if (drawing.sources[i].edge != drawing.sources[i + 1].edge) continue;
         const double picture_length = drawing.points[i + 1].arc - drawing.points[i].arc;
-        const double way = double{to.share} - double{from.share};
+        if (!(picture_length > 0.0)) continue;
+        const Piece piece = piece_of(mesh, view, drawing, i);
         const double samples = std::clamp(std::ceil(picture_length / spacing), 1.0, k_max_samples);
-        const auto& [v, w] = mesh.edge(from.edge).vertices;
-        const LongVector a = oracle.position(v), ab = oracle.position(w) - a;
         for (double k = 0.5; k < samples; k += 1.0) {
-            const double share = double{from.share} + way * (k / samples);
-            const double margin = std::min(k, samples - k) / samples * std::abs(way);
+            const double share = k / samples;
+            const double margin = std::min(share, 1.0 - share) * piece.size;
             ++check.samples;
-            const long double s = share;
-            const LineOracle::Count count =
-                oracle.count_before({a.x + s * ab.x, a.y + s * ab.y, a.z + s * ab.z}, from.edge);
+            const LongVector place = piece.from + static_cast<long double>(share) * piece.way;
+            const LineOracle::Count count = oracle.count_before(place, piece.edge);
             if (!count.is_sure || margin < k_end_share) {
                 ++check.undecided;
                 continue;
@@ -241,8 +281,10 @@ void check_run(const LineOracle& oracle, const Mesh& mesh, const LineDrawing& dr
             if ((count.faces == 0) != r.is_visible()) ++check.wrong_visibility;
             if (check.first_difference.empty())
                 check.first_difference =
-                    "edge " + std::to_string(index(from.edge)) + " at " + std::to_string(share) +
-                    " of its length is hidden by " + std::to_string(count.faces) +
+                    (piece.edge == k_no_edge ? "an intersection"
+                                             : "edge " + std::to_string(index(piece.edge))) +
+                    " at (" + text_of(place.x) + ", " + text_of(place.y) + ", " + text_of(place.z) +
+                    ") is hidden by " + std::to_string(count.faces) +
                     " faces, and drawn as hidden by " + std::to_string(r.hidden_by);
         }
     }
@@ -267,7 +309,7 @@ LineCheck check_lines(const Mesh& mesh, const LineView& view, const LineDrawing&
         const std::uint32_t last = std::min(runs, first + k_oracle_runs_a_checkpoint);
         tbb::parallel_for(tbb::blocked_range<std::uint32_t>(first, last), [&](const auto& part) {
             for (std::uint32_t run = part.begin(); run < part.end(); ++run)
-                check_run(oracle, mesh, drawing, run, spacing, checks.local());
+                check_run(oracle, mesh, view, drawing, run, spacing, checks.local());
         });
     }
     LineCheck all;
@@ -286,8 +328,10 @@ LineCheck check_lines(const Mesh& mesh, const LineView& view, const LineDrawing&
                 drawn[index(drawing.sources[i].edge)] += std::abs(
                     double{drawing.sources[i + 1].share} - double{drawing.sources[i].share});
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
-        if (std::abs(drawn[e] - 1.0) < 1e-5 || !oracle.must_be_drawn(EdgeId{e})) continue;
-        ++all.missing_edges;
+        if (std::abs(drawn[e] - 1.0) < 1e-5) continue;
+        const bool is_twice = drawn[e] > 1.0;
+        if (!is_twice && !oracle.must_be_drawn(EdgeId{e})) continue;
+        ++(is_twice ? all.repeated_edges : all.missing_edges);
         if (all.first_difference.empty())
             all.first_difference = "edge " + std::to_string(e) + " is drawn over " +
                                    std::to_string(drawn[e]) + " of its length";

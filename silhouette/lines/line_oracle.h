@@ -6,7 +6,7 @@
 // Each line is sampled along its length. Before each sample the faces that the ray to the view's point meets are
 // counted, one by one. Where a face or its border lies so near to the ray or the sample that long double cannot
 // tell, the sample is undecided. Besides, every silhouette and border before the eye must be drawn over its whole
-// length.
+// length, and no edge over more than that.
 
 #include <cstdint>
 #include <string>
@@ -24,8 +24,9 @@ struct LineCheck {
     std::uint64_t wrong = 0;  ///< Of these, those with another number of faces in front of them.
     std::uint64_t wrong_visibility =
         0;  ///< Of these, those visible in the drawing and hidden, or reversed.
-    std::uint64_t missing_edges = 0;  ///< Edges that are not drawn over their whole length.
-    std::string first_difference;     ///< Names the first wrong sample or missing edge; else empty.
+    std::uint64_t missing_edges = 0;   ///< Edges that are not drawn over their whole length.
+    std::uint64_t repeated_edges = 0;  ///< Edges that are drawn over more than that.
+    std::string first_difference;      ///< Names the first wrong sample or edge; else empty.
 };
 
 /// Options for a drawing that can be checked: every line over its whole length, with its exact count.

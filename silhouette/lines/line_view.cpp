@@ -62,6 +62,13 @@ LineView::Projected LineView::project(const glm::dvec3& point) const noexcept {
     return {{glm::dot(q, right_) / depth, glm::dot(q, up_) / depth}, depth};
 }
 
+glm::dvec3 LineView::unproject(const Projected& projected) const noexcept {
+    const auto& [position, depth] = projected;
+    if (is_orthographic())
+        return target_ + position.x * right_ + position.y * up_ + depth * forward_;
+    return eye_ + depth * (position.x * right_ + position.y * up_ + forward_);
+}
+
 LineView::Projected LineView::project_from_point(const glm::dvec3& point) const noexcept {
     if (is_orthographic()) {
         const glm::dvec3 q = point - target_;

@@ -39,7 +39,9 @@ public:
     };
     /// As the camera shows it. A perspective camera shows only what has a depth greater than 0.
     Projected project(const glm::dvec3& point) const noexcept;
-    /// The same from point(). The picture differs by less than k_shift.
+    /// The inverse of project().
+    glm::dvec3 unproject(const Projected& projected) const noexcept;
+    /// project() from point(). The picture differs by less than k_shift.
     Projected project_from_point(const glm::dvec3& point) const noexcept;
 
     // The axes of the camera, of length 1.

@@ -16,7 +16,7 @@
 
 namespace rimline {
 
-/// Sets balance of the lines and locals of the frame. A silhouette between two faces whose balance is 0 is not
+/// Sets balance of the edge lines, and their locals. A silhouette between two faces whose balance is 0 is not
 /// one by its faces' corners: it becomes a crease, drawn if it bends by `crease_angle_rad` and
 /// `draws_creases`. O(lines · faces of a vertex).
 void find_locals(LineFrame& frame, bool draws_creases, float crease_angle_rad);

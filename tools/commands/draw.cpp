@@ -55,6 +55,7 @@ struct DrawnTotals {
         check.wrong += other.wrong;
         check.wrong_visibility += other.wrong_visibility;
         check.missing_edges += other.missing_edges;
+        check.repeated_edges += other.repeated_edges;
         if (check.first_difference.empty()) check.first_difference = other.first_difference;
     }
     void add(const LineDrawing& drawing) {
@@ -314,7 +315,8 @@ private:
                                 {"undecided", totals.check.undecided},
                                 {"wrong", totals.check.wrong},
                                 {"wrong_visibility", totals.check.wrong_visibility},
-                                {"missing_edges", totals.check.missing_edges}};
+                                {"missing_edges", totals.check.missing_edges},
+                                {"repeated_edges", totals.check.repeated_edges}};
         print_json(result);
     }
 

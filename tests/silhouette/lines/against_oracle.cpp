@@ -42,6 +42,7 @@ void check_views(const Mesh& mesh, Cameras cameras, std::uint32_t views, std::ui
         CHECK_MESSAGE(check.first_difference.empty(), check.first_difference);
         CHECK(check.wrong == 0);
         CHECK(check.missing_edges == 0);
+        CHECK(check.repeated_edges == 0);
         CHECK(drawing.report.failed_checks == 0);
         // From inside a sphere there is no line.
         if (cameras != Cameras::inside) CHECK(check.samples > check.undecided);
