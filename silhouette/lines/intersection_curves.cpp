@@ -18,6 +18,8 @@ constexpr std::uint32_t k_segments_a_checkpoint = 1u << 14;
 // A segment that passes so near to a side of a face, as a share of the face's height over it, may meet the face
 // or not. So near to the plane of a face, in radii, it may lie in it.
 constexpr double k_side_slack = 1e-9, k_plane_slack = 0x1p-40;
+// A segment lies on a face of its plane over at least this share of its length, or only ends at it.
+constexpr double k_min_touch = 1e-6;
 
 }  // namespace
 
@@ -301,7 +303,7 @@ private:
 
     static void add_touch(std::uint32_t face, const Interval& part,
                           std::vector<Passage>& passages) {
-        if (!(part.end > part.begin + k_side_slack)) return;
+        if (!(part.end > part.begin + k_min_touch)) return;
         passages.push_back({Passage::Kind::touch, face, part.begin});
         passages.push_back({Passage::Kind::touch, face, part.end});
     }
