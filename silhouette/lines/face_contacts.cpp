@@ -15,7 +15,93 @@ namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_contact_faces_a_checkpoint = 1u << 14;
+constexpr std::uint32_t k_contact_faces_a_task = 1u << 10;
+constexpr std::size_t k_contact_tasks_a_checkpoint = 64;
+
+// A face with what most pairs of faces need: that all corners of one lie on one side of the other's plane.
+struct TestedFace {
+    std::array<glm::vec3, 3> corners;
+    Triangle vertices;
+    glm::dvec3 normal;
+    double bound;  // Of a height over the plane, for each unit of length.
+    FaceBox box;
+
+    TestedFace() = default;
+    TestedFace(const Mesh& mesh, std::uint32_t face) : vertices(mesh.triangles()[face]) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = mesh.positions()[index(vertices[k])];
+            box.include({corners[k], corners[k]});
+        }
+        const glm::dvec3 u = glm::dvec3(corners[1]) - glm::dvec3(corners[0]);
+        const glm::dvec3 v = glm::dvec3(corners[2]) - glm::dvec3(corners[0]);
+        normal = glm::cross(u, v);
+        bound = k_height_error * length_1(u) * length_1(v);
+    }
+
+    // Whether all corners of `other` but those that this face has lie on one side of its plane, certainly. Then
+    // the two meet in what they share only. False where all are shared.
+    bool is_beside(const TestedFace& other) const {
+        int sides = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!has(other.vertices[k])) sides |= side_of(other.corners[k]);
+        return sides == k_left || sides == k_right;
+    }
+
+    // Whether no side of this face touches `other` outside of shared corners, certainly.
+    bool passes_by(const TestedFace& other) const {
+        std::array<int, 3> sides;
+        for (std::size_t k = 0; k < 3; ++k) {
+            sides[k] = other.has(vertices[k]) ? k_shared : other.side_of(corners[k]);
+            if (sides[k] == k_unknown) return false;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = (k + 1) % 3;
+            if (sides[k] + sides[next] != k_left + k_right) continue;
+            const TestedFace& t = other;
+            const int turns = turn_of(k, next, t.corners[0], t.corners[1]) |
+                              turn_of(k, next, t.corners[1], t.corners[2]) |
+                              turn_of(k, next, t.corners[2], t.corners[0]);
+            if ((turns & (k_left | k_right)) != (k_left | k_right)) return false;
+        }
+        return true;
+    }
+
+private:
+    // Sides are bits, so that several can be collected.
+    static constexpr int k_left = 1, k_right = 2, k_unknown = 4, k_shared = 8;
+    // Sixteen roundings.
+    static constexpr double k_height_error = 0x1p-49;
+
+    bool has(VertexId v) const { return v == vertices[0] || v == vertices[1] || v == vertices[2]; }
+    static double length_1(const glm::dvec3& v) {
+        return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+    }
+    static int side(double height, double bound) {
+        return height > bound ? k_left : (-height > bound ? k_right : k_unknown);
+    }
+    int side_of(const glm::vec3& p) const {
+        const glm::dvec3 q = glm::dvec3(p) - glm::dvec3(corners[0]);
+        return side(glm::dot(normal, q), bound * length_1(q));
+    }
+    // On which side of the line a -> b the line through two corners passes.
+    int turn_of(std::size_t from, std::size_t to, const glm::vec3& a, const glm::vec3& b) const {
+        const glm::dvec3 origin(corners[from]);
+        const glm::dvec3 u = glm::dvec3(corners[to]) - origin, v = glm::dvec3(a) - origin,
+                         w = glm::dvec3(b) - origin;
+        return side(glm::dot(glm::cross(u, v), w),
+                    k_height_error * length_1(u) * length_1(v) * length_1(w));
+    }
+};
+
+// In the order of the tree, so that faces that may meet lie near each other.
+std::vector<TestedFace> tested_faces(const Mesh& mesh, const FaceTree& tree) {
+    std::vector<TestedFace> faces(mesh.face_count());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), 4096), [&](const auto& run) {
+        for (std::size_t i = run.begin(); i < run.end(); ++i)
+            faces[i] = TestedFace(mesh, tree.order()[i]);
+    });
+    return faces;
+}
 
 // The contacts of one pair of faces after the other.
 class ContactSearch {
@@ -200,22 +286,27 @@ FaceContacts find_face_contacts(const Mesh& mesh, const FaceTree& tree, const Lo
     const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
     tbb::enumerable_thread_specific<ContactSearch> searches(
         [&] { return ContactSearch(mesh, is_flat); });
-    for (std::uint32_t first = 0; first < mesh.face_count();) {
-        call.checkpoint(double(first) / mesh.face_count());
-        const std::uint32_t last =
-            first + std::min(mesh.face_count() - first, k_contact_faces_a_checkpoint);
-        tbb::parallel_for(
-            tbb::blocked_range<std::uint32_t>(first, last, 256), [&](const auto& run) {
-                ContactSearch& search = searches.local();
-                for (std::uint32_t i = run.begin(); i < run.end(); ++i) {
-                    const std::uint32_t face = tree.order()[i];
-                    tree.any_meeting(tree.box_of(face), i + 1, [&](std::uint32_t other) {
-                        search.add_pair(face, other);
-                        return false;
-                    });
+    const std::vector<TestedFace> faces = tested_faces(mesh, tree);
+    const std::span<const std::uint32_t> order = tree.order();
+    const std::vector<FaceTree::NodePair> pairs = tree.node_pairs(k_contact_faces_a_task);
+    for (std::size_t first = 0; first < pairs.size(); first += k_contact_tasks_a_checkpoint) {
+        call.checkpoint(double(first) / double(pairs.size()));
+        const std::size_t last = std::min(pairs.size(), first + k_contact_tasks_a_checkpoint);
+        tbb::parallel_for(first, last, [&](std::size_t task) {
+            ContactSearch& search = searches.local();
+            tree.each_leaf_pair(pairs[task], [&](const FaceTree::Node& a, const FaceTree::Node& b) {
+                const FaceBox& box = tree.box_of(b);
+                for (std::uint32_t i = a.first; i < a.last; ++i) {
+                    if (!faces[i].box.meets(box)) continue;
+                    for (std::uint32_t j = std::max(b.first, a.number == b.number ? i + 1 : 0);
+                         j < b.last; ++j)
+                        if (faces[i].box.meets(faces[j].box) && !faces[i].is_beside(faces[j]) &&
+                            !faces[j].is_beside(faces[i]) &&
+                            !(faces[i].passes_by(faces[j]) && faces[j].passes_by(faces[i])))
+                            search.add_pair(order[i], order[j]);
                 }
             });
-        first = last;
+        });
     }
     FaceContacts all;
     for (const ContactSearch& search : searches) {

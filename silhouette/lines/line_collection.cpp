@@ -62,6 +62,16 @@ void LineCollection::add_edges_of_doubtful_faces(const LineOptions& options, Lin
                 if (edge != k_no_edge) add_edge(edge, LineKind::silhouette, is_drawn, frame);
 }
 
+// The same edges for all views of one angle.
+void LineCollection::find_creases(float angle_rad, const LineGeometry& surface) {
+    if (angle_rad == creases_angle_rad_) return;
+    creases_angle_rad_ = angle_rad;
+    creases_.clear();
+    const std::span<const float> bends_rad = surface.bends_rad();
+    for (std::uint32_t e = 0; e < bends_rad.size(); ++e)
+        if (bends_rad[e] >= angle_rad && bends_rad[e] > 0.0f) creases_.push_back(EdgeId{e});
+}
+
 void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptions& options,
                              LineFrame& frame) {
     const Mesh& mesh = frame.surface->mesh();
@@ -78,11 +88,10 @@ void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptio
     for (const EdgeId edge : frame.surface->special_edges())
         add_edge(edge, LineKind::crease, false, frame);
     add_edges_of_doubtful_faces(options, frame);
-    if (draws(LineKind::crease))
-        for (const Crease& crease : frame.surface->creases()) {
-            if (crease.bend_rad < options.crease_angle_rad) break;
-            add_edge(crease.edge, LineKind::crease, true, frame);
-        }
+    if (draws(LineKind::crease)) {
+        find_creases(options.crease_angle_rad, *frame.surface);
+        for (const EdgeId edge : creases_) add_edge(edge, LineKind::crease, true, frame);
+    }
     frame.edge_lines = static_cast<std::uint32_t>(frame.lines.size());
     if (draws(LineKind::intersection)) {
         const std::size_t count = frame.surface->curves().segments().size();

@@ -23,12 +23,15 @@ public:
 
 private:
     void add_edge(EdgeId edge, LineKind kind, bool is_drawn, LineFrame& frame);
+    void find_creases(float angle_rad, const LineGeometry& surface);
     void add_edges_of_doubtful_faces(const LineOptions& options, LineFrame& frame);
     void project(LineFrame& frame) const;
 
     std::vector<std::uint32_t> stamps_;  // By edge: the frame in which it became a line.
     std::uint32_t frame_number_ = 0;
     std::vector<std::uint32_t> doubtful_;
+    std::vector<EdgeId> creases_;
+    float creases_angle_rad_ = -1.0f;  // Of creases_; -1 before the first view.
 };
 
 }  // namespace rimline

@@ -1,19 +1,15 @@
 #include "silhouette/lines/line_geometry.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
+
+#include "silhouette/mesh/creases.h"
 
 namespace rimline {
-
-namespace {
-
-// Edges that bend by less are drawn by nobody.
-constexpr float k_min_bend_rad = 1.0f * std::numbers::pi_v<float> / 180.0f;
-
-}  // namespace
 
 LineGeometry::LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall& call)
     : mesh_(mesh), stars_(mesh), tree_(mesh) {
@@ -27,8 +23,17 @@ LineGeometry::LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall
     const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
     find_special_edges(is_flat);
     curves_ = IntersectionCurves(mesh, stars_, tree_, contacts_, is_flat, call.part(0.92, 0.97));
-    creases_ = find_creases(mesh, k_min_bend_rad);
+    find_bends();
     call.checkpoint(1.0);
+}
+
+void LineGeometry::find_bends() {
+    bends_rad_.resize(mesh_.edge_count());
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, mesh_.edge_count(), 4096),
+                      [&](const auto& run) {
+                          for (std::uint32_t e = run.begin(); e < run.end(); ++e)
+                              bends_rad_[e] = static_cast<float>(bend_of(mesh_, EdgeId{e}));
+                      });
 }
 
 // A plane comes from a cross product in double, whose terms have rounding errors of 2^-52.

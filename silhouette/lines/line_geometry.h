@@ -9,7 +9,6 @@
 #include "silhouette/lines/face_contacts.h"
 #include "silhouette/lines/intersection_curves.h"
 #include "silhouette/lines/vertex_stars.h"
-#include "silhouette/mesh/creases.h"
 #include "silhouette/mesh/face_tree.h"
 #include "silhouette/mesh/mesh.h"
 
@@ -29,8 +28,8 @@ public:
         return !is_touched_.empty() && is_touched_[vertex] != 0;
     }
     const IntersectionCurves& curves() const noexcept { return curves_; }
-    /// All edges that bend, sharpest first.
-    std::span<const Crease> creases() const noexcept { return creases_; }
+    /// By edge, its bend in radians (creases.h).
+    std::span<const float> bends_rad() const noexcept { return bends_rad_; }
     /// Faces whose plane (Mesh::plane()) may be far from their corners: slivers. Ascending.
     std::span<const std::uint32_t> slivers() const noexcept { return slivers_; }
     /// Edges that can hide others though they are not on a silhouette: non-manifold ones, and those of faces
@@ -38,6 +37,7 @@ public:
     std::span<const EdgeId> special_edges() const noexcept { return special_edges_; }
 
 private:
+    void find_bends();
     void find_slivers();
     void find_special_edges(std::span<const std::uint8_t> is_flat);
 
@@ -47,7 +47,7 @@ private:
     FaceContacts contacts_;
     std::vector<std::uint8_t> is_touched_;
     IntersectionCurves curves_;
-    std::vector<Crease> creases_;
+    std::vector<float> bends_rad_;
     std::vector<std::uint32_t> slivers_;
     std::vector<EdgeId> special_edges_;
 };

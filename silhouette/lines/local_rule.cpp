@@ -129,19 +129,6 @@ void fetch_ahead(const LineFrame& frame, std::size_t place) {
             for (const auto& [a, b] : stars.links(v)) __builtin_prefetch(&frame.position(a));
 }
 
-float bend_of(const LineFrame& frame, EdgeId edge) {
-    const auto& faces = frame.surface->mesh().edge(edge).faces;
-    if (faces[1] == k_no_face) return 0.0f;
-    const auto normal = [&](FaceId f) {
-        const Plane& p = frame.surface->mesh().plane(f);
-        return glm::vec3(p.nx, p.ny, p.nz);
-    };
-    // Faces that traverse the edge in the same direction have opposite normals where they are coplanar.
-    const float turn =
-        frame.surface->mesh().edge_class(edge) == EdgeClass::inconsistent ? -1.0f : 1.0f;
-    return std::acos(glm::clamp(turn * glm::dot(normal(faces[0]), normal(faces[1])), -1.0f, 1.0f));
-}
-
 }  // namespace
 
 bool covers(const LineFrame& frame, std::uint32_t face, std::uint32_t side, std::uint32_t from,
@@ -189,7 +176,7 @@ void find_locals(LineFrame& frame, bool draws_creases, float crease_angle_rad) {
             (kind == EdgeClass::regular || kind == EdgeClass::inconsistent)) {
             line.kind = LineKind::crease;
             line.is_drawn =
-                draws_creases && bend_of(frame, EdgeId{line.source}) >= crease_angle_rad;
+                draws_creases && frame.surface->bends_rad()[line.source] >= crease_angle_rad;
         }
         frame.locals[i] = {line.is_cut[0] ? 0 : sides.count_at_end(1),
                            line.is_cut[1] ? 0 : sides.count_at_end(-1)};

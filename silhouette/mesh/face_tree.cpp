@@ -1,10 +1,11 @@
 #include "silhouette/mesh/face_tree.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace rimline {
 
@@ -18,13 +19,78 @@ double reach_of(const glm::dvec3& p) {
 
 }  // namespace
 
+// Places that are moved as a whole, so that nothing is looked up while they are sorted.
+class FaceTree::Builder {
+public:
+    explicit Builder(FaceTree& tree) : tree_(tree), places_(tree.order_.size()) {
+        const auto count = static_cast<std::uint32_t>(places_.size());
+        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, k_faces_a_task),
+                          [&](const auto& run) {
+                              for (std::uint32_t f = run.begin(); f < run.end(); ++f) {
+                                  const FaceBox box = tree_.box_of(f);
+                                  places_[f] = {box.low + box.high, f};
+                              }
+                          });
+    }
+
+    /// Sorts the faces [first, last), and sets the boxes of the node and of all below it.
+    FaceBox build(std::size_t node, std::uint32_t first, std::uint32_t last) {
+        FaceBox box;
+        if (last - first <= k_leaf_faces) {
+            for (std::uint32_t i = first; i < last; ++i) {
+                tree_.order_[i] = places_[i].face;
+                box.include(tree_.box_of(places_[i].face));
+            }
+            return tree_.boxes_[node] = box;
+        }
+        const std::uint32_t middle = middle_of(first, last);
+        sort_around(first, middle, last);
+        FaceBox other;
+        const auto low = [&] { box = build(2 * node + 1, first, middle); };
+        const auto high = [&] { other = build(2 * node + 2, middle, last); };
+        if (last - first > k_faces_a_task) {
+            tbb::parallel_invoke(low, high);
+        } else {
+            low();
+            high();
+        }
+        box.include(other);
+        return tree_.boxes_[node] = box;
+    }
+
+private:
+    struct Place {
+        glm::vec3 twice_center;
+        std::uint32_t face;
+    };
+
+    // By the axis along which the centers extend farthest. The face number breaks ties, so the tree is the same on
+    // every machine.
+    void sort_around(std::uint32_t first, std::uint32_t middle, std::uint32_t last) {
+        glm::vec3 low = places_[first].twice_center, high = low;
+        for (std::uint32_t i = first; i < last; ++i) {
+            low = glm::min(low, places_[i].twice_center);
+            high = glm::max(high, places_[i].twice_center);
+        }
+        const glm::vec3 size = high - low;
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+        std::nth_element(places_.begin() + first, places_.begin() + middle, places_.begin() + last,
+                         [axis](const Place& a, const Place& b) {
+                             const float p = a.twice_center[axis], q = b.twice_center[axis];
+                             return p != q ? p < q : a.face < b.face;
+                         });
+    }
+
+    FaceTree& tree_;
+    std::vector<Place> places_;
+};
+
 FaceTree::FaceTree(const Mesh& mesh) : mesh_(mesh), order_(mesh.face_count()) {
-    std::iota(order_.begin(), order_.end(), 0u);
     std::size_t nodes = 1;
     for (std::uint32_t faces = mesh.face_count(); faces > k_leaf_faces; faces -= faces / 2)
         nodes = 2 * nodes + 1;
     boxes_.resize(nodes);
-    build(0, 0, mesh.face_count());
+    Builder(*this).build(0, 0, mesh.face_count());
 }
 
 FaceBox FaceTree::box_of(std::uint32_t face) const {
@@ -36,29 +102,27 @@ FaceBox FaceTree::box_of(std::uint32_t face) const {
     return box;
 }
 
-void FaceTree::build(std::size_t node, std::uint32_t first, std::uint32_t last) {
-    FaceBox box;
-    for (std::uint32_t i = first; i < last; ++i) box.include(box_of(order_[i]));
-    boxes_[node] = box;
-    if (last - first <= k_leaf_faces) return;
-    const glm::vec3 size = box.high - box.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-    // The face number breaks ties, so the tree is the same on every machine.
-    const auto place = [&](std::uint32_t face) {
-        const FaceBox b = box_of(face);
-        return std::pair(b.low[axis] + b.high[axis], face);
-    };
-    const std::uint32_t middle = middle_of(first, last);
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-    const auto low = [&] { build(2 * node + 1, first, middle); };
-    const auto high = [&] { build(2 * node + 2, middle, last); };
-    if (last - first > k_faces_a_task) {
-        tbb::parallel_invoke(low, high);
-    } else {
-        low();
-        high();
+std::vector<FaceTree::NodePair> FaceTree::node_pairs(std::uint32_t max_faces) const {
+    const Node root{0, 0, static_cast<std::uint32_t>(order_.size())};
+    std::vector<NodePair> done, open{{root, root}};
+    while (!open.empty()) {
+        const auto [a, b] = open.back();
+        open.pop_back();
+        const bool is_same = a.number == b.number;
+        if (!is_same && !boxes_[a.number].meets(boxes_[b.number])) continue;
+        const Node& larger = a.size() >= b.size() ? a : b;
+        if (is_leaf(larger) || larger.size() <= max_faces) {
+            done.push_back({a, b});
+            continue;
+        }
+        const auto [low, high] = children_of(larger);
+        const Node& rest = a.size() >= b.size() ? b : a;
+        if (is_same)
+            open.insert(open.end(), {{low, high}, {high, high}, {low, low}});
+        else
+            open.insert(open.end(), {{high, rest}, {low, rest}});
     }
+    return done;
 }
 
 // The margin is a few hundred times the rounding errors of the tests and of the ends.

@@ -68,11 +68,42 @@ public:
         });
     }
 
-private:
+    /// A range of faces in the order of the tree.
     struct Node {
         std::size_t number;
         std::uint32_t first, last;
+        std::uint32_t size() const noexcept { return last - first; }
     };
+    const FaceBox& box_of(const Node& node) const noexcept { return boxes_[node.number]; }
+    struct NodePair {
+        Node a, b;  ///< The same node twice, or two apart from each other.
+    };
+    /// Pairs of nodes of at most `max_faces` whose boxes meet, such that every pair of faces whose boxes meet is
+    /// in one of them: to share the work of each_leaf_pair() among threads. Their order depends on the mesh alone.
+    std::vector<NodePair> node_pairs(std::uint32_t max_faces) const;
+    /// Calls visit(a, b) for each pair of leaves of the two nodes whose boxes meet, once; and, if the nodes are the
+    /// same, for each leaf and itself. A leaf has at most four faces.
+    template <typename Visit>
+    void each_leaf_pair(const NodePair& nodes, Visit&& visit) const {
+        const auto& [a, b] = nodes;
+        if (a.number == b.number) {
+            if (is_leaf(a)) return visit(a, a);
+            const auto [low, high] = children_of(a);
+            each_leaf_pair({low, low}, visit);
+            each_leaf_pair({high, high}, visit);
+            each_leaf_pair({low, high}, visit);
+            return;
+        }
+        if (!boxes_[a.number].meets(boxes_[b.number])) return;
+        if (is_leaf(a) && is_leaf(b)) return visit(a, b);
+        if (is_leaf(b) || (!is_leaf(a) && a.size() >= b.size())) {
+            for (const Node& child : children_of(a)) each_leaf_pair({child, b}, visit);
+        } else {
+            for (const Node& child : children_of(b)) each_leaf_pair({a, child}, visit);
+        }
+    }
+
+private:
     // A segment, prepared for tests of boxes that are wider than its rounding errors.
     struct Segment {
         Segment(const glm::dvec3& from, const glm::dvec3& to);
@@ -82,6 +113,12 @@ private:
     };
     static constexpr std::uint32_t k_leaf_faces = 4;
 
+    static bool is_leaf(const Node& node) noexcept { return node.size() <= k_leaf_faces; }
+    static std::array<Node, 2> children_of(const Node& node) noexcept {
+        const std::uint32_t middle = middle_of(node.first, node.last);
+        return {
+            {{2 * node.number + 1, node.first, middle}, {2 * node.number + 2, middle, node.last}}};
+    }
     static std::uint32_t middle_of(std::uint32_t first, std::uint32_t last) {
         return first + (last - first) / 2;
     }
@@ -94,18 +131,18 @@ private:
         while (size > 0) {
             const Node node = stack[--size];
             if (is_outside(node)) continue;
-            if (node.last - node.first <= k_leaf_faces) {
+            if (is_leaf(node)) {
                 if (leaf(node)) return true;
                 continue;
             }
-            const std::uint32_t middle = middle_of(node.first, node.last);
-            stack[size++] = {2 * node.number + 2, middle, node.last};
-            stack[size++] = {2 * node.number + 1, node.first, middle};
+            const auto [low, high] = children_of(node);
+            stack[size++] = high;
+            stack[size++] = low;
         }
         return false;
     }
 
-    void build(std::size_t node, std::uint32_t first, std::uint32_t last);
+    class Builder;
 
     const Mesh& mesh_;
     std::vector<std::uint32_t> order_;
