@@ -68,13 +68,14 @@ public:
         });
     }
 
+    static constexpr std::uint32_t k_leaf_faces = 4;  ///< The most.
+
     /// A range of faces in the order of the tree.
     struct Node {
         std::size_t number;
         std::uint32_t first, last;
         std::uint32_t size() const noexcept { return last - first; }
     };
-    const FaceBox& box_of(const Node& node) const noexcept { return boxes_[node.number]; }
     struct NodePair {
         Node a, b;  ///< The same node twice, or two apart from each other.
     };
@@ -82,7 +83,7 @@ public:
     /// in one of them: to share the work of each_leaf_pair() among threads. Their order depends on the mesh alone.
     std::vector<NodePair> node_pairs(std::uint32_t max_faces) const;
     /// Calls visit(a, b) for each pair of leaves of the two nodes whose boxes meet, once; and, if the nodes are the
-    /// same, for each leaf and itself. A leaf has at most four faces.
+    /// same, for each leaf and itself.
     template <typename Visit>
     void each_leaf_pair(const NodePair& nodes, Visit&& visit) const {
         const auto& [a, b] = nodes;
@@ -111,8 +112,6 @@ private:
         glm::dvec3 from, inverse;
         double margin;
     };
-    static constexpr std::uint32_t k_leaf_faces = 4;
-
     static bool is_leaf(const Node& node) noexcept { return node.size() <= k_leaf_faces; }
     static std::array<Node, 2> children_of(const Node& node) noexcept {
         const std::uint32_t middle = middle_of(node.first, node.last);
