@@ -63,6 +63,8 @@ void LineChains::link_best(const LineFrame& frame) {
 void LineChains::make(const LineFrame& frame, const CoveredStretches& covered,
                       const LineOptions& options, LineDrawing& drawing) {
     link(frame);
+    is_smooth_ = options.smooth > 0.0;
+    if (is_smooth_) contour_.begin(frame, options.smooth, options.crease_angle_rad);
     is_done_.assign(frame.lines.size(), 0);
     // Open chains from their ends, then closed ones.
     for (const bool is_closed : {false, true})
@@ -84,6 +86,7 @@ void LineChains::follow(const LineFrame& frame, LineEnd first_end, bool is_close
         if (next == k_no_end || is_done_[next / 2] != 0) break;
         end = next;
     }
+    if (is_smooth_) move_to_contour(options.smooth, is_closed);
     split(is_closed, options);
     add_chain(frame.lines[first_end / 2].kind, is_closed, options, drawing);
 }
@@ -97,6 +100,8 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
     const bool is_orthographic = frame.view->is_orthographic();
     const std::array<glm::dvec3, 2> ends{frame.end_of(frame.lines[line], 0),
                                          frame.end_of(frame.lines[line], 1)};
+    std::array<glm::dvec2, 2> shifts{};
+    if (is_smooth_) shifts = {shift_at(frame, line, 0), shift_at(frame, line, 1)};
     const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
         const double share = flat.share_in_space(share_in_picture, is_orthographic);
         const LineView::Projected seen = frame.view->project(glm::mix(ends[0], ends[1], share));
@@ -109,7 +114,8 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
         points_.push_back({{seen.position, seen.depth, arc},
                            {edge, static_cast<float>(share)},
                            count,
-                           is_covered});
+                           is_covered,
+                           glm::mix(shifts[0], shifts[1], share_in_picture)});
     };
     const std::span<const LineEvent> events = frame.events_of(line);
     const std::span<const CoveredStretch> stretches = covered.of(line);
@@ -153,6 +159,51 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
         if (k > 0) count -= events[k - 1].jump;
     }
     add(0.0, count, false);
+}
+
+// Only silhouettes move, and not where other lines begin.
+glm::dvec2 LineChains::shift_at(const LineFrame& frame, std::uint32_t line, std::size_t end) {
+    const ViewLine& l = frame.lines[line];
+    if (l.kind != LineKind::silhouette || l.is_cut[0] || l.is_cut[1]) return glm::dvec2(0.0);
+    const auto is_drawn = [&](LineEnd e) { return frame.lines[e / 2].is_drawn; };
+    const std::span<const LineEnd> ends = frame.ends_at(frame.nodes[line][end]);
+    if (std::ranges::count_if(ends, is_drawn) != 2) return glm::dvec2(0.0);
+    return contour_.shift_of(l.vertices[end]);
+}
+
+// Points where visibility changes stay, because there the line meets the one that hides it. Towards them the
+// shifts fall to zero over a few times the tolerance.
+void LineChains::move_to_contour(double tolerance, bool is_closed) {
+    const double ramp = 4.0 * tolerance;
+    const std::size_t count = points_.size();
+    shares_of_shift_.assign(count, 1.0);
+    const auto is_fixed = [&](std::size_t i) {
+        if (i == 0 || i + 1 >= count)
+            return !is_closed || (points_.front().count > 0) != (points_[count - 2].count > 0);
+        return (points_[i - 1].count > 0) != (points_[i].count > 0);
+    };
+    const auto pass = [&](auto place_of) {
+        double distance = ramp;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = place_of(k);
+            if (k > 0)
+                distance += std::abs(points_[i].point.arc - points_[place_of(k - 1)].point.arc);
+            if (is_fixed(i)) distance = 0.0;
+            const double share = std::min(distance / ramp, 1.0);
+            shares_of_shift_[i] =
+                std::min(shares_of_shift_[i], share * share * (3.0 - 2.0 * share));
+        }
+    };
+    if (count < 2) return;
+    pass([](std::size_t k) { return k; });
+    pass([&](std::size_t k) { return count - 1 - k; });
+    for (std::size_t i = 0; i < count; ++i) {
+        LinePoint& point = points_[i].point;
+        point.position += shares_of_shift_[i] * points_[i].shift;
+        point.arc = i == 0 ? 0.0
+                           : points_[i - 1].point.arc +
+                                 glm::length(point.position - points_[i - 1].point.position);
+    }
 }
 
 // Sets pieces_: stretches of points_ of one visibility, or of one count.

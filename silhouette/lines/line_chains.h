@@ -13,6 +13,7 @@
 #include "silhouette/lines/line_drawing.h"
 #include "silhouette/lines/line_frame.h"
 #include "silhouette/lines/line_options.h"
+#include "silhouette/lines/smooth_contour.h"
 
 namespace rimline {
 
@@ -30,6 +31,7 @@ private:
         LineSource source;
         std::int32_t count;  // Invisibility up to the next point.
         bool is_covered;     // Up to the next point: drawn by another line.
+        glm::dvec2 shift;    // Of LineOptions::smooth.
     };
     // Points [first, last] of a chain.
     struct Piece {
@@ -44,6 +46,8 @@ private:
     void follow(const LineFrame& frame, LineEnd first_end, bool is_closed,
                 const CoveredStretches& covered, const LineOptions& options, LineDrawing& drawing);
     void add_line(const LineFrame& frame, LineEnd entered_at, const CoveredStretches& covered);
+    glm::dvec2 shift_at(const LineFrame& frame, std::uint32_t line, std::size_t end);
+    void move_to_contour(double tolerance, bool is_closed);
     void split(bool is_closed, const LineOptions& options);
     void rotate_to_change(const LineOptions& options);
     void bridge(bool is_closed, double gap);
@@ -53,7 +57,10 @@ private:
     std::vector<std::uint8_t> is_done_;
     std::vector<LineEnd> ends_;
     std::vector<glm::dvec2> ways_;
+    SmoothContour contour_;
+    bool is_smooth_ = false;
     std::vector<ChainPoint> points_, rotated_;
+    std::vector<double> shares_of_shift_;
     std::vector<Piece> pieces_;
 };
 

@@ -10,6 +10,7 @@
 #include "silhouette/lines/line_geometry.h"
 #include "silhouette/lines/line_graph.h"
 #include "silhouette/lines/line_strokes.h"
+#include "silhouette/lines/line_stubble.h"
 #include "silhouette/lines/local_rule.h"
 
 namespace rimline {
@@ -24,6 +25,7 @@ struct LineDrawer::State {
     CoveredStretches covered;
     LineChains chains;
     LineStrokes strokes;
+    LineStubble stubble;
     LineDrawing drawing;
 };
 
@@ -58,6 +60,7 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     if (!options.keeps_coincident) state_->coincident.find(frame, state_->covered);
     state_->chains.make(frame, state_->covered, options, drawing);
     state_->strokes.join(options, drawing);
+    if (options.stubble > 0.0) state_->stubble.remove(*frame.surface, options, drawing);
 
     for (const ViewLine& line : frame.lines) frame.report.lines += line.is_drawn ? 1 : 0;
     drawing.report = frame.report;

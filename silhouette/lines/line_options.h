@@ -17,7 +17,10 @@ struct LineOptions {
     /// other than this and go on in one direction are one stroke.
     double gap = 0.0;
     double min_length = 0.0;  ///< Shorter chains are left out.
-    double simplify = 0.0;    ///< Points are left out where the line moves by at most this.
+    double stubble = 0.0;  ///< Shorter strokes are left out where they are noise (line_stubble.h).
+    /// Silhouettes move by at most this to the contour of the smooth surface (smooth_contour.h).
+    double smooth = 0.0;
+    double simplify = 0.0;  ///< Points are left out where the line moves by at most this.
     /// Runs end where LineRun::hidden_by changes, not only where visibility does.
     bool splits_counts = false;
     bool keeps_coincident =

@@ -293,7 +293,7 @@ void check_run(const LineOracle& oracle, const Mesh& mesh, const LineView& view,
 }  // namespace
 
 LineOptions checkable(LineOptions options) {
-    options.gap = options.min_length = options.simplify = 0.0;
+    options.gap = options.min_length = options.stubble = options.smooth = options.simplify = 0.0;
     options.splits_counts = options.keeps_coincident = true;
     return options;
 }

@@ -176,6 +176,10 @@ private:
             throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
     }
 
+    static bool has_curves(DrawingFormat format) {
+        return format == DrawingFormat::svg || format == DrawingFormat::pdf;
+    }
+
     std::vector<LineCamera> make_cameras(const Mesh& mesh) const {
         if (views_.empty()) return {camera_.make_camera(model_.model, mesh)};
         std::vector<LineCamera> cameras;
@@ -236,6 +240,7 @@ private:
 
             PageLineOptions page_options{.min_length_mm = lines_.min_length_mm,
                                          .simplify_mm = has_edges ? lines_.simplify_mm : 0.0,
+                                         .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
                                          .frame = {},
                                          .mesh = has_edges ? &mesh : nullptr};
             if (lines_.hidden_by > 0) page_options.hidden_by = lines_.hidden_by;

@@ -36,8 +36,22 @@ void DrawnLines::add_to(CLI::App& app) {
         ->group(k_group);
     add_number(app, "--min-length", min_length_mm, 0.0, 1000.0, "Leave out shorter lines")
         ->group(k_group);
+    add_number(
+        app, "--stubble", stubble_mm, 0.0, 1000.0,
+        "Leave out visible lines shorter than this, and creases shorter than four times this, "
+        "where they bend no more than the mesh around them or lie within --gap of a longer "
+        "line")
+        ->group(k_group);
+    add_number(app, "--smooth", smooth_mm, 0.0, 100.0,
+               "Move silhouettes by at most this to the contour of the smooth surface; 0: the "
+               "edges of the mesh")
+        ->group(k_group);
     add_number(app, "--simplify", simplify_mm, 0.0, 100.0,
                "Leave out points where the line moves by at most this")
+        ->group(k_group);
+    add_number(
+        app, "--curve", curve_mm, 0.0, 100.0,
+        "SVG, PDF: fit Bézier curves that leave the line by at most this; 0: straight pieces")
         ->group(k_group);
     add_number(app, "--width", width_mm, 0.001, 100.0, "Width of visible lines")->group(k_group);
     add_number(app, "--hidden-width", hidden_width_mm, 0.001, 100.0, "Width of hidden lines")
@@ -52,6 +66,8 @@ LineOptions DrawnLines::line_options(double mm_per_unit) const {
             .crease_angle_rad = static_cast<float>(glm::radians(crease_degrees)),
             .gap = gap_mm / mm_per_unit,
             .min_length = min_length_mm / mm_per_unit,
+            .stubble = stubble_mm / mm_per_unit,
+            .smooth = smooth_mm / mm_per_unit,
             .simplify = simplify_mm / mm_per_unit,
             .splits_counts = hidden_by > 0,
             .keeps_coincident = keeps_coincident};

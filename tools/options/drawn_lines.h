@@ -18,7 +18,10 @@ struct DrawnLines {
     std::uint32_t hidden_by = 0;  ///< 0: any number of faces.
     double gap_mm = 0.5;
     double min_length_mm = 1.0;
-    double simplify_mm = 0.05;
+    double stubble_mm = 4.0;
+    double smooth_mm = 0.15;  ///< Less than half the width of a line.
+    double simplify_mm = 0.02;
+    double curve_mm = 0.05;
     double width_mm = 0.35;
     double hidden_width_mm = 0.18;
     bool keeps_coincident = false;

@@ -71,13 +71,23 @@ void append_pdf_layer(std::string& text, const PageDrawing& drawing, bool is_hid
         text += "1 J " + (is_hidden ? pdf_number(k_hidden_gray / 255.0) : "0") + " G\n";
     for (const PageLine& line : drawing.lines) {
         if (line.is_hidden != is_hidden) continue;
-        const char* operation = " m\n";
-        for (const glm::dvec2& p : line.points) {
+        const auto add = [&](const glm::dvec2& p, const char* operation) {
             append_decimals(text, p.x);
             text += ' ';
             append_decimals(text, drawing.size_mm.y - p.y);
             text += operation;
-            operation = " l\n";
+        };
+        add(line.points[0], " m\n");
+        if (line.curves.empty()) {
+            for (std::size_t i = 1; i < line.points.size(); ++i) add(line.points[i], " l\n");
+        } else {
+            for (const CurvePiece& piece : line.curves) {
+                if (!piece.is_straight) {
+                    add(piece.control_1, " ");
+                    add(piece.control_2, " ");
+                }
+                add(piece.end, piece.is_straight ? " l\n" : " c\n");
+            }
         }
         text += line.is_closed ? "s\n" : "S\n";
     }

@@ -33,6 +33,7 @@ private:
         append_decimals(text_, value);
         return *this;
     }
+    SvgWriter& add(const glm::dvec2& point) { return add(point.x).add(",").add(point.y); }
     SvgWriter& add_escaped(std::string_view plain) {
         for (const char c : plain) {
             if (c == '<')
@@ -90,8 +91,21 @@ private:
 
     void add_path(const PageLine& line) {
         add("<path d=\"M");
-        for (std::size_t i = 0; i < line.points.size(); ++i)
-            add(i > 0 ? " " : "").add(line.points[i].x).add(",").add(line.points[i].y);
+        if (line.curves.empty()) {
+            for (std::size_t i = 0; i < line.points.size(); ++i)
+                add(i > 0 ? " " : "").add(line.points[i]);
+        } else {
+            add(line.points[0]);
+            char command = 'M';
+            for (const CurvePiece& piece : line.curves) {
+                const char next = piece.is_straight ? 'L' : 'C';
+                // The same command again need not be said.
+                text_ += next == command ? ' ' : next;
+                command = next;
+                if (!piece.is_straight) add(piece.control_1).add(" ").add(piece.control_2).add(" ");
+                add(piece.end);
+            }
+        }
         if (line.is_closed) add("Z");
         if (drawing_.has_sources) {
             add("\" data-chain=\"");

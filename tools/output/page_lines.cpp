@@ -154,11 +154,14 @@ private:
                       .is_hidden = is_hidden,
                       .is_closed = is_closed && points_.size() > 2,
                       .points = points_,
+                      .curves = {},
                       .chains = chains_,
                       .edges = {}};
         points_.clear();
         if (line.points.size() < 2 || (is_hidden && line.length_mm() < options_.min_length_mm))
             return;
+        if (options_.curve_mm > 0.0)
+            line.curves = fit_curves(line.points, line.is_closed, options_.curve_mm);
         for (const EdgeId edge : edges_) {
             const auto& [v, w] = options_.mesh->edge(edge).vertices;
             line.edges.push_back({options_.mesh->file_vertex(v), options_.mesh->file_vertex(w)});

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "silhouette/lines/curve_fit.h"
 #include "silhouette/lines/line_drawing.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/output/drawing_page.h"
@@ -23,6 +24,8 @@ struct PageLine {
     bool is_closed;  ///< The last point goes on to the first.
     std::vector<glm::dvec2>
         points;  ///< In mm, y downwards. At least two, and no two equal ones in a row.
+    /// If not empty, curves in place of the points from points[0] on, and back to it if closed.
+    std::vector<CurvePiece> curves;
     std::vector<std::uint32_t> chains;
     /// As pairs of the file's vertices, in the order of the line. Empty unless asked for.
     std::vector<std::array<std::uint32_t, 2>> edges;
@@ -40,6 +43,7 @@ struct PageLineOptions {
     double min_length_mm = 0.0;             ///< Shorter hidden lines are left out.
     /// Points are left out where the line moves by at most this. For drawings whose runs have all points.
     double simplify_mm = 0.0;
+    double curve_mm = 0.0;  ///< Greater than 0: curves that leave the points by at most this.
     std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
     const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.
 };
