@@ -16,9 +16,9 @@ constexpr LineGoals k_line_goals[] = {
     {k_igea_faces, 8.0, 4.0, 16.0, 80.0},
     {k_large_faces, 30.0, 15.0, 0.0, 0.0},
 };
-// The rays find neither the pieces nor chains; a drawing that takes as long does more.
-constexpr double k_over_rays = 1.0;
-constexpr double k_over_rays_aim = 2.0;
+// The rays find neither the pieces nor chains, so a drawing may take longer.
+constexpr double k_rays_over_drawing = 0.5;
+constexpr double k_rays_over_drawing_aim = 1.0;
 
 }  // namespace
 
@@ -30,8 +30,8 @@ std::vector<Target> targets_of(const LinesResult& result) {
     if (!result.rays.empty())
         targets.push_back({.what = "a ray a piece over drawing",
                            .value = result.ratio_to_rays(),
-                           .reach = k_over_rays,
-                           .aim = k_over_rays_aim});
+                           .reach = k_rays_over_drawing,
+                           .aim = k_rays_over_drawing_aim});
     const auto time_at_most = [&](const char* what, double ms, double reach, double aim) {
         if (reach > 0.0) targets.push_back({what, ms, reach, aim, true, true, " ms"});
     };
