@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <functional>
 #include <limits>
 
 #include "silhouette/lines/line_drawer.h"
@@ -28,6 +29,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::array<const char*, 3> k_ray_names{
     "own faces left out", "own faces left out, shortened by 0.001", "one-ring left out"};
+
+// Other programs compute with floats.
+constexpr double k_other_reach = 1e-4;
 
 double clock_ms(const std::function<void()>& step) {
     const Clock::time_point start = Clock::now();
@@ -106,6 +110,20 @@ public:
         result.drawing_ms = alone.median_ms();
         result.parallel_ms = parallel_ms / static_cast<double>(views_.size());
         result_.threads = result;
+    }
+
+    void compare_with_others() {
+        for (const OtherLines& lines : other_lines(mesh_, views_.front().view, context_)) {
+            OtherResult& result = result_.others.emplace_back();
+            result.method = lines.method;
+            result.skipped = lines.skipped;
+            if (!lines.skipped.empty()) continue;
+            result.ms = lines.ms;
+            result.ratio = lines.ms / result_.drawing.ms.front();
+            if (!lines.segments.empty())
+                result.errors =
+                    compare_lines(pieces_.front(), lines.segments, k_other_reach * mesh_.radius());
+        }
     }
 
 private:
@@ -220,6 +238,7 @@ LinesResult bench_lines(const std::string& model, const Mesh& mesh,
     bench.check();
     if (!result.difference.empty()) return result;
     bench.time();
+    if (options.measures_others) bench.compare_with_others();
     if (options.measures_threads) bench.time_on_threads();
     if (options.measures_whole)
         result.whole = time_whole_drawing(model, mesh, options.rounds, context);

@@ -18,6 +18,7 @@
 #include "silhouette/lines/line_oracle.h"
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/bench/other_lines.h"
 #include "tools/bench/whole_drawing.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
@@ -32,6 +33,7 @@ struct LinesBenchOptions {
     LineSurface::Contacts contacts = LineSurface::Contacts::found;
     bool measures_threads = true;
     bool measures_whole = true;
+    bool measures_others = true;  ///< Other programs, where they are installed.
 };
 
 /// Milliseconds of each view.
@@ -45,6 +47,15 @@ struct RayResult {
     std::string name;
     ViewTimes times;
     double wrong_share = 0.0;  ///< Of the length of all pieces, where the drawing differs.
+};
+
+/// Another program, at the first view.
+struct OtherResult {
+    std::string method;
+    std::string skipped;  ///< The reason why there are no figures; else empty.
+    double ms = 0.0;
+    double ratio = 0.0;                 ///< Over the drawing of the same view.
+    std::optional<OtherErrors> errors;  ///< Not set for a program that gives only its time.
 };
 
 /// On all threads of oneTBB, by the clock.
@@ -70,6 +81,7 @@ struct LinesResult {
     ViewTimes extraction;  ///< Of the silhouette, by brute force. Not a part of the drawing.
     ViewTimes drawing;
     std::vector<RayResult> rays;  ///< By RayWay; empty where missing.
+    std::vector<OtherResult> others;
     std::optional<ThreadsResult> threads;
     std::optional<WholeResult> whole;
 

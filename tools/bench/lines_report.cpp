@@ -37,6 +37,20 @@ void print_work(const LinesResult& result) {
                 printable(work.checks), printable(work.failed_checks), work.lines_by_rays);
 }
 
+void print_other(const OtherResult& other) {
+    if (!other.skipped.empty()) {
+        std::printf("  %s: skipped, %s\n", other.method.c_str(), other.skipped.c_str());
+        return;
+    }
+    std::printf("  %s, first view: %.1f ms, %.1fx; wrong length ", other.method.c_str(), other.ms,
+                other.ratio);
+    if (other.errors)
+        std::printf("%.3f%%, not drawn %.3f%%\n", 100.0 * other.errors->wrong_share,
+                    100.0 * other.errors->missing_share);
+    else
+        std::printf("not measured\n");
+}
+
 void print_threads(const ThreadsResult& threads, double drawing_ms) {
     std::printf(
         "  %u threads, by the clock: one drawing %.2f ms, %.2fx; drawings in parallel %.2f ms "
@@ -84,6 +98,7 @@ void print_result(const LinesResult& result) {
         std::printf("  a ray a piece: skipped, %s\n", PieceRays::missing().data());
     else
         std::printf("  %.0f rays a view\n", result.a_view(result.pieces));
+    for (const OtherResult& other : result.others) print_other(other);
     if (result.threads) print_threads(*result.threads, result.drawing.median_ms());
     if (result.whole) print_whole(*result.whole);
     std::printf("\n");
@@ -131,6 +146,21 @@ nlohmann::ordered_json to_json(const LinesResult& result) {
         object["rays"] = {{"skipped", PieceRays::missing()}};
     else
         object["rays"] = std::move(rays);
+    nlohmann::ordered_json others = nlohmann::ordered_json::array();
+    for (const OtherResult& other : result.others) {
+        nlohmann::ordered_json& row = others.emplace_back();
+        row["method"] = other.method;
+        if (!other.skipped.empty()) {
+            row["skipped"] = other.skipped;
+            continue;
+        }
+        row["ms"] = other.ms;
+        row["ratio"] = other.ratio;
+        if (!other.errors) continue;
+        row["wrong_share"] = other.errors->wrong_share;
+        row["missing_share"] = other.errors->missing_share;
+    }
+    if (!others.empty()) object["others"] = std::move(others);
     if (const auto& threads = result.threads)
         object["threads"] = {{"threads", threads->threads},
                              {"drawing_ms", threads->drawing_ms},

@@ -1,10 +1,11 @@
 """rimline bench lines."""
 import json
 import os
+import shutil
 
 from program import fail, run, succeed
 
-LINES_FEW = ("--views", "3", "--rounds", "1")
+LINES_FEW = ("--views", "3", "--rounds", "1", "--no-others")
 RAYS = ["own faces left out", "own faces left out, shortened by 0.001", "one-ring left out"]
 
 
@@ -47,18 +48,35 @@ def test_bench_lines_ends_with_status_3_exactly_when_a_ratio_is_missed():
     missed = [target["target"] for target in targets if not target["reached"]]
     assert result.returncode == (3 if missed else 0), (targets, result.stderr)
     # Without models of one's own there are built-in ones.
-    assert "shape:" in run("bench", "lines", "--views", "1", "--rounds", "1",
+    assert "shape:" in run("bench", "lines", "--views", "1", "--rounds", "1", "--no-others",
                            env={**os.environ, "RIMLINE_MODELS": ""}).stdout
 
 
+def test_bench_lines_compares_with_other_programs_where_they_are_installed():
+    (model,) = succeed("bench", "lines", "shape:knot:5000", "--views", "1", "--rounds", "1")["models"]
+    has_blender = shutil.which("blender") is not None
+    assert len(model["others"]) == 2 + has_blender
+    for other in model["others"]:
+        if "skipped" in other:
+            assert not (has_blender and other["method"] == "Blender")
+            continue
+        assert other["ms"] > 0 and other["ratio"] > 0
+        if other["method"].startswith("OCCT"):
+            assert "wrong_share" not in other
+            continue
+        # They draw the same lines, nearly all of them right.
+        assert 0 <= other["wrong_share"] < 0.05 and 0 <= other["missing_share"] < 0.05, other
+    assert "others" not in succeed("bench", "lines", "shape:knot:2000", *LINES_FEW)["models"][0]
+
+
 def test_bench_lines_follows_the_growth_of_a_shape():
-    growth = succeed("bench", "lines", "--growth", *LINES_FEW, "--least-faces", "1000", "--most-faces",
+    growth = succeed("bench", "lines", "--growth", *LINES_FEW[:-1], "--least-faces", "1000", "--most-faces",
                      "3000")["growth"]
     assert growth["model"] == "shape:knot" and len(growth["sizes"]) == 2
     for size in growth["sizes"]:
         assert size["verified"] is True and size["peak_bytes"] > 0 and "whole" not in size
         check_view_times(size["drawing"])
-    table = run("bench", "lines", "shape:knot", "--growth", *LINES_FEW, "--least-faces", "1000",
+    table = run("bench", "lines", "shape:knot", "--growth", *LINES_FEW[:-1], "--least-faces", "1000",
                 "--most-faces", "1000")
     assert table.returncode == 0 and "drawing ms" in table.stdout
     assert "--least-faces: belongs to --growth" in fail(2, "bench", "lines", "--least-faces", "10")
