@@ -26,6 +26,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 #include <map>
@@ -94,7 +95,6 @@ public:
         builder_.Add(shell_, face);
     }
 
-    void close() { shell_.Closed(true); }
     const TopoDS_Shell& shell() const { return shell_; }
 
 private:
@@ -146,7 +146,6 @@ int main() {
 
     const auto start = std::chrono::steady_clock::now();
     Handle(HLRBRep_PolyAlgo) algorithm = new HLRBRep_PolyAlgo();
-    mesh.close();
     algorithm->Load(mesh.shell());
     algorithm->Projector(projector);
     algorithm->Update();
