@@ -107,8 +107,9 @@ private:
         std::string difference;
         for (const std::string& model :
              models_.named().empty() ? usual_models() : models_.named()) {
-            const Mesh mesh = load_suite_mesh(model, models_.subdivide(), heading, context);
+            const Mesh mesh = load_mesh(model, models_.subdivide(), context);
             check_has_extent(model, mesh);
+            heading.print(context);
             const LinesResult result =
                 about_model(model, [&] { return bench_lines(model, mesh, options_, context); });
             std::vector<Target> targets;

@@ -2,8 +2,9 @@
 import json
 import os
 import shutil
+import tempfile
 
-from program import fail, run, succeed
+from program import TRIANGLE, fail, run, succeed, write_faces
 
 LINES_FEW = ("--views", "3", "--rounds", "1", "--no-others")
 RAYS = ["own faces left out", "own faces left out, shortened by 0.001", "one-ring left out"]
@@ -81,3 +82,13 @@ def test_bench_lines_follows_the_growth_of_a_shape():
     assert table.returncode == 0 and "drawing ms" in table.stdout
     assert "--least-faces: belongs to --growth" in fail(2, "bench", "lines", "--least-faces", "10")
     assert "--check: not together with --growth" in fail(2, "bench", "lines", "--growth", "--check")
+
+
+def test_bench_lines_takes_models_of_one_face_and_refuses_what_is_one_point():
+    with tempfile.TemporaryDirectory() as folder:
+        point = write_faces(os.path.join(folder, "point.obj"), ((1, 2, 3),) * 3)
+        assert point + ": its radius is 0" in fail(1, "bench", "lines", point)
+        one = write_faces(os.path.join(folder, "one.obj"), TRIANGLE)
+        line = write_faces(os.path.join(folder, "line.obj"), ((0, 0, 0), (0, 1, 0), (0, 2, 0)))
+        for path in (one, line):
+            assert succeed("bench", "lines", path, *LINES_FEW)["models"][0]["counters"]["lines"] == 9
