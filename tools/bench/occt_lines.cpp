@@ -1,9 +1,9 @@
 // rimline_occt_lines: the lines of a mesh by HLRBRep_PolyAlgo of Open CASCADE, for `rimline bench lines`.
 //
 // Reads what blender_lines.py reads from standard input, and prints the same line, without segments. Each triangle
-// becomes a planar face that shares its edges with its neighbors. PolyAlgo has no outlines of such a shape, so it
-// hides all edges. What it says of them depends on the order of the corners, which visibility does not; so only
-// its time is compared.
+// becomes a planar face that shares its edges with its neighbors. PolyAlgo marks no outlines of such a shape, so it
+// hides all edges. What it says of them depends on the order of the corners, which visibility does not. Whether the
+// shape or PolyAlgo is at fault is not known, so only its time is compared.
 
 #include <BRep_Builder.hxx>
 #include <Geom_Line.hxx>
