@@ -4,39 +4,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "tools/bench/growth_sizes.h"
 #include "tools/bench/machine.h"
 #include "tools/options/model_argument.h"
 
 namespace rimline::tools {
 
 namespace {
-
-// Models to load, smallest first.
-struct Size {
-    std::string model;
-    std::uint32_t subdivide;
-};
-
-std::vector<Size> shape_sizes(const std::string& model, const GrowthOptions& options) {
-    const std::string shape = model.substr(0, model.find(':', model.find(':') + 1));
-    std::vector<Size> sizes;
-    for (std::uint64_t decade = 1; decade <= options.max_faces; decade *= 10)
-        for (const std::uint64_t faces : {decade, 3 * decade})
-            if (faces >= options.min_faces && faces <= options.max_faces)
-                sizes.push_back({shape + ":" + std::to_string(faces), 0});
-    return sizes;
-}
-
-std::vector<Size> subdivisions(const std::string& model, const GrowthOptions& options,
-                               const Context& context) {
-    const std::uint64_t faces =
-        load_model(model, 0, FaceRequirement::faces, context).triangles.size();
-    std::vector<Size> sizes;
-    std::uint32_t subdivide = 0;
-    for (std::uint64_t n = faces; n <= options.max_faces; n *= 4, ++subdivide)
-        if (n >= options.min_faces) sizes.push_back({model, subdivide});
-    return sizes;
-}
 
 double ratio_of(const CaseResult& c) { return ratio(c.methods[1], c.methods[0]); }
 
@@ -67,15 +41,9 @@ void print_overtaking(const std::vector<GrowthStep>& steps, CaseResult ModelResu
 std::vector<GrowthStep> bench_growth(const std::string& model, const GrowthOptions& options,
                                      const std::function<void(const GrowthStep&)>& on_step,
                                      const Context& context) {
-    const std::vector<Size> sizes = model.starts_with("shape:")
-                                        ? shape_sizes(model, options)
-                                        : subdivisions(model, options, context);
-    if (sizes.empty())
-        throw UsageError("--growth: " + model + " has no size from " +
-                         std::to_string(options.min_faces) + " to " +
-                         std::to_string(options.max_faces) + " faces");
     std::vector<GrowthStep> steps;
-    for (const Size& size : sizes) {
+    for (const GrowthSize& size :
+         growth_sizes(model, options.min_faces, options.max_faces, context)) {
         const Mesh mesh = load_mesh(size.model, size.subdivide, context);
         GrowthStep step;
         step.result = about_model(

@@ -26,9 +26,7 @@ struct GrowthStep {
     std::uint64_t peak_bytes = 0;  ///< The peak memory of the program so far.
 };
 
-/// For shape:NAME, with FACES or without, takes sizes of 1, 3, 10, 30, .. thousand in the range, as near as
-/// the shape allows. For a file, takes the file and its subdivisions in the range. Calls `on_step` after
-/// each. Stops after a step with wrong results. Throws UsageError where the range has no size.
+/// At growth_sizes(), whose errors it throws. Calls `on_step` after each. Stops after a step with wrong results.
 std::vector<GrowthStep> bench_growth(const std::string& model, const GrowthOptions& options,
                                      const std::function<void(const GrowthStep&)>& on_step,
                                      const Context& context);

@@ -1,5 +1,6 @@
 #include "tools/bench/machine.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <cstdio>
@@ -49,6 +50,11 @@ std::uint64_t peak_resident_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return 1024 * static_cast<std::uint64_t>(usage.ru_maxrss);
+}
+
+std::uint64_t heap_bytes() {
+    const struct mallinfo2 heap = mallinfo2();
+    return heap.uordblks + heap.hblkhd;
 }
 
 }  // namespace rimline::tools

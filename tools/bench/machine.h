@@ -23,5 +23,8 @@ nlohmann::ordered_json to_json(const BenchMachine& machine);
 
 /// The peak memory of this process so far, as the system counts it.
 std::uint64_t peak_resident_bytes();
+/// The memory that this process holds on the heap now. 0 where the C library does not count it, as with the
+/// address sanitizer's.
+std::uint64_t heap_bytes();
 
 }  // namespace rimline::tools

@@ -10,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <thread>
+#include <vector>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has no header for it.
 
@@ -24,7 +25,7 @@ constexpr std::chrono::milliseconds k_moment{5};
 // A running program. The destructor ends it.
 class Child {
 public:
-    Child(const char* python, const char* script, int input) {
+    Child(std::span<const char* const> arguments, int input) {
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0) return;
         output_ = ends[0];
@@ -43,9 +44,10 @@ public:
         sigaddset(&termination, SIGTERM);
         posix_spawnattr_setsigdefault(&attributes, &termination);
         posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-        const std::array<const char*, 4> arguments{python, "-c", script, nullptr};
-        if (posix_spawnp(&id_, python, &actions, &attributes,
-                         const_cast<char* const*>(arguments.data()), environ) != 0)
+        std::vector<const char*> ended(arguments.begin(), arguments.end());
+        ended.push_back(nullptr);
+        if (posix_spawnp(&id_, ended.front(), &actions, &attributes,
+                         const_cast<char* const*>(ended.data()), environ) != 0)
             id_ = -1;
         posix_spawnattr_destroy(&attributes);
         posix_spawn_file_actions_destroy(&actions);
@@ -101,11 +103,15 @@ private:
 
 std::optional<std::string> run_python(const char* script, ScriptInput& input,
                                       const Context& context) {
-    for (const char* python : k_pythons) {
-        lseek(fileno(input.file()), 0, SEEK_SET);
-        if (auto text = Child(python, script, fileno(input.file())).output(context)) return text;
-    }
+    for (const char* python : k_pythons)
+        if (auto text = run_program(std::array{python, "-c", script}, input, context)) return text;
     return std::nullopt;
+}
+
+std::optional<std::string> run_program(std::span<const char* const> arguments, ScriptInput& input,
+                                       const Context& context) {
+    lseek(fileno(input.file()), 0, SEEK_SET);
+    return Child(arguments, fileno(input.file())).output(context);
 }
 
 }  // namespace rimline::tools

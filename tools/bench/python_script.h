@@ -1,10 +1,11 @@
 #pragma once
 
-// Runs Python scripts, for libraries that Debian packages for Python.
+// Runs Python scripts, for libraries that Debian packages for Python, and other programs.
 
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "tools/command.h"
@@ -39,5 +40,10 @@ private:
 /// Python. Throws Error{cancelled} after ending the script.
 std::optional<std::string> run_python(const char* script, ScriptInput& input,
                                       const Context& context);
+
+/// Runs a program of the path, the first of its `arguments`, in the same way. Returns nothing where it does not end
+/// with status 0 or is not there.
+std::optional<std::string> run_program(std::span<const char* const> arguments, ScriptInput& input,
+                                       const Context& context);
 
 }  // namespace rimline::tools

@@ -14,5 +14,6 @@ std::unique_ptr<Command> make_engine_suite();
 std::unique_ptr<Command> make_fields_suite();
 std::unique_ptr<Command> make_views_suite();
 std::unique_ptr<Command> make_points_suite();
+std::unique_ptr<Command> make_lines_suite();
 
 }  // namespace rimline::tools

@@ -33,6 +33,17 @@ TEST_CASE("a script that fails has no output whatever it has printed") {
     CHECK_FALSE(run_python("import sys\nprint('half')\nsys.exit(77)", input, {}));
 }
 
+TEST_CASE("a program reads its input from the beginning; one that fails gives nothing") {
+    ScriptInput input;
+    input.add(std::string("text"));
+    REQUIRE(input.is_complete());
+    const Context quiet{.json = false, .stop = {}};
+    for (int time = 0; time < 2; ++time)
+        CHECK(run_program(std::array{"cat"}, input, quiet) == "text");
+    CHECK_FALSE(run_program(std::array{"sh", "-c", "cat; exit 1"}, input, quiet).has_value());
+    CHECK_FALSE(run_program(std::array{"rimline-no-such-program"}, input, quiet).has_value());
+}
+
 // Runs what makes the file, and cancels it then.
 void cancel_when_made(const std::filesystem::path& made, const std::string& script) {
     std::stop_source stop;
