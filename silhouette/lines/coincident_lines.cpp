@@ -14,11 +14,28 @@ constexpr std::uint32_t k_no_stretch = 0xffffffffu;
 // Seen from the eye, and not from the point beside it, lines coincide that are so near to each other from there.
 constexpr double k_shifts = 4.0;
 
+// The direction of a line, of which both ways are one: half a turn has 2^16 steps, which are at least as dense as
+// angles of pi / 2^16 are, and at most twice as dense.
+std::uint16_t direction_of(glm::dvec2 way) {
+    if (way.y < 0.0) way = -way;
+    const double share = way.y / (std::abs(way.x) + way.y);  // Of a quarter turn.
+    return static_cast<std::uint16_t>(
+        static_cast<std::uint32_t>(0x8000 * (way.x < 0.0 ? 2.0 - share : share)));
+}
+
+// The sine of the turn is at most twice the tolerance over the length. Two steps are for rounding.
+std::uint16_t most_turn_of(double length, double tolerance) {
+    const double sine = 2.0 * tolerance / std::max(length, 1e-300);
+    return static_cast<std::uint16_t>(sine < 0.1 ? 0x8800 * sine + 2.0 : 0x8000);
+}
+
 }  // namespace
 
 void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
     covered.clear();
     if (frame.lines.empty()) return;
+    const double tolerance = k_shifts * LineView::k_shift *
+                             (frame.view->is_orthographic() ? frame.surface->mesh().radius() : 1.0);
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
     double length = 0.0;
     stretches_.clear();
@@ -31,10 +48,19 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
             if (end <= begin) return;
             const glm::dvec2 from = glm::mix(flat.ends[0], flat.ends[1], begin);
             const glm::dvec2 to = glm::mix(flat.ends[0], flat.ends[1], end);
-            stretches_.push_back({i, {from, to}, begin, end, count > 0});
+            const glm::dvec2 way = to - from;
+            const double own_length = glm::length(way);
+            stretches_.push_back({i,
+                                  {from, to},
+                                  begin,
+                                  end,
+                                  count > 0,
+                                  own_length,
+                                  own_length > tolerance ? direction_of(way) : std::uint16_t{0},
+                                  most_turn_of(own_length, tolerance)});
             low = glm::min(low, glm::min(from, to));
             high = glm::max(high, glm::max(from, to));
-            length += glm::length(to - from);
+            length += own_length;
         };
         for (const LineEvent& event : frame.events_of(i)) {
             if ((count > 0) != (count + event.jump > 0)) {
@@ -46,32 +72,36 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
         add(1.0);
     }
     if (stretches_.empty()) return;
-    const double tolerance = k_shifts * LineView::k_shift *
-                             (frame.view->is_orthographic() ? frame.surface->mesh().radius() : 1.0);
     const double size = double(stretches_.size());
     grid_.reset(low, high,
-                std::max({length / size, 4.0 * tolerance,
-                          std::sqrt((high.x - low.x) * (high.y - low.y) / (8.0 * size))}));
+                std::max({0.5 * length / size, 4.0 * tolerance,
+                          0.5 * std::sqrt((high.x - low.x) * (high.y - low.y) / (8.0 * size))}));
     for (std::uint32_t i = 0; i < stretches_.size(); ++i)
         grid_.add(i, stretches_[i].ends[0], stretches_[i].ends[1]);
     grid_.finish();
+    const PictureSteps steps(low, high);
     boxes_.clear();
-    for (const std::uint32_t i : grid_.all_segments())
-        boxes_.push_back(
-            {PictureBox::around(stretches_[i].ends[0], stretches_[i].ends[1], tolerance), i});
+    for (const std::uint32_t i : grid_.all_segments()) {
+        const Stretch& stretch = stretches_[i];
+        boxes_.push_back({steps.box(stretch.ends[0], stretch.ends[1], tolerance), i,
+                          stretch.direction, stretch.most_turn});
+    }
 
     tested_.assign(stretches_.size(), k_no_stretch);
     found_.clear();
     for (std::uint32_t i = 0; i < stretches_.size(); ++i) {
         const Stretch& own = stretches_[i];
-        const glm::dvec2 way = own.ends[1] - own.ends[0];
-        const double own_length = glm::length(way);
+        const double own_length = own.length;
         if (own_length <= tolerance) {  // Seen end-on: a point.
             found_.push_back({own.line, own.begin, own.end});
             continue;
         }
-        const glm::dvec2 along = way / own_length;
-        const PictureBox box = PictureBox::around(own.ends[0], own.ends[1], 0.0);
+        const glm::dvec2 along = (own.ends[1] - own.ends[0]) / own_length;
+        const PictureQuery box = steps.query(own.ends[0], own.ends[1]);
+        const auto may_be_parallel = [direction = own.direction](const Box& other) {
+            const auto turn = static_cast<std::int16_t>(other.direction - direction);
+            return std::abs(int{turn}) <= int{other.most_turn};
+        };
         const auto visit = [&](std::uint32_t j) {
             const Stretch& other = stretches_[j];
             if (tested_[j] == i || other.line == own.line) return;
@@ -97,7 +127,8 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
         grid_.each_cell(own.ends[0], own.ends[1], [&](std::uint32_t cell) {
             const std::uint32_t end = grid_.begin_of(cell + 1);
             for (std::uint32_t k = grid_.begin_of(cell); k < end; ++k)
-                if (boxes_[k].area.meets(box)) visit(boxes_[k].stretch);
+                if (may_meet(boxes_[k].area, box) && may_be_parallel(boxes_[k]))
+                    visit(boxes_[k].stretch);
         });
     }
     if (found_.empty()) return;

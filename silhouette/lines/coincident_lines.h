@@ -51,10 +51,14 @@ private:
         std::array<glm::dvec2, 2> ends;
         double begin, end;
         bool is_hidden;
+        double length;  // In the picture.
+        // Its direction, and how far that of a line may be from it that passes within the tolerance of both ends.
+        std::uint16_t direction, most_turn;
     };
     struct Box {
         PictureBox area;
         std::uint32_t stretch;
+        std::uint16_t direction, most_turn;
     };
     PictureGrid grid_;
     std::vector<Stretch> stretches_;

@@ -58,20 +58,21 @@ void LineEvents::fill_grid(const LineFrame& frame) {
         length +=
             std::abs(flat.ends[0].x - flat.ends[1].x) + std::abs(flat.ends[0].y - flat.ends[1].y);
     }
-    // Cells about as wide as a line is long, but not many more than there are lines.
+    // Cells half as wide as a line is long, but not many more than there are lines.
     const double lines = double(frame.lines.size());
     const double area = (high.x - low.x) * (high.y - low.y);
     grid_.reset(low, high,
-                std::max(length / lines,
-                         std::sqrt(area / (k_max_lines_a_cell * lines + 2 * k_max_lines_a_cell))));
+                0.5 * std::max(length / lines, std::sqrt(area / (k_max_lines_a_cell * lines +
+                                                                 2 * k_max_lines_a_cell))));
     for (std::uint32_t i = 0; i < occluders_.size(); ++i)
         grid_.add(i, occluders_[i].flat.ends[0], occluders_[i].flat.ends[1]);
     grid_.finish();
+    steps_ = PictureSteps(low, high);
     boxes_.clear();
     for (const std::uint32_t i : grid_.all_segments()) {
         const auto& [ends, depths, shares] = occluders_[i].flat;
-        boxes_.push_back({PictureBox::around(ends[0], ends[1], 0.0),
-                          float_below(std::min(depths[0], depths[1])), i});
+        boxes_.push_back(
+            {steps_.box(ends[0], ends[1], 0.0), float_below(std::min(depths[0], depths[1])), i});
     }
     tested_.assign(occluders_.size(), k_no_line);
 }
@@ -80,13 +81,13 @@ void LineEvents::fill_grid(const LineFrame& frame) {
 template <typename Visit>
 void LineEvents::each_candidate(const FlatLine& flat, std::uint32_t line, Visit&& visit) {
     const auto& [ends, depths, shares] = flat;
-    const PictureBox own = PictureBox::around(ends[0], ends[1], 0.0);
+    const PictureQuery own = steps_.query(ends[0], ends[1]);
     const float depth = float_above(std::max(depths[0], depths[1]));
     grid_.each_cell(ends[0], ends[1], [&](std::uint32_t cell) {
         const std::uint32_t end = grid_.begin_of(cell + 1);
         for (std::uint32_t k = grid_.begin_of(cell); k < end; ++k) {
             const Box& box = boxes_[k];
-            if (!box.area.meets(own) || box.depth > depth) continue;
+            if (!may_meet(box.area, own) || box.depth > depth) continue;
             if (tested_[box.occluder] == line) continue;
             tested_[box.occluder] = line;
             visit(occluders_[box.occluder]);

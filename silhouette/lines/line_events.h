@@ -48,6 +48,7 @@ private:
     void sort(LineFrame& frame);
 
     PictureGrid grid_;
+    PictureSteps steps_;
     std::vector<Occluder> occluders_;
     std::vector<Box> boxes_;             // By place in the grid.
     std::vector<std::uint32_t> tested_;  // By occluder: the last line tested against it.
