@@ -75,7 +75,8 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
     const double size = double(stretches_.size());
     grid_.reset(low, high,
                 std::max({0.5 * length / size, 4.0 * tolerance,
-                          0.5 * std::sqrt((high.x - low.x) * (high.y - low.y) / (8.0 * size))}));
+                          0.5 * std::sqrt((high.x - low.x) * (high.y - low.y) / (8.0 * size))}),
+                tolerance);
     for (std::uint32_t i = 0; i < stretches_.size(); ++i)
         grid_.add(i, stretches_[i].ends[0], stretches_[i].ends[1]);
     grid_.finish();

@@ -69,7 +69,7 @@ void LineStubble::fill_grid(double gap, const LineDrawing& drawing) {
         });
     const glm::dvec2 size = high - low;
     const double count = double(segments_.size() + 1);
-    grid_.reset(low, high, std::max(2.0 * gap, (size.x + size.y) / (2.0 * count)));
+    grid_.reset(low, high, std::max(2.0 * gap, (size.x + size.y) / (2.0 * count)), gap);
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
         grid_.add(i, segments_[i].from, segments_[i].to);
     grid_.finish();
@@ -89,11 +89,7 @@ bool LineStubble::is_near_another(const glm::dvec2& p, double gap, IsOther&& is_
             found = glm::length(p - a - share * way) <= gap;
         }
     };
-    // Three rows of cells around the place.
-    for (int row = -1; row <= 1 && !found; ++row) {
-        const glm::dvec2 q = p + glm::dvec2(0.0, row * gap);
-        grid_.each_cell(q - glm::dvec2(gap, 0.0), q + glm::dvec2(gap, 0.0), visit);
-    }
+    grid_.each_cell(p, p, visit);
     return found;
 }
 

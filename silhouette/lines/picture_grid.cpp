@@ -2,13 +2,15 @@
 
 namespace rimline {
 
-void PictureGrid::reset(const glm::dvec2& low, const glm::dvec2& high, double cell_width) {
+void PictureGrid::reset(const glm::dvec2& low, const glm::dvec2& high, double cell_width,
+                        double margin) {
     const double width = std::max(high.x - low.x, 1e-300),
                  height = std::max(high.y - low.y, 1e-300);
     const double cell =
         std::max({cell_width, width / k_max_cells_a_side, height / k_max_cells_a_side, 1e-300});
     low_ = low;
     cells_a_unit_ = 1.0 / cell;
+    slack_ = margin / cell + k_slack;
     columns_ = static_cast<int>(width / cell) + 1;
     rows_ = static_cast<int>(height / cell) + 1;
     added_.clear();

@@ -15,10 +15,11 @@ namespace rimline {
 class PictureGrid {
 public:
     /// Empty, over the box, with cells of about this width. There are at most k_max_cells_a_side along a side.
-    void reset(const glm::dvec2& low, const glm::dvec2& high, double cell_width);
+    void reset(const glm::dvec2& low, const glm::dvec2& high, double cell_width,
+               double margin = 0.0);
 
-    /// Calls visit(cell) for each cell that the segment may pass through. Coordinates outside of the box count
-    /// as on its border.
+    /// Calls visit(cell) for each cell that the segment may pass through, or that is nearer to it than the margin
+    /// along an axis. Coordinates outside of the box count as on its border.
     template <typename Visit>
     void each_cell(const glm::dvec2& from, const glm::dvec2& to, Visit&& visit) const;
 
@@ -39,6 +40,7 @@ private:
 
     glm::dvec2 low_{0.0};
     double cells_a_unit_ = 1.0;
+    double slack_ = k_slack;  // The margin in cells.
     int columns_ = 1, rows_ = 1;
     std::vector<std::array<std::uint32_t, 2>> added_;  // Cell and segment.
     std::vector<std::uint32_t> begin_, segments_, next_;
@@ -56,13 +58,17 @@ void PictureGrid::each_cell(const glm::dvec2& from, const glm::dvec2& to, Visit&
     const auto clamped = [](double c, int count) {
         return std::clamp(static_cast<int>(c), 0, count - 1);
     };
-    const int first_row = clamped(a.y - k_slack, rows_), last_row = clamped(b.y + k_slack, rows_);
+    const int first_row = clamped(a.y - slack_, rows_), last_row = clamped(b.y + slack_, rows_);
     const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0.0;
+    const double left = std::min(a.x, b.x), right = std::max(a.x, b.x);
     for (int row = first_row; row <= last_row; ++row) {
-        const double p = row == first_row ? a.x : a.x + slope * (row - a.y);
-        const double q = row == last_row ? b.x : a.x + slope * (row + 1 - a.y);
-        const int first = clamped(std::min(p, q) - k_slack, columns_);
-        const int end = clamped(std::max(p, q) + k_slack, columns_);
+        // Where the line enters and leaves the row, by no more than the slack beyond its ends.
+        const double p =
+            row == first_row ? a.x : std::clamp(a.x + slope * (row - a.y - slack_), left, right);
+        const double q =
+            row == last_row ? b.x : std::clamp(a.x + slope * (row + 1 - a.y + slack_), left, right);
+        const int first = clamped(std::min(p, q) - slack_, columns_);
+        const int end = clamped(std::max(p, q) + slack_, columns_);
         for (int column = first; column <= end; ++column)
             visit(static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(columns_) +
                   static_cast<std::uint32_t>(column));
