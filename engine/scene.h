@@ -17,6 +17,7 @@ namespace rimline {
 
 class HoughOctree;
 class Mesh;
+struct PictureLines;
 
 // Cameras and lights must lie within k_max_coordinate of the origin, in the coordinates of every
 // instance.
@@ -42,6 +43,10 @@ struct SceneInstance {
     glm::dvec3 translation{0.0};
     Material material;
     bool has_lines = true;
+    /// Lines to draw instead of its silhouette, borders and creases (picture_lines.h). Nothing hides them: where
+    /// other instances may lie before this one, the caller must know what they hide. Only the part within the
+    /// instance's bounds in the picture is sure to be drawn. Need not outlive the call.
+    const PictureLines* picture_lines = nullptr;
     bool casts_shadows = true;
     /// The result of is_solid(mesh()), which takes about a microsecond a face and is worth it for more than
     /// a few frames. If true, back faces are not drawn while the camera is outside the bounds: half of the

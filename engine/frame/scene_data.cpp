@@ -125,6 +125,7 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .slots = slots,
             .planes = mesh.comparator() ? mesh.comparator()->planes() : 0,
             .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
+            .segments = 0,
             .eye_from_object = glm::mat3(view.eye_from_world * instance.rotation),
             .camera = eye.xyz(),
             .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},
