@@ -112,6 +112,8 @@ struct Scene {
     /// Greater than 0: visible edges that bend by at least this angle are drawn as lines too. Edges that
     /// bend by less than 10 degrees (k_min_crease_rad) never are.
     float crease_angle_deg = 0.0f;
+    /// Of these edges, only those that bend by 30 degrees and stand out (silhouette/mesh/clear_creases.h).
+    bool only_clear_creases = false;
     float hatch_spacing_px = 5.0f;  ///< Between strokes of Style::hatch; greater than 0.
 };
 

@@ -81,6 +81,9 @@ void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptio
     if (draws(LineKind::crease))
         for (const Crease& crease : frame.surface->creases()) {
             if (crease.bend_rad < options.crease_angle_rad) break;
+            const bool is_left_out =
+                !options.shown_creases.empty() && options.shown_creases[index(crease.edge)] == 0;
+            if (is_left_out) continue;
             add_edge(crease.edge, LineKind::crease, true, frame);
         }
     frame.edge_lines = static_cast<std::uint32_t>(frame.lines.size());

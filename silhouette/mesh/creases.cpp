@@ -9,8 +9,6 @@
 
 namespace rimline {
 
-namespace {
-
 double bend_of(const Mesh& mesh, EdgeId edge) {
     const std::span<const FaceId> faces = mesh.faces_of(edge);
     const EdgeClass edge_class = mesh.edge_class(edge);
@@ -28,8 +26,6 @@ double bend_of(const Mesh& mesh, EdgeId edge) {
     }
     return bend;
 }
-
-}  // namespace
 
 std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad) {
     std::vector<Crease> creases;

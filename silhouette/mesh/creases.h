@@ -25,6 +25,9 @@ struct Crease {
     float bend_rad;  ///< In [0, pi].
 };
 
+/// The bend of an edge, in [0, pi]; 0 of a border, and where a face has no normal.
+double bend_of(const Mesh& mesh, EdgeId edge);
+
 /// The edges with a bend of at least `min_bend_rad`, sharpest first, equal ones by number. Excludes
 /// borders and edges between faces without a normal. O(edges) plus a sort of the result.
 std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad);
