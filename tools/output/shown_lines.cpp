@@ -23,7 +23,7 @@ constexpr double k_simplify_px = 0.2;
 // Default of --min-length, as a share of the picture's height.
 constexpr double k_min_share = 1.0 / 60.0;
 // Lines no farther from each other than this look like one, in pixels.
-constexpr double k_double_px = 3.0;
+constexpr double k_double_px = 4.0;
 
 LineView view_of(const Camera& camera) {
     return camera.is_orthographic() ? LineView::orthographic(camera.eye, camera.target, camera.up)
@@ -68,6 +68,7 @@ const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size,
 
     lines_.points.clear();
     lines_.lines.clear();
+    first_point_ = 0;
     add_strokes(drawing);
     if (style.hidden) add_hidden_lines(drawing);
     remove_stubble(lines_,
