@@ -75,8 +75,8 @@ def test_render_shows_nine_edges_of_a_box_on_a_ground():
         output = os.path.join(folder, "a.png")
         corners = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
         edges = [(p, q) for p in corners for q in corners if p < q and sum(a != b for a, b in zip(p, q)) == 1]
-        back = [2 / 3, 2 / 3, 1 / 3]  # From the box to the eye. The axes of the camera follow from it.
-        right = [1 / math.sqrt(5), 0, -2 / math.sqrt(5)]
+        back = [x / math.hypot(6, 4, 3) for x in (6, 4, 3)]  # From the box to the eye. The camera's axes follow.
+        right = [3 / math.hypot(3, 6), 0, -6 / math.hypot(3, 6)]
         up = [back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2],
               back[0] * right[1] - back[1] * right[0]]
 
@@ -85,7 +85,7 @@ def test_render_shows_nine_edges_of_a_box_on_a_ground():
 
         for style in ("ink", "blueprint"):
             result = succeed("render", "shape:box:12", "-o", output, "--size", "200x200", "--ground", "--style", style,
-                             "--eye", "6,6,3", "--target", "0,0,0", "--ortho", "4", "--line-color", "black")
+                             "--eye", "6,4,3", "--target", "0,0,0", "--ortho", "4", "--line-color", "black")
             assert result["silhouette"] == 6 and result["creases"] == 12
             rows = png_rows(output)
             shown = [ink_on(rows, pixel(p), pixel(q)) for p, q in edges]
