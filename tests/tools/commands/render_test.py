@@ -106,7 +106,7 @@ def test_render_chooses_lines_by_style_and_option():
             result = succeed("render", "shape:box:12", "-o", output, "--size", "64x64", *options)
             assert result["creases"] == creases
         pictures = []
-        for options in ([], ["--min-length", "200"], ["--lines", "off"]):
+        for options in ([], ["--min-length", "400"], ["--lines", "off"]):
             succeed("render", "shape:box:12", "-o", output, "--size", "64x64", *options)
             pictures.append(png_rows(output))
         assert pictures[0] != pictures[1] == pictures[2]
