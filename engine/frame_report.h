@@ -31,6 +31,8 @@ struct FrameReport {
     /// silhouette: then the borders alone.
     std::uint32_t silhouette = 0;
     std::uint32_t creases = 0;  ///< Creases drawn as lines, on the silhouette or not.
+    /// Segments of the lines that instances have instead (SceneInstance::picture_lines).
+    std::uint32_t segments = 0;
     /// Sides of shadow volumes over all lights: one for each regular silhouette edge, and one for each
     /// face of every other edge.
     std::uint32_t shadow_edges = 0;

@@ -17,6 +17,7 @@ namespace rimline {
 
 class HoughOctree;
 class Mesh;
+struct PictureLines;
 
 // Cameras and lights must lie within k_max_coordinate of the origin, in the coordinates of every
 // instance.
@@ -42,6 +43,10 @@ struct SceneInstance {
     glm::dvec3 translation{0.0};
     Material material;
     bool has_lines = true;
+    /// Lines to draw instead of its silhouette, borders and creases (picture_lines.h). Nothing hides them: where
+    /// other instances may lie before this one, the caller must know what they hide. Only the part within the
+    /// instance's bounds in the picture is sure to be drawn. Need not outlive the call.
+    const PictureLines* picture_lines = nullptr;
     bool casts_shadows = true;
     /// The result of is_solid(mesh()), which takes about a microsecond a face and is worth it for more than
     /// a few frames. If true, back faces are not drawn while the camera is outside the bounds: half of the
@@ -107,6 +112,8 @@ struct Scene {
     /// Greater than 0: visible edges that bend by at least this angle are drawn as lines too. Edges that
     /// bend by less than 10 degrees (k_min_crease_rad) never are.
     float crease_angle_deg = 0.0f;
+    /// Of these edges, only those that bend by 30 degrees and stand out (silhouette/mesh/clear_creases.h).
+    bool only_clear_creases = false;
     float hatch_spacing_px = 5.0f;  ///< Between strokes of Style::hatch; greater than 0.
 };
 

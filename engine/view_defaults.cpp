@@ -97,10 +97,10 @@ StyleDefaults style_defaults(Style style) {
     constexpr glm::vec3 k_paper(0.9387f, 0.9047f, 0.8388f);
     constexpr glm::vec3 k_blue(0.0080f, 0.0452f, 0.1812f);
     switch (style) {
-        case Style::ink:
+        case Style::ink: return {k_paper, 2.5f, 30.0f, 0.5f};
         case Style::toon:
         case Style::mask: return {k_paper, 2.5f, 0.0f, 0.5f};
-        case Style::blueprint: return {k_blue, 1.6f, 40.0f, 0.6f};
+        case Style::blueprint: return {k_blue, 1.6f, 30.0f, 0.6f};
         case Style::hatch: return {k_paper, 2.0f, 0.0f, 0.6f};
     }
     return {};

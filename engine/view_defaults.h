@@ -50,7 +50,7 @@ MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius);
 struct StyleDefaults {
     glm::vec3 background;  ///< Linear light.
     float line_width_px;
-    float crease_angle_deg;      ///< 0: creases are not drawn.
+    float crease_angle_deg;      ///< Of creases that stand out. 0: creases are not drawn.
     float hidden_line_strength;  ///< If hidden lines are drawn.
 };
 StyleDefaults style_defaults(Style style);

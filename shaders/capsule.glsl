@@ -138,9 +138,9 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
 
 // Corner 0 to 3, in triangle strip order, of a quad around the capsule. Adds half a pixel for the edge of the
 // ink and an eighth for rounding.
-vec4 capsule_corner(Capsule capsule, uint corner) {
-    const vec2 p = capsule.ends.xy;
-    const vec2 q = capsule.ends.zw;
+vec4 capsule_corner(vec4 ends, uint corner) {
+    const vec2 p = ends.xy;
+    const vec2 q = ends.zw;
     const float radius = frame.line_radius + 0.625;
     const float len = distance(p, q);
     const vec2 along = (len > 1e-6 ? (q - p) / len : vec2(1.0, 0.0)) * radius;

@@ -65,6 +65,13 @@ struct LineEnds {
     uint to;
 };
 
+// A segment of a line whose visibility is known, in pixels of the pass.
+struct LineSegment {
+    vec4 ends;       // Start and end.
+    vec2 dashes;     // Positions of both ends in the dash pattern.
+    float strength;  // Of its ink.
+};
+
 // VkDrawIndirectCommand.
 struct DrawArguments {
     uint vertex_count;
@@ -108,6 +115,9 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Fac
 };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LineList {
     LineEnds at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LineSegments {
+    LineSegment at[];
 };
 #endif
 
@@ -158,6 +168,7 @@ struct InstanceData {
     RIMLINE_ADDRESS(Slots) slots;                      // The camera's silhouette.
     RIMLINE_ADDRESS(Planes) planes;                    // For line paths without slots, else 0.
     RIMLINE_ADDRESS(FacePairRecords) irregular_pairs;  // For line paths without slots, else 0.
+    RIMLINE_ADDRESS(LineSegments) segments;  // Of lines whose visibility is known, else 0.
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
     vec4 viewpoint;        // The camera's silhouette point, homogeneous.
@@ -198,12 +209,12 @@ struct RatioConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(RatioConstants) == 2 * 8 + 4 * (9 + 3 + 2 + 2));
-static_assert(sizeof(LineEnds) == 8);
+static_assert(sizeof(LineEnds) == 8 && sizeof(LineSegment) == 28);
 static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 25);
-static_assert(sizeof(InstanceData) == 10 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
+static_assert(sizeof(InstanceData) == 11 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 4);
 }  // namespace rimline::gpu

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "draw.glsl"
+#include "line_coverage.glsl"
 
 // The ink of one capsule: its coverage of this pixel, in alpha. Blending keeps the maximum, so neighbors
 // join without seams. If the spine is hidden, the coverage is multiplied by the strength of hidden lines.
@@ -64,27 +64,9 @@ bool is_free_on(vec2 spine, vec2 outwards, bool on_both_sides, float nearest) {
     return false;
 }
 
-// The coverage, across the line, of a pixel at `away` pixels from the line's center, with a box filter of
-// one pixel.
-float covered_across(float away) {
-    const float radius = frame.line_radius;
-    return min(clamp(radius + 0.5 - away, 0.0, 1.0), 2.0 * radius);
-}
-
-// The dash pattern's coverage at `place` along it.
-float dash_at(float place) {
-    const float period = frame.dash_period;
-    if (period == 0.0) return 1.0;
-    const float from_center = abs(fract(place / period) - 0.5) * period;
-    return clamp(0.5 * frame.dash_length + 0.5 - from_center, 0.0, 1.0);
-}
-
 void main() {
-    const vec2 along = ends.zw - ends.xy;
-    const float length_squared = dot(along, along);
-    const float t = length_squared > 1e-12
-        ? clamp(dot(gl_FragCoord.xy - ends.xy, along) / length_squared, 0.0, 1.0) : 0.0;
-    const vec2 spine = ends.xy + t * along;
+    const float t = share_along(ends, gl_FragCoord.xy);
+    const vec2 spine = ends.xy + t * (ends.zw - ends.xy);
     const float covered = covered_across(distance(gl_FragCoord.xy, spine));
     if (covered == 0.0) discard;
 

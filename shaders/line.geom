@@ -17,7 +17,7 @@ void main() {
         ends = capsule.ends;
         depths_out = vec4(capsule.depths, capsule.outwards);
         pattern = vec3(capsule.dashes, capsule.two_sided);
-        gl_Position = capsule_corner(capsule, corner);
+        gl_Position = capsule_corner(capsule.ends, corner);
         EmitVertex();
     }
     EndPrimitive();

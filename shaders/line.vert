@@ -21,5 +21,5 @@ void main() {
     ends = capsule.ends;
     depths_out = vec4(capsule.depths, capsule.outwards);
     pattern = vec3(capsule.dashes, capsule.two_sided);
-    gl_Position = capsule_corner(capsule, uint(gl_VertexIndex));
+    gl_Position = capsule_corner(capsule.ends, uint(gl_VertexIndex));
 }

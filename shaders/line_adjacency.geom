@@ -38,7 +38,7 @@ void main() {
             ends = capsule.ends;
             depths_out = vec4(capsule.depths, capsule.outwards);
             pattern = vec3(capsule.dashes, capsule.two_sided);
-            gl_Position = capsule_corner(capsule, i);
+            gl_Position = capsule_corner(capsule.ends, i);
             EmitVertex();
         }
         EndPrimitive();

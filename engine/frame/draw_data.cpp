@@ -26,7 +26,10 @@ constexpr std::array k_bindings{binding(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER),
 }  // namespace
 
 DrawData::DrawData(const DeviceContext& context, std::uint32_t frames_in_flight)
-    : context_(context), sets_(context, k_bindings, frames_in_flight), buffers_(frames_in_flight) {}
+    : context_(context),
+      sets_(context, k_bindings, frames_in_flight),
+      buffers_(frames_in_flight),
+      segments_(frames_in_flight) {}
 
 std::uint32_t DrawData::padded(std::size_t size_bytes) const noexcept {
     return static_cast<std::uint32_t>(
@@ -64,6 +67,15 @@ void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std:
         vkUpdateDescriptorSets(context_.device, writes.size(), writes.data(), 0, nullptr);
     }
     std::memcpy(buffer.mapped(), &frame, sizeof frame);
+}
+
+VkDeviceAddress DrawData::put_segments(std::span<const gpu::LineSegment> segments) {
+    if (segments.empty()) return 0;
+    Buffer& buffer = segments_[slot_];
+    if (buffer.size() < segments.size_bytes())
+        buffer = Buffer(context_, segments.size_bytes(), BufferPlace::upload, "lines");
+    std::memcpy(buffer.mapped(), segments.data(), segments.size_bytes());
+    return buffer.address();
 }
 
 }  // namespace rimline

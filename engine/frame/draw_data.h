@@ -7,6 +7,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "engine/vulkan/descriptor_sets.h"
@@ -32,6 +33,9 @@ public:
     /// Copies a structure and returns its offset. At most as many calls as begin_frame() was given.
     std::uint32_t put(const gpu::InstanceData& instance) { return put_bytes(instance); }
     std::uint32_t put(const gpu::LightData& light) { return put_bytes(light); }
+    /// Copies the segments of all lines of the frame and returns the address of the first; 0 if there are none.
+    /// At most one call for each begin_frame(). Throws as begin_frame().
+    VkDeviceAddress put_segments(std::span<const gpu::LineSegment> segments);
 
 private:
     template <typename T>
@@ -47,6 +51,7 @@ private:
     DeviceContext context_;
     DescriptorSets sets_;
     std::vector<Buffer> buffers_;
+    std::vector<Buffer> segments_;  // Of each frame in flight; empty where a frame never had any.
     std::uint32_t slot_ = 0;
     std::uint32_t end_ = 0;  // Bytes used in the slot's buffer.
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/frame/line_segments.h"
 #include "engine/frame/scene_data.h"
 #include "engine/frame/silhouette_points.h"
 #include "silhouette/mesh/face_bits.h"
@@ -40,6 +41,7 @@ public:
                  .instances = {},
                  .inks = {},
                  .shadow_batches = {}};
+        put_segments(frame_data);
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
         if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
         list_.shadow_batches.resize(light_count);
@@ -54,7 +56,26 @@ private:
         CasterBox box;
     };
 
+    // The lines that the caller gave an instance.
+    struct Segments {
+        VkDeviceAddress address = 0;
+        std::uint32_t count = 0;
+    };
+
     InstanceState& state_of(std::size_t i) { return parts_.instances.all()[i]; }
+
+    void put_segments(const gpu::FrameData& frame_data) {
+        std::vector<gpu::LineSegment> all;
+        for (const SceneInstance& instance : scene_.instances) {
+            const std::size_t first = all.size();
+            if (has_lines(scene_, instance) && instance.picture_lines)
+                add_line_segments(*instance.picture_lines, frame_data, all);
+            segments_.push_back(
+                {first * sizeof(gpu::LineSegment), static_cast<std::uint32_t>(all.size() - first)});
+        }
+        const VkDeviceAddress begin = parts_.draw_data.put_segments(all);
+        for (Segments& segments : segments_) segments.address += begin;
+    }
 
     void add_instance(std::size_t i) {
         const SceneInstance& instance = scene_.instances[i];
@@ -67,6 +88,7 @@ private:
                             .crease_count = 0,
                             .loose_count = state.mesh->loose_count(),
                             .has_lines = has_lines(scene_, instance),
+                            .segment_count = {},
                             .fades = instance.fade_radius > 0.0,
                             .ink = 0,
                             .silhouette = {},
@@ -86,11 +108,16 @@ private:
         list_.instances.push_back(std::move(drawn));
     }
 
-    // Returns the address of the silhouette's slots; 0 for a line path without slots.
+    // Returns the address of the silhouette's slots; 0 for a line path without slots, and for lines of the caller.
     VkDeviceAddress add_lines(std::size_t i, DrawnInstance& drawn) {
         InstanceState& state = state_of(i);
         FrameReport& report = frame_.report;
         drawn.ink = ink_index(list_.inks, line_color(scene_, scene_.instances[i]));
+        if (scene_.instances[i].picture_lines) {
+            drawn.segment_count = segments_[i].count;
+            report.segments += segments_[i].count;
+            return 0;
+        }
         drawn.crease_count = crease_count(scene_, *state.mesh);
         report.silhouette += drawn.border_count;
         report.creases += drawn.crease_count;
@@ -123,6 +150,7 @@ private:
     std::uint32_t put_instance(std::size_t i, VkDeviceAddress slots) {
         const InstanceState& state = state_of(i);
         gpu::InstanceData data = instance_data(view_, i, *state.mesh, slots);
+        data.segments = segments_[i].address;
         if (state.deforming) {
             data.positions = state.deforming->mesh().positions();
             data.corner_normals = state.deforming->mesh().corner_normals();
@@ -229,6 +257,7 @@ private:
     std::uint32_t ring_slot_;
     const DrawListParts& parts_;
     RecordedFrame& frame_;
+    std::vector<Segments> segments_;  // Of each instance.
     DrawList list_;
 };
 

@@ -8,7 +8,8 @@ namespace {
 
 InstanceView view_of(const Scene& scene, const SceneInstance& instance) {
     InstanceView view{.camera = camera_point(instance, scene.camera), .lines = {}, .lights = {}};
-    if (has_lines(scene, instance)) view.lines = camera_point(instance, lines_camera(scene));
+    if (has_silhouette_lines(scene, instance))
+        view.lines = camera_point(instance, lines_camera(scene));
     view.lights.reserve(scene.lights.size());
     for (const Light& light : scene.lights) {
         const HomogeneousPoint point = casting_point(scene, instance, light);

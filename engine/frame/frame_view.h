@@ -24,7 +24,7 @@ struct LightView {
 /// One instance in one frame, in its own coordinates.
 struct InstanceView {
     HomogeneousPoint camera;                ///< Of Scene::camera.
-    std::optional<HomogeneousPoint> lines;  ///< Of lines_camera(); nothing without lines.
+    std::optional<HomogeneousPoint> lines;  ///< Of lines_camera(); see has_silhouette_lines().
     std::vector<LightView> lights;          ///< One for each light of the scene.
 };
 

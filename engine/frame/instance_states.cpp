@@ -132,7 +132,7 @@ void InstanceStates::announce(const Scene& scene) noexcept {
         const SceneInstance& instance = scene.instances[i];
         InstanceState& state = instances_[i];
         if (instance.deforming || state.octree != instance.octree) continue;
-        if (state.camera && has_lines(scene, instance))
+        if (state.camera && has_silhouette_lines(scene, instance))
             state.camera->announce(camera_point(instance, lines_camera(scene)));
         if (!casts_shadows(scene, instance)) continue;
         for (std::size_t l = 0; l < std::min(scene.lights.size(), state.lights.size()); ++l)

@@ -34,6 +34,10 @@ glm::vec2 first_sample_place(std::uint32_t samples) {
     return samples == 2 ? glm::vec2(0.75f, 0.75f) : glm::vec2(0.5f, 0.5f);
 }
 
+GpuMesh::Creases creases_of(const Scene& scene) {
+    return scene.only_clear_creases ? GpuMesh::Creases::clear : GpuMesh::Creases::all;
+}
+
 }  // namespace
 
 float finite_extrusion(const Light& light, const SceneInstance& instance,
@@ -81,7 +85,7 @@ const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance) {
 
 std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh) {
     if (scene.crease_angle_deg <= 0.0f) return 0;
-    return mesh.crease_count(glm::radians(scene.crease_angle_deg));
+    return mesh.crease_count(creases_of(scene), glm::radians(scene.crease_angle_deg));
 }
 
 gpu::FrameData frame_data(const FrameView& view, const RenderTargets& targets) {
@@ -121,10 +125,11 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .edges = mesh.edges(),
             .loose_edges = mesh.loose_edges(),
             .borders = mesh.borders(),
-            .creases = mesh.creases(),
+            .creases = mesh.creases(creases_of(view.scene)),
             .slots = slots,
             .planes = mesh.comparator() ? mesh.comparator()->planes() : 0,
             .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
+            .segments = 0,
             .eye_from_object = glm::mat3(view.eye_from_world * instance.rotation),
             .camera = eye.xyz(),
             .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},

@@ -43,7 +43,7 @@ std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh);
 
 /// `targets` must have the aspect ratio that `view` was made for.
 gpu::FrameData frame_data(const FrameView& view, const RenderTargets& targets);
-/// Of instance `i`. `slots` is the address of the camera's silhouette, 0 where there is none.
+/// Of instance `i`, without segments. `slots` is the address of the camera's silhouette, 0 where there is none.
 gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuMesh& mesh,
                                 VkDeviceAddress slots);
 

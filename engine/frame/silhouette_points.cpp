@@ -10,6 +10,9 @@ namespace rimline {
 bool has_lines(const Scene& scene, const SceneInstance& instance) {
     return scene.lines && instance.has_lines;
 }
+bool has_silhouette_lines(const Scene& scene, const SceneInstance& instance) {
+    return has_lines(scene, instance) && instance.picture_lines == nullptr;
+}
 bool casts_shadows(const Scene& scene, const SceneInstance& instance) {
     return scene.shadows && instance.casts_shadows;
 }

@@ -14,8 +14,11 @@
 
 namespace rimline {
 
-/// Whether an instance's lines are drawn, and whether its shadow is.
+/// Whether an instance's lines are drawn.
 bool has_lines(const Scene& scene, const SceneInstance& instance);
+/// Whether these lines are its silhouette from the camera: the caller gives no others.
+bool has_silhouette_lines(const Scene& scene, const SceneInstance& instance);
+/// Whether its shadow is drawn.
 bool casts_shadows(const Scene& scene, const SceneInstance& instance);
 
 /// A point of the world, and a direction, in the instance's coordinates.

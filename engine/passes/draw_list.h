@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "engine/shadow_choice.h"
@@ -44,6 +45,8 @@ struct DrawnInstance {
     std::uint32_t crease_count = 0;  ///< Creases drawn as lines.
     std::uint32_t loose_count = 0;
     bool has_lines = false;
+    /// Set: its lines are these segments, instead of its silhouette, borders and creases.
+    std::optional<std::uint32_t> segment_count;
     bool fades = false;
     bool shows_backs = true;   ///< False: back faces are hidden behind front faces.
     std::size_t ink = 0;       ///< Index in DrawList::inks: the color of its lines.

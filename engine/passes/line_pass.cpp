@@ -5,6 +5,8 @@
 #include "line_frag.h"
 #include "line_geom.h"
 #include "line_vert.h"
+#include "picture_line_frag.h"
+#include "picture_line_vert.h"
 #include "points_vert.h"
 
 namespace rimline {
@@ -43,7 +45,14 @@ LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data
       depth_(context, 1),
       layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages,
                                    {draw_data, depth_.layout()})),
-      pipeline_(make_graphics_pipeline(context, description_of(path_, surface_format, layout_))) {
+      pipeline_(make_graphics_pipeline(context, description_of(path_, surface_format, layout_))),
+      segments_(make_graphics_pipeline(context, {.vertex = picture_line_vert,
+                                                 .geometry = {},
+                                                 .fragment = picture_line_frag,
+                                                 .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+                                                 .formats = {.color = surface_format},
+                                                 .blend = Blend::maximum_alpha,
+                                                 .layout = layout_})) {
     if (path_ != LinePath::adjacency) return;
     adjacency_ = make_graphics_pipeline(
         context, {.vertex = line_adjacency_vert,
@@ -82,13 +91,24 @@ void LinePass::record_every_edge(VkCommandBuffer commands, const DrawList& list,
     record_list(commands, every.irregular_pair_count);
 }
 
+void LinePass::record_segments(VkCommandBuffer commands, const DrawList& list,
+                               std::size_t ink) const {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, segments_);
+    for (const DrawnInstance& instance : list.instances) {
+        if (!instance.has_lines || instance.ink != ink || instance.segment_count.value_or(0) == 0)
+            continue;
+        set_draw(commands, layout_, list, instance, nullptr, 0);
+        vkCmdDraw(commands, 4, *instance.segment_count, 0, 0);
+    }
+}
+
 void LinePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
     const VkDescriptorSet set = depth_.get();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set, 0,
                             nullptr);
     for (const DrawnInstance& instance : list.instances) {
-        if (!instance.has_lines || instance.ink != ink) continue;
+        if (!instance.has_lines || instance.ink != ink || instance.segment_count) continue;
         if (draws_slots(path_)) {
             set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_SILHOUETTE);
             vkCmdDrawIndirect(
@@ -103,6 +123,7 @@ void LinePass::record(VkCommandBuffer commands, const DrawList& list, std::size_
         set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_CREASE);
         record_list(commands, instance.crease_count);
     }
+    record_segments(commands, list, ink);
 }
 
 }  // namespace rimline

@@ -1,7 +1,7 @@
 #pragma once
 
-// Silhouette, border and crease lines with a width in pixels and round ends, as coverage in the
-// surfaces' alpha. The ink and composite passes put color there (ink_pass.h, composite_pass.h).
+// Silhouette, border and crease lines, and lines of a caller, with a width in pixels and round ends, as
+// coverage in the surfaces' alpha. The ink and composite passes put color there (ink_pass.h, composite_pass.h).
 
 #include "engine/line_path.h"
 #include "engine/passes/draw_list.h"
@@ -29,6 +29,7 @@ public:
 
 private:
     void record_list(VkCommandBuffer commands, std::uint32_t edge_count) const;
+    void record_segments(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const;
     void record_every_edge(VkCommandBuffer commands, const DrawList& list,
                            const DrawnInstance& instance) const;
 
@@ -36,6 +37,7 @@ private:
     SampledImages depth_;
     OwnedPipelineLayout layout_;
     OwnedPipeline pipeline_;
+    OwnedPipeline segments_;   // For lines of a caller; needs no geometry shaders.
     OwnedPipeline adjacency_;  // Only with LinePath::adjacency.
 };
 

@@ -1,14 +1,18 @@
 #include "engine/stream/gpu_mesh.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "engine/stream/edge_records.h"
+#include "silhouette/mesh/clear_creases.h"
 #include "silhouette/mesh/corner_normals.h"
 #include "silhouette/mesh/creases.h"
 
 namespace rimline {
 
 namespace {
+
+constexpr float k_min_clear_rad = 30.0f * std::numbers::pi_v<float> / 180.0f;
 
 static_assert(sizeof(Triangle) == sizeof(gpu::TriangleRecord));
 
@@ -30,28 +34,36 @@ GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, L
     const std::vector<gpu::EdgeRecord> loose = loose_edge_records(mesh);
     loose_count_ = static_cast<std::uint32_t>(loose.size());
     loose_edges_ = batch.add(std::span<const gpu::EdgeRecord>(loose), "loose edges");
-    std::vector<gpu::EdgeRecord> creases;
-    for (const Crease& crease : find_creases(mesh, k_min_crease_rad)) {
-        const Edge& edge = mesh.edge(crease.edge);
-        creases.push_back({index(edge.vertices[0]), index(edge.vertices[1]), index(edge.faces[0]),
-                           index(edge.faces[1])});
-        crease_bends_rad_.push_back(crease.bend_rad);
-    }
-    creases_ = batch.add(std::span<const gpu::EdgeRecord>(creases), "creases");
+    const auto add_creases = [&](std::span<const Crease> creases, std::vector<float>& bends_rad) {
+        std::vector<gpu::EdgeRecord> records;
+        for (const Crease& crease : creases) {
+            const Edge& edge = mesh.edge(crease.edge);
+            records.push_back({index(edge.vertices[0]), index(edge.vertices[1]),
+                               index(edge.faces[0]), index(edge.faces[1])});
+            bends_rad.push_back(crease.bend_rad);
+        }
+        return batch.add(std::span<const gpu::EdgeRecord>(records), "creases");
+    };
+    const std::vector<Crease> creases = find_creases(mesh, k_min_crease_rad);
+    creases_ = add_creases(creases, crease_bends_rad_);
+    const std::span<const Crease> sharp(creases.data(),
+                                        crease_count(Creases::all, k_min_clear_rad));
+    clear_creases_ = add_creases(clear_creases(mesh, sharp), clear_bends_rad_);
     if (!draws_slots(line_path)) comparator_.emplace(batch, mesh);
 }
 
 std::uint64_t GpuMesh::size_bytes() const noexcept {
     std::uint64_t size = comparator_ ? comparator_->size_bytes() : 0;
-    for (const Buffer* buffer :
-         {&positions_, &triangles_, &corner_normals_, &edges_, &loose_edges_, &creases_})
+    for (const Buffer* buffer : {&positions_, &triangles_, &corner_normals_, &edges_, &loose_edges_,
+                                 &creases_, &clear_creases_})
         size += buffer->size();
     return size;
 }
 
-std::uint32_t GpuMesh::crease_count(float min_bend_rad) const noexcept {
-    const auto end = std::ranges::upper_bound(crease_bends_rad_, min_bend_rad, std::greater<>());
-    return static_cast<std::uint32_t>(end - crease_bends_rad_.begin());
+std::uint32_t GpuMesh::crease_count(Creases which, float min_bend_rad) const noexcept {
+    const std::vector<float>& bends = which == Creases::all ? crease_bends_rad_ : clear_bends_rad_;
+    const auto end = std::ranges::upper_bound(bends, min_bend_rad, std::greater<>());
+    return static_cast<std::uint32_t>(end - bends.begin());
 }
 
 }  // namespace rimline

@@ -31,9 +31,12 @@ public:
     std::uint32_t face_count() const noexcept { return face_count_; }
     std::uint32_t border_count() const noexcept { return border_count_; }
     std::uint32_t loose_count() const noexcept { return loose_count_; }
+    /// Which creases: all from k_min_crease_rad on, or those from 30 degrees on that stand out
+    /// (silhouette/mesh/clear_creases.h).
+    enum class Creases : std::uint8_t { all, clear };
     /// The number of creases that bend by at least this. Creases are sorted, the sharpest first.
     /// O(log creases).
-    std::uint32_t crease_count(float min_bend_rad) const noexcept;
+    std::uint32_t crease_count(Creases which, float min_bend_rad) const noexcept;
 
     /// The mesh's center.
     const glm::vec3& center() const noexcept { return center_; }
@@ -50,7 +53,9 @@ public:
     /// loose_edge_records().
     VkDeviceAddress loose_edges() const noexcept { return loose_edges_.address(); }
     /// With both faces if there are two, regular or not.
-    VkDeviceAddress creases() const noexcept { return creases_.address(); }
+    VkDeviceAddress creases(Creases which) const noexcept {
+        return which == Creases::all ? creases_.address() : clear_creases_.address();
+    }
     /// Empty if the line path draws slots.
     const std::optional<LineComparatorMesh>& comparator() const noexcept { return comparator_; }
 
@@ -66,8 +71,8 @@ private:
     Buffer corner_normals_;
     Buffer edges_;
     Buffer loose_edges_;
-    Buffer creases_;
-    std::vector<float> crease_bends_rad_;  // Descending.
+    Buffer creases_, clear_creases_;
+    std::vector<float> crease_bends_rad_, clear_bends_rad_;  // Descending.
     std::optional<LineComparatorMesh> comparator_;
 };
 

@@ -90,7 +90,10 @@ void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptio
     add_edges_of_doubtful_faces(options, frame);
     if (draws(LineKind::crease)) {
         find_creases(options.crease_angle_rad, *frame.surface);
-        for (const EdgeId edge : creases_) add_edge(edge, LineKind::crease, true, frame);
+        const std::span<const std::uint8_t> shown = options.shown_creases;
+        for (const EdgeId edge : creases_)
+            if (shown.empty() || shown[index(edge)] != 0)
+                add_edge(edge, LineKind::crease, true, frame);
     }
     frame.edge_lines = static_cast<std::uint32_t>(frame.lines.size());
     if (draws(LineKind::intersection)) {

@@ -60,9 +60,13 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     if (!options.keeps_coincident) state_->coincident.find(frame, state_->covered);
     state_->chains.make(frame, state_->covered, options, drawing);
     state_->strokes.join(options, drawing);
-    if (options.stubble > 0.0) state_->stubble.remove(*frame.surface, options, drawing);
+    if (options.stubble > 0.0) state_->stubble.remove(options, drawing);
 
-    for (const ViewLine& line : frame.lines) frame.report.lines += line.is_drawn ? 1 : 0;
+    for (const ViewLine& line : frame.lines) {
+        if (!line.is_drawn) continue;
+        ++frame.report.lines;
+        if (line.kind == LineKind::crease) ++frame.report.creases;
+    }
     drawing.report = frame.report;
     call.checkpoint(1.0);
     return drawing;

@@ -70,6 +70,7 @@ struct LineStroke {
 /// What was done, and the checks of its result.
 struct LineReport {
     std::uint32_t lines = 0;          ///< Edges drawn, and segments of intersections.
+    std::uint32_t creases = 0;        ///< Of these, creases that are no silhouettes.
     std::uint64_t crossings = 0;      ///< Places where a line passes behind another.
     std::uint64_t contacts = 0;       ///< Places where lines meet faces that are not their own.
     std::uint32_t components = 0;     ///< Sets of connected lines. One ray decides each.

@@ -3,6 +3,8 @@
 // Which lines are drawn, and what becomes of short gaps and short lines.
 
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "silhouette/lines/line_drawing.h"
 
@@ -13,6 +15,8 @@ struct LineOptions {
     /// By LineKind, which lines are drawn. All lines hide others, drawn or not.
     std::array<bool, k_line_kinds> draws{true, true, true, true};
     float crease_angle_rad = 0.7f;  ///< Creases bend by at least this angle.
+    /// If not empty, creases are drawn of those edges alone whose flag is not 0; one flag for each edge.
+    std::span<const std::uint8_t> shown_creases{};
     /// Hidden runs between visible ones are visible up to this length, and visible runs that end nearer to each
     /// other than this and go on in one direction are one stroke.
     double gap = 0.0;

@@ -1,19 +1,17 @@
 #pragma once
 
-// Stubble: short strokes that come and go with the tessellation of the mesh, which a pen would not draw.
+// Stubble: short strokes that a pen would not draw. They come and go with the tessellation of the mesh.
 //
-// A stroke shorter than LineOptions::stubble is left out in two cases:
-//   - all of it lies within LineOptions::gap of a longer stroke: a hook where a line ends beside another;
-//   - its edges bend by less than the noise around them, less than three times as much as the other edges of their
-//     faces on average, and it does not lead from one stroke to another. On a machine part the faces beside a
-//     crease are flat, on a scan they bend everywhere.
-// A stroke of creases alone counts as short up to four times that length, and as noise up to six times as much.
+//   loose   A short stroke with an end where no other stroke is; twice as long, if that is true of both ends. A
+//           short stroke between others, like the short edge of a plate or a piece of an outline between two folds,
+//           stays: without it, there would be a gap.
+//   double  A stroke that is not much longer, all of it beside longer ones, so near that it would only thicken them.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "silhouette/lines/line_drawing.h"
-#include "silhouette/lines/line_geometry.h"
 #include "silhouette/lines/line_options.h"
 #include "silhouette/lines/picture_grid.h"
 
@@ -21,24 +19,31 @@ namespace rimline {
 
 class LineStubble {
 public:
-    /// Takes strokes out of the drawing. O(strokes' points + pairs of points and segments that share a cell).
-    void remove(const LineGeometry& surface, const LineOptions& options, LineDrawing& drawing);
+    /// Takes strokes out of the drawing until none is stubble. A loose stroke is shorter than LineOptions::stubble
+    /// for each loose end; closed ones count as having one. LineOptions::gap is how near strokes are to each other
+    /// that meet, or that look like one. O(points + pairs of points and segments that share a cell) a round; there
+    /// are few rounds.
+    void remove(const LineOptions& options, LineDrawing& drawing);
 
 private:
-    // A segment of a stroke.
     struct Segment {
         glm::dvec2 from, to;
         std::uint32_t stroke;
+        bool begins_stroke, ends_stroke;  // At an end of the stroke, which is open.
     };
-    void fill_grid(double gap, const LineDrawing& drawing);
-    /// Whether one of these strokes has a place within `gap` of p: is_other(stroke) says which.
-    template <typename IsOther>
-    bool is_near_another(const glm::dvec2& p, double gap, IsOther&& is_other) const;
-    bool leads_on(std::uint32_t stroke, double gap, const LineDrawing& drawing) const;
-    bool lies_beside_longer(std::uint32_t stroke, double gap, const LineDrawing& drawing) const;
+
+    void fill(double gap, const LineDrawing& drawing);
+    bool is_loose(std::uint32_t stroke, const LineOptions& options) const;
+    bool is_double(std::uint32_t stroke, const LineOptions& options) const;
+    // Whether another stroke, a longer one if asked for, passes within `reach` of a place.
+    bool is_beside(const glm::dvec2& place, std::uint32_t stroke, double reach,
+                   bool must_be_longer) const;
 
     PictureGrid grid_;
     std::vector<Segment> segments_;
+    std::vector<std::uint32_t> first_segments_;  // Of each stroke, and one more.
+    std::vector<double> lengths_;
+    std::vector<std::uint8_t> is_closed_;
 };
 
 }  // namespace rimline

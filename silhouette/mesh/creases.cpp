@@ -1,5 +1,8 @@
 #include "silhouette/mesh/creases.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -30,10 +33,13 @@ double bend_of(const Mesh& mesh, EdgeId edge) {
 std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad) {
     std::vector<Crease> creases;
     const std::uint32_t border = mesh.edges_of_class(EdgeClass::border).first;
-    for (std::uint32_t e = 0; e < border; ++e) {
-        const auto bend = static_cast<float>(bend_of(mesh, EdgeId{e}));
-        if (bend >= min_bend_rad && bend > 0.0f) creases.push_back({EdgeId{e}, bend});
-    }
+    std::vector<float> bends(border);
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, border, 4096), [&](const auto& run) {
+        for (std::uint32_t e = run.begin(); e < run.end(); ++e)
+            bends[e] = static_cast<float>(bend_of(mesh, EdgeId{e}));
+    });
+    for (std::uint32_t e = 0; e < border; ++e)
+        if (bends[e] >= min_bend_rad && bends[e] > 0.0f) creases.push_back({EdgeId{e}, bends[e]});
     std::ranges::sort(creases, [](const Crease& a, const Crease& b) {
         return a.bend_rad != b.bend_rad ? a.bend_rad > b.bend_rad : a.edge < b.edge;
     });

@@ -11,6 +11,7 @@
 #include "engine/frame/draw_data.h"
 #include "engine/frame/render_targets.h"
 #include "engine/passes/line_pass.h"
+#include "engine/picture_lines.h"
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
@@ -172,6 +173,8 @@ TEST_CASE("a device without geometry shaders draws the same picture, lines and s
     scene.palette.shade = glm::vec3(0.5f);
     scene.shadows = true;
     scene.lights = {default_sun(scene.camera)};
+    const PictureLines lines{{{-0.1, -0.2}, {0.1, 0.2}}, {{0, 2}}};
+    scene.instances.push_back({.octree = &model.octree, .picture_lines = &lines});
     const Picture expected = draw(*gpu, scene, LinePath::geometry);
     const PlainDevice plain(gpu->context());
     Renderer renderer(plain.context(), {.samples = 1, .scale = 1});

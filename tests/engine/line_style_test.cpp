@@ -8,11 +8,13 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
 
@@ -222,6 +224,37 @@ TEST_CASE("dashes of hidden lines take their share, and join however finely a li
             CHECK(difference < 0.02 * solid_ink);
         }
     }
+}
+
+TEST_CASE(
+    "creases are all edges that bend by an angle, or those that stand out from a rough surface") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model box(make_built_in_shape("box", 12));
+    MeshSource source;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> height(-0.4f, 0.4f);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x)
+            source.positions.emplace_back(float(x), float(y), height(random));
+    for (std::uint32_t y = 0; y < 23; ++y)
+        for (std::uint32_t x = 0; x < 23; ++x) {
+            const std::uint32_t at = 24 * y + x;
+            source.triangles.push_back({at, at + 1, at + 25});
+            source.triangles.push_back({at, at + 25, at + 24});
+        }
+    const Model rough(source);
+    const auto creases = [&](const Model& model, bool only_clear) {
+        Scene scene = flat_scene(model.octree);
+        scene.crease_angle_deg = 30.0f;
+        scene.only_clear_creases = only_clear;
+        Renderer renderer(gpu->context());
+        renderer.render(scene, 16, 16);
+        return renderer.report().creases;
+    };
+    CHECK(creases(box, false) == 12);
+    CHECK(creases(box, true) == 12);
+    CHECK(creases(rough, false) > 100);
+    CHECK(creases(rough, true) < creases(rough, false) / 10);
 }
 
 TEST_CASE("hatching has the tone it stands for, at every distance") {

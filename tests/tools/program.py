@@ -5,8 +5,10 @@ run_case.py starts the cases; its first argument is the program.
 import json
 import math
 import os
+import struct
 import subprocess
 import sys
+import zlib
 
 PROGRAM = os.path.abspath(sys.argv[1])
 COMMANDS = ("render", "animate", "info", "silhouette", "draw", "track", "views", "path", "light", "origins",
@@ -107,6 +109,35 @@ def have_device():
         assert found.returncode == 1 and found.stderr.count("\n") == 1, found.stderr
         assert "without the engine" in found.stderr or "Vulkan" in found.stderr, found.stderr
         skip(found.stderr.strip())
+
+
+def png_rows(path):
+    """The rows of a PNG with 8 bits a channel, each a list of pixels (tuples of channels)."""
+    with open(path, "rb") as file:
+        data = file.read()
+    chunks, at = b"", 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", data[at + 8:at + 18])
+        elif kind == b"IDAT":
+            chunks += data[at + 8:at + 8 + length]
+        at += 12 + length
+    channels = {0: 1, 2: 3, 4: 2, 6: 4}[color]
+    assert depth == 8
+    raw, stride, rows = zlib.decompress(chunks), width * channels, []
+    before = bytearray(stride)
+    for y in range(height):
+        filtered = raw[y * (stride + 1)]
+        row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for x in range(stride):
+            a = row[x - channels] if x >= channels else 0
+            b, c = before[x], before[x - channels] if x >= channels else 0
+            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            row[x] = (row[x] + (0, a, b, (a + b) // 2, paeth)[filtered]) & 255
+        rows.append([tuple(row[x:x + channels]) for x in range(0, stride, channels)])
+        before = row
+    return rows
 
 
 def png_size(path):

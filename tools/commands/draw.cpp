@@ -13,6 +13,7 @@
 #include "silhouette/lines/line_oracle.h"
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
+#include "silhouette/mesh/clear_creases.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
 #include "tools/options/line_camera.h"
@@ -217,6 +218,9 @@ private:
                             .hidden_width_mm = lines_.hidden_width_mm,
                             .dashes_hidden = lines_.hidden == "dashed",
                             .has_sources = has_sources_};
+        std::vector<std::uint8_t> clear_creases;
+        if (!lines_.crease_degrees && lines_.kinds[std::size_t(LineKind::crease)])
+            clear_creases = clear_crease_flags(mesh, lines_.line_options(1.0).crease_angle_rad);
         LineDrawer drawer(surface);
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             const LineCamera& camera = cameras[i];
@@ -228,6 +232,7 @@ private:
 
             const bool has_edges = has_sources_ && format == DrawingFormat::svg;
             LineOptions options = lines_.line_options(page.views[i].mm_per_unit);
+            options.shown_creases = clear_creases;
             // Points that are left out would take their edges with them.
             if (has_edges) options.simplify = 0.0;
             if (verifies_) verify(context, mesh, camera, silhouette, page.views[i], drawer, totals);

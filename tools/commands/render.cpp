@@ -14,6 +14,7 @@
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
 #include "tools/output/picture_file.h"
+#include "tools/output/shown_lines.h"
 
 namespace rimline::tools {
 
@@ -30,6 +31,7 @@ public:
         model_.add_to(app, ModelArgument::Presence::optional);
         add_output(app, "-o,--output", output_, ".png", "PNG file to write")->group("Output");
         options_.add_to(app);
+        options_.add_still_lines_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
@@ -39,7 +41,8 @@ public:
             "not given.\n"
             "All lights have the same intensity. A chosen camera need not look at the model's "
             "center exactly:\n"
-            "it is placed so that the model fills the picture.\n\n"
+            "it is placed so that the model fills the picture.\n"
+            "Lines are visible exactly where no face of the model hides them.\n\n"
             "Examples:\n"
             "  rimline render\n"
             "  rimline render horse.ply --up 0,0,1 -o horse.png --style toon --ground --sun auto\n"
@@ -65,15 +68,27 @@ public:
             ground.emplace(mesh, up_of(mesh, picture_), 0.0);
             scene.instances.push_back(ground->instance(scene));
         }
+        // The ground hides no line: the model stands on it, and from below it is not drawn.
+        std::optional<ShownLines> lines;
+        if (scene.lines) {
+            lines.emplace(octree, context);
+            scene.instances.front().picture_lines =
+                lines->draw(scene.camera, picture_.size, options_, context);
+        }
         Renderer renderer(device.context());
         const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
         context.checkpoint();
 
         write_png(output, picture);
+        FrameReport report = renderer.report();
+        if (scene.instances.front().picture_lines) {
+            report.silhouette = lines->silhouette_count();
+            report.creases = lines->crease_count();
+        }
         if (context.json)
-            print_result(device, renderer);
+            print_result(device, renderer, report);
         else
-            print_summary(device, renderer.report());
+            print_summary(device, report);
         return ExitStatus::success;
     }
 
@@ -93,8 +108,8 @@ private:
         return shadows;
     }
 
-    void print_result(const DrawingDevice& device, const Renderer& renderer) const {
-        const FrameReport& report = renderer.report();
+    void print_result(const DrawingDevice& device, const Renderer& renderer,
+                      const FrameReport& report) const {
         nlohmann::ordered_json result{{"model", model_.model}};
         result.update(device_json(&device));
         result.update({{"silhouette", report.silhouette},

@@ -36,6 +36,7 @@ public:
                 ->type_name("FOLDER")
                 ->group("Output");
         style_.add_to(app);
+        style_.add_still_lines_to(app);
         add_direction(app, "--up", picture_.up,
                       "Up direction of pictures (default: y, or z if the file format says so)")
             ->group("Camera");
@@ -85,8 +86,11 @@ private:
         std::vector<glm::dvec3> eyes;
         for (const BestView& view : chosen.best.views) eyes.push_back(view.eye);
         const std::uint32_t columns = contact_sheet_columns(eyes.size());
-        const ViewScene scene{model_.model, *drawn.octree, style_, picture_};
         about_model(model_.model, [&] {
+            std::optional<ShownLines> lines;
+            if (style_.lines == "on") lines.emplace(*drawn.octree, context);
+            const ViewScene scene{model_.model, *drawn.octree, style_, picture_,
+                                  lines ? &*lines : nullptr};
             Renderer renderer(drawn.device->context());
             const std::vector<Picture> pictures =
                 draw_views(renderer, scene, eyes, picture_.size, context);

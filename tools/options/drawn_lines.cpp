@@ -19,8 +19,10 @@ void DrawnLines::add_to(CLI::App& app) {
         },
         "Draw these kinds of lines (default: all):")
         ->group(k_group);
-    add_number(app, "--crease", crease_degrees, 1.0, 180.0,
-               "Creases bend by at least this angle in degrees")
+    add_number(
+        app, "--crease", crease_degrees, 1.0, 180.0,
+        "Draw all edges that bend by at least this angle in degrees as creases (default: those "
+        "that bend by 30 and stand out)")
         ->group(k_group);
     app.add_option("--hidden", hidden,
                    "Hidden lines: none, dashed, or in a layer of their own, as solid gray lines")
@@ -63,7 +65,8 @@ void DrawnLines::add_to(CLI::App& app) {
 
 LineOptions DrawnLines::line_options(double mm_per_unit) const {
     return {.draws = kinds,
-            .crease_angle_rad = static_cast<float>(glm::radians(crease_degrees)),
+            .crease_angle_rad =
+                static_cast<float>(glm::radians(crease_degrees.value_or(k_clear_crease_degrees))),
             .gap = gap_mm / mm_per_unit,
             .min_length = min_length_mm / mm_per_unit,
             .stubble = stubble_mm / mm_per_unit,

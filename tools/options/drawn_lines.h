@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "silhouette/lines/line_drawer.h"
@@ -13,7 +14,9 @@ namespace rimline::tools {
 
 struct DrawnLines {
     std::array<bool, k_line_kinds> kinds{true, true, true, true};  ///< By LineKind.
-    double crease_degrees = 40.0;
+    /// Not set: creases that bend by k_clear_crease_degrees and stand out (clear_creases.h).
+    std::optional<double> crease_degrees;
+    static constexpr double k_clear_crease_degrees = 30.0;
     std::string hidden = "none";  ///< Or dashed, or layer.
     std::uint32_t hidden_by = 0;  ///< 0: any number of faces.
     double gap_mm = 0.5;

@@ -33,8 +33,8 @@ void SceneOptions::add_to(CLI::App& app) {
                "Line width in pixels (default: the style's own)")
         ->group(k_group);
     add_number(app, "--crease", crease_degrees, 10.0, 180.0,
-               "Draw edges that bend by at least this angle in degrees (default: 40 in blueprint, "
-               "none in other styles)")
+               "Draw all edges that bend by at least this angle in degrees (default: in ink and "
+               "blueprint, those that bend by 30 and stand out; none in other styles)")
         ->group(k_group);
     app.add_flag("--hidden", hidden, "Draw hidden lines too, dashed and fainter")->group(k_group);
     app.add_option("--shadows", shadows,
@@ -49,6 +49,28 @@ void SceneOptions::add_to(CLI::App& app) {
            "Draw a ground that receives shadows. --sun auto is then at least 15 degrees above "
            "it")
         ->group(k_group);
+}
+
+void SceneOptions::add_still_lines_to(CLI::App& app) {
+    constexpr const char* k_group = "Style";
+    app.add_option("--intersections", intersections,
+                   "Draw lines where surfaces pass through each other (default: on in ink and "
+                   "blueprint)")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->group(k_group);
+    add_number(app, "--min-length", min_length, 0.0, 1000.0,
+               "Leave out lines shorter than this many pixels that begin or end away from others "
+               "(default: a 60th of the picture's height)")
+        ->group(k_group);
+}
+
+double SceneOptions::shown_crease_degrees() const {
+    return crease_degrees.value_or(double{style_defaults(style_value()).crease_angle_deg});
+}
+
+bool SceneOptions::shows_intersections() const {
+    if (intersections) return *intersections == "on";
+    return style_value() == Style::ink || style_value() == Style::blueprint;
 }
 
 Style SceneOptions::style_value() const {
@@ -95,7 +117,8 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
                 .lines = lines == "on",
                 .line_width_px = float(line_width.value_or(defaults.line_width_px)),
                 .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,
-                .crease_angle_deg = float(crease_degrees.value_or(defaults.crease_angle_deg))};
+                .crease_angle_deg = float(shown_crease_degrees()),
+                .only_clear_creases = !shows_all_creases()};
     for (const glm::vec3& light : picture.lights)
         scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
     for (const glm::vec3& sun : picture.suns)

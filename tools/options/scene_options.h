@@ -23,15 +23,25 @@ struct SceneOptions {
     std::string lines = "on";
     std::optional<double> line_width;  ///< In pixels.
     std::optional<double> crease_degrees;
+    std::optional<std::string> intersections;  ///< on or off.
+    std::optional<double> min_length;          ///< Of lines in still pictures, in pixels.
     bool hidden = false;
     std::string shadows = "auto";
     bool ground = false;
 
     void add_to(CLI::App& app);
+    /// Options of still pictures, whose lines have exact visibility.
+    void add_still_lines_to(CLI::App& app);
 
     /// A scene in this style with this camera, the lights of `picture` and no instances. --sun auto is
     /// computed for `mesh`.
     Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
+    /// The least bend of creases that are drawn as lines; 0: none are.
+    double shown_crease_degrees() const;
+    /// Whether they are all edges that bend so, not only those that stand out (clear_creases.h).
+    bool shows_all_creases() const { return crease_degrees.has_value(); }
+    /// Whether lines are drawn where faces pass through each other.
+    bool shows_intersections() const;
     /// The material of the model.
     Material material(const PictureOptions& picture) const;
 

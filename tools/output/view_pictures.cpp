@@ -46,6 +46,9 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
         picture_scene.instances.push_back({.octree = &scene.octree,
                                            .name = scene.model,
                                            .material = scene.style.material(scene.picture)});
+        if (scene.lines && picture_scene.lines)
+            picture_scene.instances.front().picture_lines =
+                scene.lines->draw(camera, size, scene.style, context);
         if (ground) picture_scene.instances.push_back(ground->instance(picture_scene));
         pictures.push_back(renderer.render(picture_scene, size.width, size.height));
     }

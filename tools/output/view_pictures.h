@@ -20,6 +20,7 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/view_choice.h"
+#include "tools/output/shown_lines.h"
 
 namespace rimline::tools {
 
@@ -49,6 +50,7 @@ struct ViewScene {
     const HoughOctree& octree;
     const SceneOptions& style;
     const PictureOptions& picture;
+    ShownLines* lines = nullptr;  ///< Null: without exact visibility.
 };
 
 /// One picture per eye. Each shows the whole model with its up axis upwards. --sun auto is computed for each

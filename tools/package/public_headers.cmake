@@ -50,6 +50,7 @@ set(rimline_engine_headers
     engine/deformation.h
     engine/frame_report.h
     engine/line_path.h
+    engine/picture_lines.h
     engine/renderer.h
     engine/renderer_options.h
     engine/scene.h

@@ -149,6 +149,7 @@ private:
         session.appearance.line_width_px = scene.line_width_px;
         session.appearance.hidden = scene_.hidden;
         session.appearance.crease_angle_deg = scene.crease_angle_deg;
+        session.appearance.only_clear_creases = scene.only_clear_creases;
         session.appearance.shadows = scene.shadows;
         session.appearance.shadow_method = scene.shadow_method;
         session.appearance.ground = scene_.ground;

@@ -161,11 +161,15 @@ void ViewPanel::draw_appearance(ViewSession& session) {
     if (choose("style", k_styles, style)) appearance.set_style(static_cast<Style>(style));
     ImGui::Checkbox("hidden lines too", &appearance.hidden);
     bool creases = appearance.crease_angle_deg > 0.0f;
-    if (ImGui::Checkbox("creases", &creases)) appearance.crease_angle_deg = creases ? 40.0f : 0.0f;
+    if (ImGui::Checkbox("creases", &creases)) {
+        appearance.crease_angle_deg = creases ? 30.0f : 0.0f;
+        appearance.only_clear_creases = true;
+    }
     if (creases) {
         ImGui::SameLine();
         same_width();
-        ImGui::SliderFloat("from", &appearance.crease_angle_deg, 10.0f, 120.0f, "%.0f deg");
+        if (ImGui::SliderFloat("from", &appearance.crease_angle_deg, 10.0f, 120.0f, "%.0f deg"))
+            appearance.only_clear_creases = false;
         appearance.crease_angle_deg = std::clamp(appearance.crease_angle_deg, 10.0f, 180.0f);
     }
     end_model_only();

@@ -21,6 +21,7 @@ void ViewAppearance::set_style(Style chosen) {
     line_color.reset();
     line_width_px = defaults.line_width_px;
     crease_angle_deg = defaults.crease_angle_deg;
+    only_clear_creases = true;
 }
 
 void ViewSession::show(Document document, double aspect) {
@@ -130,7 +131,8 @@ Scene ViewSession::scene() const {
                 .hidden_line_strength = appearance.hidden
                                             ? style_defaults(appearance.style).hidden_line_strength
                                             : 0.0f,
-                .crease_angle_deg = appearance.crease_angle_deg};
+                .crease_angle_deg = appearance.crease_angle_deg,
+                .only_clear_creases = appearance.only_clear_creases};
     scene.lights = lights;
     ModelDocument& model = *document_.model();
     scene.instances.push_back(

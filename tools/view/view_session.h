@@ -31,6 +31,7 @@ struct ViewAppearance {
     bool hidden = false;  ///< Draws hidden lines too, dashed.
     /// Above 0: edges that bend by at least this angle are lines too.
     float crease_angle_deg = 0.0f;
+    bool only_clear_creases = true;  ///< Of these, only those that stand out.
     bool shadows = true;
     ShadowMethod shadow_method = ShadowMethod::automatic;  ///< All methods give the same picture.
     bool ground = false;

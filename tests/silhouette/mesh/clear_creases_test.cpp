@@ -1,0 +1,82 @@
+#include "silhouette/mesh/clear_creases.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <random>
+
+#include "silhouette/mesh/shapes/built_in_shape.h"
+
+namespace rimline {
+namespace {
+
+std::vector<Crease> clear_creases_of(const Mesh& mesh, double degrees) {
+    return clear_creases(mesh, find_creases(mesh, static_cast<float>(glm::radians(degrees))));
+}
+
+// A field of n x n squares whose heights come from `height`.
+template <typename Height>
+MeshSource field(int n, Height&& height) {
+    MeshSource source;
+    for (int y = 0; y <= n; ++y)
+        for (int x = 0; x <= n; ++x)
+            source.positions.emplace_back(float(x), float(y), height(x, y));
+    const auto at = [&](int x, int y) { return static_cast<std::uint32_t>(y * (n + 1) + x); };
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            source.triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+            source.triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+        }
+    return source;
+}
+
+TEST_CASE("all edges of machine parts stand out") {
+    for (const char* name : {"box", "scene"}) {
+        CAPTURE(name);
+        const Mesh mesh(make_built_in_shape(name));
+        CHECK(clear_creases_of(mesh, 30.0).size() ==
+              find_creases(mesh, static_cast<float>(glm::radians(30.0))).size());
+    }
+}
+
+TEST_CASE("a ridge through a field stands out, whatever the field is made of") {
+    for (const int n : {4, 40}) {
+        CAPTURE(n);
+        const Mesh mesh(field(n, [&](int x, int) { return -0.5f * std::abs(float(x - n / 2)); }));
+        CHECK(clear_creases_of(mesh, 30.0).size() == std::size_t(n));
+    }
+}
+
+TEST_CASE("the edges of a rough surface do not stand out") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> any(-0.4f, 0.4f);
+    const Mesh mesh(field(60, [&](int, int) { return any(random); }));
+    const std::size_t rough = find_creases(mesh, static_cast<float>(glm::radians(30.0))).size();
+    CHECK(rough > 1000);
+    CHECK(clear_creases_of(mesh, 30.0).size() < rough / 50);
+}
+
+TEST_CASE(
+    "a step is a crease at any length where it is sharp, and only where it is long where not") {
+    const auto dent = [](int length, float depth) {
+        return field(60, [=](int x, int y) {
+            return std::abs(x - 30) <= length && y == 30 ? -depth : 0.0f;
+        });
+    };
+    // 30 squares are the mesh's radius by 0.7.
+    CHECK(clear_creases_of(Mesh(dent(0, 0.6f)), 30.0).empty());
+    CHECK(clear_creases_of(Mesh(dent(10, 0.6f)), 30.0).size() >= 20);
+}
+
+TEST_CASE("the creases that stand out keep their order, and meshes without any have none") {
+    const Mesh mesh(make_built_in_shape("scene"));
+    const std::vector<Crease> creases = clear_creases_of(mesh, 30.0);
+    CHECK(std::ranges::is_sorted(creases, std::ranges::greater(), &Crease::bend_rad));
+    CHECK(clear_creases(Mesh(MeshSource{}), {}).empty());
+    CHECK(clear_creases_of(Mesh(make_built_in_shape("sphere", 5000)), 30.0).empty());
+}
+
+}  // namespace
+}  // namespace rimline

@@ -1,0 +1,138 @@
+#include "tools/output/shown_lines.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "engine/view_defaults.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+
+namespace rimline::tools {
+namespace {
+
+constexpr ImageSize k_picture_size{400, 300};
+const Context k_quiet{.json = true, .stop = {}};
+
+Camera camera_of(const Mesh& mesh, double ortho_height) {
+    return fit_camera({.fov_y_deg = 35.0, .ortho_height = ortho_height}, mesh,
+                      default_view_direction({0, 1, 0}), 4.0 / 3.0);
+}
+
+// As the engine projects it, without its aspect.
+glm::dvec2 in_picture(const Camera& camera, const glm::vec3& position) {
+    const glm::dvec3 p = camera_from_world(camera) * (glm::dvec3(position) - camera.eye);
+    return camera.is_orthographic() ? glm::dvec2(p) : glm::dvec2(p) / -p.z;
+}
+
+double distance_to(const PictureLines& lines, const glm::dvec2& place, bool is_hidden) {
+    double least = 1e9;
+    for (const PictureLine& line : lines.lines) {
+        if (line.is_hidden != is_hidden) continue;
+        for (std::uint32_t i = line.first_point; i < line.last_point; ++i) {
+            if (i + 1 == line.last_point && !line.is_closed) break;
+            const glm::dvec2 a = lines.points[i];
+            const glm::dvec2 way =
+                lines.points[i + 1 < line.last_point ? i + 1 : line.first_point] - a;
+            const double square = std::max(glm::dot(way, way), 1e-300);
+            const double share = std::clamp(glm::dot(place - a, way) / square, 0.0, 1.0);
+            least = std::min(least, glm::distance(place, a + share * way));
+        }
+    }
+    return least;
+}
+
+// How many edges of a box lie on lines over their whole length.
+int edges_on_lines(const Mesh& box, const Camera& camera, const PictureLines& lines,
+                   bool is_hidden) {
+    int count = 0;
+    for (const Edge& edge : box.edges()) {
+        const glm::vec3 a = box.positions()[index(edge.vertices[0])];
+        const glm::vec3 b = box.positions()[index(edge.vertices[1])];
+        bool is_on_line = glm::distance(a, b) < 2.01f;  // The diagonals are longer.
+        for (float share = 0.02f; share < 1.0f; share += 0.06f)
+            is_on_line = is_on_line && distance_to(lines, in_picture(camera, glm::mix(a, b, share)),
+                                                   is_hidden) < 1e-3;
+        count += is_on_line ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_CASE("nine edges of a box are seen, and three are hidden") {
+    const Mesh box(make_built_in_shape("box", 12));
+    const HoughOctree octree(box);
+    ShownLines shown(octree, k_quiet);
+    for (const double ortho_height : {0.0, 5.0}) {
+        CAPTURE(ortho_height);
+        const Camera camera = camera_of(box, ortho_height);
+        for (const char* style : {"ink", "blueprint"}) {
+            SceneOptions options{.style = style, .hidden = true};
+            const PictureLines& lines = *shown.draw(camera, k_picture_size, options, k_quiet);
+            CHECK(edges_on_lines(box, camera, lines, false) == 9);
+            CHECK(edges_on_lines(box, camera, lines, true) == 3);
+            CHECK(shown.silhouette_count() == 6);
+            CHECK(shown.crease_count() == 12);
+        }
+        SceneOptions options{.style = "toon"};
+        const PictureLines& lines = *shown.draw(camera, k_picture_size, options, k_quiet);
+        CHECK(edges_on_lines(box, camera, lines, false) == 6);
+        CHECK(std::ranges::none_of(lines.lines, &PictureLine::is_hidden));
+        CHECK(lines.lines.size() == 1);
+        CHECK(lines.lines.front().is_closed);
+    }
+}
+
+TEST_CASE("short lines are left out, by default those below a 60th of the picture's height") {
+    const Mesh knot(make_built_in_shape("knot", 4000));
+    const HoughOctree octree(knot);
+    ShownLines shown(octree, k_quiet);
+    const Camera camera = camera_of(knot, 0.0);
+    SceneOptions options{.style = "toon"};
+    const auto count = [&](std::optional<double> min_length) {
+        options.min_length = min_length;
+        return shown.draw(camera, k_picture_size, options, k_quiet)->lines.size();
+    };
+    const std::size_t all = count(0.0);
+    CHECK(count({}) == count(5.0));
+    CHECK(count(40.0) < all);
+    CHECK(count(1000.0) < count(40.0));
+}
+
+TEST_CASE("intersections are drawn in ink and blueprint, and where they are asked for") {
+    // Two plates that cross.
+    const Mesh mesh(MeshSource{{{-1, -1, 0},
+                                {1, -1, 0},
+                                {1, 1, 0},
+                                {-1, 1, 0},
+                                {0.13f, -0.45f, -1},
+                                {0.13f, -0.45f, 1},
+                                {0.13f, 0.6f, 1},
+                                {0.13f, 0.6f, -1}},
+                               {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}});
+    const HoughOctree octree(mesh);
+    ShownLines shown(octree, k_quiet);
+    const Camera camera = camera_of(mesh, 0.0);
+    const auto is_drawn = [&](const SceneOptions& options) {
+        const PictureLines& lines = *shown.draw(camera, k_picture_size, options, k_quiet);
+        return distance_to(lines, in_picture(camera, {0.13f, 0.3f, 0}), false) < 1e-3;
+    };
+    CHECK(is_drawn({.style = "ink"}));
+    CHECK(is_drawn({.style = "blueprint"}));
+    CHECK(!is_drawn({.style = "toon"}));
+    CHECK(is_drawn({.style = "toon", .intersections = "on"}));
+    CHECK(!is_drawn({.style = "ink", .intersections = "off"}));
+}
+
+TEST_CASE("no lines are drawn from where no point lies beside the eye") {
+    const Mesh box(make_built_in_shape("box", 12));
+    const HoughOctree octree(box);
+    ShownLines shown(octree, k_quiet);
+    Camera camera = camera_of(box, 0.0);
+    camera.eye = {double{k_max_coordinate}, 0, 0};
+    CHECK(shown.draw(camera, k_picture_size, {}, k_quiet) == nullptr);
+}
+
+}  // namespace
+}  // namespace rimline::tools
