@@ -24,8 +24,8 @@ PageDrawing made_page() {
                         .hidden_width_mm = 0.2,
                         .dashes_hidden = true,
                         .has_sources = false};
-    drawing.lines.push_back({LineKind::border, false, true, {{1, 2}, {3, 2}, {3, 4}}, {5}, {}});
-    drawing.lines.push_back({LineKind::crease, true, false, {{1, 2}, {3.5, 2}}, {6}, {}});
+    drawing.lines.push_back({LineKind::border, false, true, {{1, 2}, {3, 2}, {3, 4}}, {}, {5}, {}});
+    drawing.lines.push_back({LineKind::crease, true, false, {{1, 2}, {3.5, 2}}, {}, {6}, {}});
     return drawing;
 }
 
