@@ -8,70 +8,19 @@
 
 namespace rimline {
 
-namespace {
-
-constexpr LineEnd k_no_end = 0xffffffffu;
-// Lines that bend by more than 120 degrees from each other are not one line where several meet.
-constexpr double k_max_cos_of_ways = 0.5;
-
-}  // namespace
-
-void LineChains::link(const LineFrame& frame) {
-    next_.assign(2 * frame.lines.size(), k_no_end);
-    const std::size_t nodes = frame.end_begin.size() - 1;
-    for (std::uint32_t node = 0; node < nodes; ++node)
-        for (std::uint32_t kind = 0; kind < k_line_kinds; ++kind) {
-            ends_.clear();
-            for (const LineEnd end : frame.ends_at(node))
-                if (frame.lines[end / 2].is_drawn &&
-                    frame.lines[end / 2].kind == static_cast<LineKind>(kind))
-                    ends_.push_back(end);
-            if (ends_.size() == 2) {
-                next_[ends_[0]] = ends_[1];
-                next_[ends_[1]] = ends_[0];
-            } else if (ends_.size() > 2) {
-                link_best(frame);
-            }
-        }
-}
-
-// Links pairs of ends_, the one that bends least first.
-void LineChains::link_best(const LineFrame& frame) {
-    ways_.clear();
-    for (const LineEnd end : ends_) {
-        const FlatLine& flat = frame.flats[end / 2];
-        const glm::dvec2 way = flat.ends[1 - end % 2] - flat.ends[end % 2];
-        ways_.push_back(way / std::max(glm::length(way), 1e-300));
-    }
-    for (;;) {
-        double least = k_max_cos_of_ways;
-        std::size_t first = 0, second = 0;
-        for (std::size_t i = 0; i < ends_.size(); ++i) {
-            if (next_[ends_[i]] != k_no_end) continue;
-            for (std::size_t j = i + 1; j < ends_.size(); ++j) {
-                if (next_[ends_[j]] != k_no_end) continue;
-                const double cos = glm::dot(ways_[i], ways_[j]);
-                if (cos < least) least = cos, first = i, second = j;
-            }
-        }
-        if (first == second) return;
-        next_[ends_[first]] = ends_[second];
-        next_[ends_[second]] = ends_[first];
-    }
-}
-
 void LineChains::make(const LineFrame& frame, const CoveredStretches& covered,
                       const LineOptions& options, LineDrawing& drawing) {
-    link(frame);
+    links_.find(frame);
     is_smooth_ = options.smooth > 0.0;
     if (is_smooth_) contour_.begin(frame, options.smooth, options.crease_angle_rad);
     is_done_.assign(frame.lines.size(), 0);
+    chain_of_line_.assign(frame.lines.size(), k_no_chain);
     // Open chains from their ends, then closed ones.
     for (const bool is_closed : {false, true})
         for (std::uint32_t i = 0; i < frame.lines.size(); ++i)
             for (std::uint32_t k = 0; k < 2; ++k)
                 if (is_done_[i] == 0 && frame.lines[i].is_drawn &&
-                    (is_closed || next_[2 * i + k] == k_no_end))
+                    (is_closed || links_.next(2 * i + k) == k_no_end))
                     follow(frame, 2 * i + k, is_closed, covered, options, drawing);
 }
 
@@ -79,16 +28,21 @@ void LineChains::follow(const LineFrame& frame, LineEnd first_end, bool is_close
                         const CoveredStretches& covered, const LineOptions& options,
                         LineDrawing& drawing) {
     points_.clear();
+    lines_.clear();
     for (LineEnd end = first_end;;) {
         is_done_[end / 2] = 1;
+        lines_.push_back(end / 2);
         add_line(frame, end, covered);
-        const LineEnd next = next_[end ^ 1u];
+        const LineEnd next = links_.next(end ^ 1u);
         if (next == k_no_end || is_done_[next / 2] != 0) break;
         end = next;
     }
     if (is_smooth_) move_to_contour(options.smooth, is_closed);
     split(is_closed, options);
+    const auto chain = static_cast<std::uint32_t>(drawing.chains.size());
     add_chain(frame.lines[first_end / 2].kind, is_closed, options, drawing);
+    if (drawing.chains.size() > chain)
+        for (const std::uint32_t line : lines_) chain_of_line_[line] = chain;
 }
 
 // Adds the points of a line from one of its ends to the other.

@@ -2,16 +2,17 @@
 
 // Makes chains and runs of the lines of a view.
 //
-// At a node with two lines of one kind one goes on into the other. Where more meet, those that bend least go on
-// into each other. A chain follows its lines, and its runs end where visibility changes. Hidden runs between
+// A chain follows lines from link to link (line_links.h), and its runs end where visibility changes. Hidden runs between
 // visible ones that are too short to see are then visible, and visible ones between hidden ones hidden.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "silhouette/lines/coincident_lines.h"
 #include "silhouette/lines/line_drawing.h"
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/line_links.h"
 #include "silhouette/lines/line_options.h"
 #include "silhouette/lines/smooth_contour.h"
 
@@ -20,9 +21,12 @@ namespace rimline {
 class LineChains {
 public:
     /// Sets points, sources, runs and chains of the drawing. Covered stretches are left out. O(lines + events),
-    /// and O(degree^2) at nodes of many lines.
+    /// and as LineLinks::find().
     void make(const LineFrame& frame, const CoveredStretches& covered, const LineOptions& options,
               LineDrawing& drawing);
+
+    /// The chain of each line of the frame, or k_no_chain. Valid until the next call of make().
+    std::span<const std::uint32_t> chain_of_line() const noexcept { return chain_of_line_; }
 
 private:
     // A point of a chain, and what follows it.
@@ -41,8 +45,6 @@ private:
         double length;
     };
 
-    void link(const LineFrame& frame);
-    void link_best(const LineFrame& frame);
     void follow(const LineFrame& frame, LineEnd first_end, bool is_closed,
                 const CoveredStretches& covered, const LineOptions& options, LineDrawing& drawing);
     void add_line(const LineFrame& frame, LineEnd entered_at, const CoveredStretches& covered);
@@ -53,10 +55,9 @@ private:
     void bridge(bool is_closed, double gap);
     void add_chain(LineKind kind, bool is_closed, const LineOptions& options, LineDrawing& drawing);
 
-    std::vector<LineEnd> next_;  // Of each end: the end at which the chain goes on.
+    LineLinks links_;
     std::vector<std::uint8_t> is_done_;
-    std::vector<LineEnd> ends_;
-    std::vector<glm::dvec2> ways_;
+    std::vector<std::uint32_t> chain_of_line_, lines_;  // lines_: of the chain that is being made.
     SmoothContour contour_;
     bool is_smooth_ = false;
     std::vector<ChainPoint> points_, rotated_;

@@ -9,6 +9,7 @@
 #include "silhouette/lines/line_frame.h"
 #include "silhouette/lines/line_geometry.h"
 #include "silhouette/lines/line_graph.h"
+#include "silhouette/lines/line_identity.h"
 #include "silhouette/lines/line_strokes.h"
 #include "silhouette/lines/line_stubble.h"
 #include "silhouette/lines/local_rule.h"
@@ -24,6 +25,7 @@ struct LineDrawer::State {
     CoincidentLines coincident;
     CoveredStretches covered;
     LineChains chains;
+    LineIdentity identity;
     LineStrokes strokes;
     LineStubble stubble;
     LineDrawing drawing;
@@ -39,6 +41,20 @@ LineDrawer& LineDrawer::operator=(LineDrawer&&) noexcept = default;
 
 const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId> silhouette,
                                     const LineOptions& options, const LongCall& call) {
+    return draw(view, silhouette, nullptr, options, call);
+}
+
+const LineDrawing& LineDrawer::draw_next(const LineView& view, std::span<const EdgeId> silhouette,
+                                         const ChangeSet& changes, const LineOptions& options,
+                                         const LongCall& call) {
+    RIMLINE_CHECK(changes.point == view.point());
+    RIMLINE_CHECK(changes.silhouette_size == silhouette.size());
+    return draw(view, silhouette, &changes, options, call);
+}
+
+const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId> silhouette,
+                                    const ChangeSet* changes, const LineOptions& options,
+                                    const LongCall& call) {
     LineFrame& frame = state_->frame;
     LineDrawing& drawing = state_->drawing;
     drawing.clear();
@@ -59,6 +75,7 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     state_->covered.clear();
     if (!options.keeps_coincident) state_->coincident.find(frame, state_->covered);
     state_->chains.make(frame, state_->covered, options, drawing);
+    state_->identity.assign(frame, state_->chains.chain_of_line(), changes, drawing);
     state_->strokes.join(options, drawing);
     if (options.stubble > 0.0) state_->stubble.remove(options, drawing);
 

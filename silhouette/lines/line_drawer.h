@@ -10,6 +10,7 @@
 #include <span>
 
 #include "silhouette/error.h"
+#include "silhouette/hough/change_set.h"
 #include "silhouette/lines/line_drawing.h"
 #include "silhouette/lines/line_options.h"
 #include "silhouette/lines/line_surface.h"
@@ -26,12 +27,24 @@ public:
     LineDrawer& operator=(LineDrawer&&) noexcept;
 
     /// `silhouette`: the silhouette from view.point(), by a tracker, an octree or brute force, in any order.
-    /// The drawing is valid until the next call. O(lines · degree + crossings + components · log faces + faces):
-    /// the last is one comparison a face. Memory is kept for the next call. Throws Error{cancelled}.
+    /// The drawing is valid until the next call. Ids of chains are their indices.
+    /// O(lines · degree + crossings + components · log faces + faces): the last is one comparison a face.
+    /// Memory is kept for the next call. Throws Error{cancelled}.
     const LineDrawing& draw(const LineView& view, std::span<const EdgeId> silhouette,
                             const LineOptions& options = {}, const LongCall& call = {});
 
+    /// The next frame of a moving camera: the same drawing, but chains keep the ids of the frame before, which this
+    /// drawer drew last (line_identity.h).
+    /// `changes`: of the tracker of the silhouette, from the point of the frame before to view.point().
+    /// After a call that threw, the next frame is one for draw().
+    const LineDrawing& draw_next(const LineView& view, std::span<const EdgeId> silhouette,
+                                 const ChangeSet& changes, const LineOptions& options = {},
+                                 const LongCall& call = {});
+
 private:
+    const LineDrawing& draw(const LineView& view, std::span<const EdgeId> silhouette,
+                            const ChangeSet* changes, const LineOptions& options,
+                            const LongCall& call);
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -49,7 +49,7 @@ struct LineRun {
 
 struct LineChain {
     std::uint32_t first_run, last_run;  ///< [first, last).
-    std::uint32_t id;
+    std::uint32_t id;  ///< No other chain has it. LineDrawer::draw_next() keeps it over frames.
     LineKind kind;
     bool is_closed;
     double length;

@@ -32,6 +32,7 @@
 namespace rimline {
 
 constexpr std::uint32_t k_no_vertex = 0xffffffffu;
+constexpr std::uint32_t k_no_chain = 0xffffffffu;
 
 struct ViewLine {
     std::array<std::uint32_t, 2> vertices;  ///< k_no_vertex for a segment of an intersection.

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "silhouette/lines/smooth_facing.h"
+
 namespace rimline {
 
 void SmoothContour::begin(const LineFrame& frame, double tolerance, float crease_angle_rad) {
@@ -27,21 +29,10 @@ glm::dvec2 SmoothContour::shift_of(std::uint32_t vertex) {
     return shifts_[vertex];
 }
 
-// The normal of a vertex is the sum of those of its faces, with the weights for which it is exact on a sphere
-// (Max, Weights for Computing Vertex Normals from Facet Normals, 1999). Its length does not matter.
 double SmoothContour::facing_of(std::uint32_t vertex) {
     if (facing_stamps_[vertex] == view_number_) return facings_[vertex];
     facing_stamps_[vertex] = view_number_;
-    const glm::dvec3 p(frame_->position(vertex));
-    glm::dvec3 normal(0.0);
-    for (const auto& [a, b] : frame_->surface->stars().links(vertex)) {
-        const glm::dvec3 u = glm::dvec3(frame_->position(a)) - p;
-        const glm::dvec3 v = glm::dvec3(frame_->position(b)) - p;
-        const double weight = glm::dot(u, u) * glm::dot(v, v);
-        if (weight > 0.0) normal += glm::cross(u, v) / weight;
-    }
-    const glm::dvec3 eye(frame_->view->point().xyz());
-    return facings_[vertex] = glm::dot(normal, frame_->view->is_orthographic() ? eye : eye - p);
+    return facings_[vertex] = smooth_facing(*frame_, vertex);
 }
 
 bool SmoothContour::is_at_crease(std::uint32_t vertex) const {

@@ -14,7 +14,6 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr double k_eye_radii = 3.3;
 constexpr std::uint64_t k_views_seed = 1;
 
 // Every direction with the same probability. The library's own distributions differ between compilers.
@@ -27,25 +26,29 @@ glm::dvec3 spread_direction(std::mt19937_64& random) {
 
 }  // namespace
 
+BenchView bench_view(const Mesh& mesh, const glm::dvec3& eye) {
+    const glm::dvec3 up = direction_of(mesh.up());
+    const LineCamera camera{.name = "bench",
+                            .view = LineView::perspective(eye, mesh.center(), up),
+                            .eye = eye,
+                            .target = mesh.center(),
+                            .up = up,
+                            .half_height = 1.0,
+                            .is_framed = false};
+    const LinePage paper;
+    const ShownPart part = shown_part(camera, mesh, paper.aspect());
+    const std::vector<ViewCell> cells{{part.low, part.high}};
+    return {camera.view, place_views(paper, cells).views.front().mm_per_unit};
+}
+
 std::vector<BenchView> bench_views(const Mesh& mesh, std::uint32_t count) {
     std::mt19937_64 random(k_views_seed);
     const glm::dvec3 up = direction_of(mesh.up());
-    const LinePage paper;
     std::vector<BenchView> views;
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::dvec3 towards =
             i == 0 ? glm::normalize(three_quarter_direction(up)) : spread_direction(random);
-        const glm::dvec3 eye = mesh.center() + k_eye_radii * mesh.radius() * towards;
-        const LineCamera camera{.name = "bench",
-                                .view = LineView::perspective(eye, mesh.center(), up),
-                                .eye = eye,
-                                .target = mesh.center(),
-                                .up = up,
-                                .half_height = 1.0,
-                                .is_framed = false};
-        const ShownPart part = shown_part(camera, mesh, paper.aspect());
-        const std::vector<ViewCell> cells{{part.low, part.high}};
-        views.push_back({camera.view, place_views(paper, cells).views.front().mm_per_unit});
+        views.push_back(bench_view(mesh, mesh.center() + k_eye_radii * mesh.radius() * towards));
     }
     return views;
 }

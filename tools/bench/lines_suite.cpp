@@ -9,6 +9,7 @@
 
 #include "tools/bench/lines.h"
 #include "tools/bench/lines_growth.h"
+#include "tools/bench/lines_orbit.h"
 #include "tools/bench/lines_report.h"
 #include "tools/bench/lines_targets.h"
 #include "tools/bench/suite_models.h"
@@ -37,6 +38,10 @@ public:
                      "Measure a shape at growing sizes, or a file and its subdivisions, in place "
                      "of the models (default: shape:knot)")
             ->group(k_kind);
+        app.add_flag("--orbit", orbit_,
+                     "Measure how far lines keep their identity while a camera moves, in place "
+                     "of single views")
+            ->group(k_kind);
         app.add_flag("--all-lines", all_lines_,
                      "Draw creases and intersections too, and not only silhouettes and borders")
             ->group(k_kind);
@@ -50,10 +55,17 @@ public:
                                 "Of --growth: the smallest mesh");
         max_option_ = add_count(app, "--most-faces", growth_options_.max_faces, 1, 1u << 30,
                                 "Of --growth: the largest mesh");
-        for (CLI::Option* option : {views_option_,
-                                    add_count(app, "--rounds", options_.rounds, 1, 1000,
-                                              "Rounds; the least time of each view counts"),
-                                    min_option_, max_option_})
+        rounds_option_ = add_count(app, "--rounds", options_.rounds, 1, 1000,
+                                   "Rounds; the least time of each view counts");
+        frames_option_ =
+            add_count(app, "--frames", orbit_options_.frames, 2, 100'000, "Of --orbit: frames");
+        step_option_ =
+            app.add_option("--step", orbit_options_.step_degrees, "Of --orbit: degrees a frame")
+                ->check(CLI::Range(1e-6, 180.0))
+                ->type_name("DEGREES")
+                ->capture_default_str();
+        for (CLI::Option* option : {views_option_, rounds_option_, min_option_, max_option_,
+                                    frames_option_, step_option_})
             option->group(k_amount);
         app.footer(
             "The oracle counts the faces before each line in long double first; exit 3 where a\n"
@@ -64,6 +76,10 @@ public:
             "piece decides. Its time has the rays alone. Its wrong length is where it differs "
             "from\n"
             "the drawing that the oracle checked. Creases bend by at least 40 degrees.\n\n"
+            "--orbit draws each frame of an orbit fresh, and again as the next one after the "
+            "frame\n"
+            "before. Edges that are lines in two frames keep their id where the chains that they\n"
+            "belong to have the same.\n\n"
             "Blender's Freestyle and Line Art and Open CASCADE draw the first view of the same "
             "mesh\n"
             "where they are installed. A piece has the visibility that their nearest line says, "
@@ -76,13 +92,15 @@ public:
             "Examples:\n"
             "  rimline bench lines bunny.obj igea.ply --check\n"
             "  rimline bench lines igea.ply --subdivide 2 --json\n"
-            "  rimline bench lines shape:knot --growth");
+            "  rimline bench lines shape:knot --growth\n"
+            "  rimline bench lines igea.ply --orbit --frames 720");
     }
 
     ExitStatus run(const Context& context) override {
         refuse_options_without_effect();
         options_.measures_others = !no_others_ && !growth_;
         if (all_lines_) options_.lines.kinds.fill(true);
+        if (orbit_) return run_orbits(context);
         return growth_ ? run_growth(context) : run_models(context);
     }
 
@@ -96,8 +114,17 @@ private:
         if (growth_)
             refuse({check_option_, no_others_option_, models_.subdivide_option()},
                    "not together with --growth");
+        if (!orbit_) refuse({frames_option_, step_option_}, "belongs to --orbit");
+        if (orbit_)
+            refuse({check_option_, no_others_option_, views_option_, rounds_option_},
+                   "not together with --orbit");
+        if (orbit_ && growth_) throw UsageError("--orbit: not together with --growth");
         if (growth_ && models_.named().size() > 1)
             throw UsageError("--growth: takes one model at a time");
+    }
+
+    std::vector<std::string> named_or_usual_models() const {
+        return models_.named().empty() ? usual_models() : models_.named();
     }
 
     ExitStatus run_models(const Context& context) {
@@ -105,8 +132,7 @@ private:
         nlohmann::ordered_json models = nlohmann::ordered_json::array();
         TargetList all_targets;
         std::string difference;
-        for (const std::string& model :
-             models_.named().empty() ? usual_models() : models_.named()) {
+        for (const std::string& model : named_or_usual_models()) {
             const Mesh mesh = load_mesh(model, models_.subdivide(), context);
             check_has_extent(model, mesh);
             heading.print(context);
@@ -137,6 +163,26 @@ private:
                                   : report_check(difference);
     }
 
+    ExitStatus run_orbits(const Context& context) {
+        MachineHeading heading;
+        orbit_options_.lines = options_.lines;
+        nlohmann::ordered_json orbits = nlohmann::ordered_json::array();
+        for (const std::string& model : named_or_usual_models()) {
+            const Mesh mesh = load_mesh(model, models_.subdivide(), context);
+            check_has_extent(model, mesh);
+            heading.print(context);
+            const LinesOrbitResult result = about_model(
+                model, [&] { return bench_lines_orbit(model, mesh, orbit_options_, context); });
+            if (context.json)
+                orbits.push_back(to_json(result));
+            else
+                print_orbit(result);
+        }
+        if (context.json)
+            print_json({{"machine", to_json(heading.machine())}, {"orbits", std::move(orbits)}});
+        return ExitStatus::success;
+    }
+
     ExitStatus run_growth(const Context& context) {
         const std::string model = models_.named().empty() ? "shape:knot" : models_.named().front();
         growth_options_.bench = options_;
@@ -164,11 +210,13 @@ private:
     }
 
     SuiteModels models_;
-    bool check_ = false, growth_ = false, all_lines_ = false, no_others_ = false;
+    bool check_ = false, growth_ = false, orbit_ = false, all_lines_ = false, no_others_ = false;
     LinesBenchOptions options_;
     LinesGrowthOptions growth_options_;
+    LinesOrbitOptions orbit_options_;
     CLI::Option *check_option_ = nullptr, *no_others_option_ = nullptr, *views_option_ = nullptr,
-                *min_option_ = nullptr, *max_option_ = nullptr;
+                *min_option_ = nullptr, *max_option_ = nullptr, *rounds_option_ = nullptr,
+                *frames_option_ = nullptr, *step_option_ = nullptr;
 };
 
 }  // namespace
