@@ -77,7 +77,7 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     state_->chains.make(frame, state_->covered, options, drawing);
     state_->identity.assign(frame, state_->chains.chain_of_line(), changes, drawing);
     state_->strokes.join(options, drawing);
-    if (options.stubble > 0.0) state_->stubble.remove(options, drawing);
+    if (options.stubble > 0.0) state_->stubble.remove(frame, options, drawing);
 
     for (const ViewLine& line : frame.lines) {
         if (!line.is_drawn) continue;

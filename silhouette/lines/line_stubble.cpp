@@ -1,9 +1,14 @@
 #include "silhouette/lines/line_stubble.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
+
+#include "silhouette/lines/face_count.h"
 
 namespace rimline {
 
@@ -11,6 +16,9 @@ namespace {
 
 // Doubles are shorter than this many times LineOptions::stubble.
 constexpr double k_double_lengths = 6.0;
+// The distance of places at which a stroke is tested for the outline, in the same unit.
+constexpr double k_outline_spacing = 0.25;
+constexpr std::uint32_t k_no_stroke = 0xffffffffu;
 
 }  // namespace
 
@@ -49,22 +57,28 @@ void LineStubble::fill(double gap, const LineDrawing& drawing) {
     grid_.finish();
 }
 
+double LineStubble::share_at(const Segment& segment, const glm::dvec2& place) {
+    const glm::dvec2 way = segment.to - segment.from;
+    return glm::dot(place - segment.from, way) / std::max(glm::dot(way, way), 1e-300);
+}
+
+double LineStubble::distance_to(const Segment& segment, const glm::dvec2& place) {
+    const double share = std::clamp(share_at(segment, place), 0.0, 1.0);
+    return glm::distance(place, glm::mix(segment.from, segment.to, share));
+}
+
 bool LineStubble::is_beside(const glm::dvec2& place, std::uint32_t stroke, double reach,
-                            bool must_be_longer) const {
+                            bool must_stay) const {
     const auto is_near = [&](const Segment& segment) {
         const std::uint32_t other = segment.stroke;
         if (other == stroke) return false;
-        const bool is_longer = lengths_[other] > lengths_[stroke] ||
-                               (lengths_[other] == lengths_[stroke] && other < stroke);
-        if (must_be_longer && !is_longer) return false;
-        const glm::dvec2 way = segment.to - segment.from;
-        const double square = std::max(glm::dot(way, way), 1e-300);
-        const double share = glm::dot(place - segment.from, way) / square;
+        if (must_stay && stays_[other] == 0) return false;
+        const double share = share_at(segment, place);
         // Before the end of a stroke lies no double of it, but what goes on from there.
-        if (must_be_longer &&
+        if (must_stay &&
             ((segment.begins_stroke && share < 0.0) || (segment.ends_stroke && share > 1.0)))
             return false;
-        return glm::distance(place, segment.from + std::clamp(share, 0.0, 1.0) * way) <= reach;
+        return distance_to(segment, place) <= reach;
     };
     bool found = false;
     grid_.each_cell(place, place, [&](std::uint32_t cell) {
@@ -85,6 +99,36 @@ bool LineStubble::is_loose(std::uint32_t stroke, const LineOptions& options) con
     return lengths_[stroke] < loose_ends * options.stubble;
 }
 
+bool LineStubble::is_at_outline(std::uint32_t stroke, const LineFrame& frame,
+                                const LineOptions& options) const {
+    const LineView& view = *frame.view;
+    const Mesh& mesh = frame.surface->mesh();
+    const glm::dvec3 eye_to_center = mesh.center() - view.unproject({{0.0, 0.0}, 0.0});
+    const double behind = glm::length(eye_to_center) + 2.0 * mesh.radius();
+    const auto is_background = [&](const glm::dvec2& place) {
+        const auto is_own = [](std::uint32_t) { return false; };
+        return count_before_point(*frame.surface, view, view.unproject({place, behind}), is_own)
+                   .count == 0;
+    };
+    // The line may lie beside that of the mesh.
+    const double reach = options.smooth + 0.5 * options.gap;
+    const double parts = std::ceil(lengths_[stroke] / (k_outline_spacing * options.stubble));
+    const double spacing = lengths_[stroke] / parts;
+    double next = 0.5 * spacing, arc = 0.0;
+    for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
+        const Segment& segment = segments_[i];
+        const glm::dvec2 way = segment.to - segment.from;
+        const double length = glm::length(way);
+        for (; next < arc + length; next += spacing) {
+            const glm::dvec2 place = segment.from + ((next - arc) / length) * way;
+            const glm::dvec2 side = (reach / length) * glm::dvec2(-way.y, way.x);
+            if (is_background(place + side) || is_background(place - side)) return true;
+        }
+        arc += length;
+    }
+    return false;
+}
+
 bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) const {
     if (!(options.gap > 0.0) || lengths_[stroke] >= k_double_lengths * options.stubble)
         return false;
@@ -99,15 +143,54 @@ bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) co
     return true;
 }
 
-void LineStubble::remove(const LineOptions& options, LineDrawing& drawing) {
+// A loose stroke stays where it holds two ends of strokes that are not loose, and no other such stroke does.
+void LineStubble::keep_bridges(const LineOptions& options) {
+    held_ends_.assign(lengths_.size(), 0);
+    for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
+        if (is_loose_[s] != 0 || is_closed_[s] != 0 || first_segments_[s] == first_segments_[s + 1])
+            continue;
+        for (const glm::dvec2& end :
+             {segments_[first_segments_[s]].from, segments_[first_segments_[s + 1] - 1].to}) {
+            std::uint32_t holder = k_no_stroke;
+            bool is_held = false;
+            grid_.each_cell(end, end, [&](std::uint32_t cell) {
+                for (const std::uint32_t i : grid_.segments_in(cell)) {
+                    const std::uint32_t other = segments_[i].stroke;
+                    if (other == s || distance_to(segments_[i], end) > options.gap) continue;
+                    if (is_loose_[other] == 0)
+                        is_held = true;
+                    else if (holder == k_no_stroke || lengths_[other] > lengths_[holder])
+                        holder = other;
+                }
+            });
+            if (!is_held && holder != k_no_stroke) ++held_ends_[holder];
+        }
+    }
+    for (std::uint32_t s = 0; s < lengths_.size(); ++s)
+        if (held_ends_[s] >= 2) is_loose_[s] = 0;
+}
+
+void LineStubble::remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing) {
     for (;;) {
         fill(options.gap, drawing);
+        is_loose_.clear();
+        for (std::uint32_t s = 0; s < lengths_.size(); ++s)
+            is_loose_.push_back(
+                first_segments_[s] == first_segments_[s + 1] || is_loose(s, options) ? 1 : 0);
+        keep_bridges(options);
+        for (std::uint32_t s = 0; s < lengths_.size(); ++s)
+            if (is_loose_[s] != 0 && is_at_outline(s, frame, options)) is_loose_[s] = 0;
+        // The longest first: a stroke is the double of strokes that stay.
+        order_.resize(lengths_.size());
+        std::iota(order_.begin(), order_.end(), 0u);
+        std::ranges::stable_sort(order_, std::ranges::greater{},
+                                 [&](std::uint32_t s) { return lengths_[s]; });
+        stays_.assign(lengths_.size(), 0);
+        for (const std::uint32_t s : order_)
+            stays_[s] = is_loose_[s] == 0 && !is_double(s, options) ? 1 : 0;
         std::size_t kept = 0;
-        for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
-            const bool is_stubble = first_segments_[s] == first_segments_[s + 1] ||
-                                    is_loose(s, options) || is_double(s, options);
-            if (!is_stubble) drawing.strokes[kept++] = drawing.strokes[s];
-        }
+        for (std::uint32_t s = 0; s < lengths_.size(); ++s)
+            if (stays_[s] != 0) drawing.strokes[kept++] = drawing.strokes[s];
         if (kept == drawing.strokes.size()) return;
         drawing.strokes.resize(kept);
     }

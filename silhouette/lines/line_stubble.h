@@ -4,7 +4,8 @@
 //
 //   loose   A short stroke with an end where no other stroke is; twice as long, if that is true of both ends. A
 //           short stroke between others, like the short edge of a plate or a piece of an outline between two folds,
-//           stays: without it, there would be a gap.
+//           stays: without it, there would be a gap. So does one that two longer strokes end at, and one with a part
+//           of the outline, which has nothing behind it on one side: an outline has no gaps.
 //   double  A stroke that is not much longer, all of it beside longer ones, so near that it would only thicken them.
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "silhouette/lines/line_drawing.h"
+#include "silhouette/lines/line_frame.h"
 #include "silhouette/lines/line_options.h"
 #include "silhouette/lines/picture_grid.h"
 
@@ -22,8 +24,8 @@ public:
     /// Takes strokes out of the drawing until none is stubble. A loose stroke is shorter than LineOptions::stubble
     /// for each loose end; closed ones count as having one. LineOptions::gap is how near strokes are to each other
     /// that meet, or that look like one. O(points + pairs of points and segments that share a cell) a round; there
-    /// are few rounds.
-    void remove(const LineOptions& options, LineDrawing& drawing);
+    /// are few rounds. And a ray for each place of a loose stroke on both sides of it.
+    void remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing);
 
 private:
     struct Segment {
@@ -32,18 +34,26 @@ private:
         bool begins_stroke, ends_stroke;  // At an end of the stroke, which is open.
     };
 
+    // Of the place nearest on the segment's line.
+    static double share_at(const Segment& segment, const glm::dvec2& place);
+    static double distance_to(const Segment& segment, const glm::dvec2& place);
+
     void fill(double gap, const LineDrawing& drawing);
     bool is_loose(std::uint32_t stroke, const LineOptions& options) const;
+    void keep_bridges(const LineOptions& options);
+    bool is_at_outline(std::uint32_t stroke, const LineFrame& frame,
+                       const LineOptions& options) const;
     bool is_double(std::uint32_t stroke, const LineOptions& options) const;
-    // Whether another stroke, a longer one if asked for, passes within `reach` of a place.
+    // Whether another stroke, one in stays_ if asked for, passes within `reach` of a place.
     bool is_beside(const glm::dvec2& place, std::uint32_t stroke, double reach,
-                   bool must_be_longer) const;
+                   bool must_stay) const;
 
     PictureGrid grid_;
     std::vector<Segment> segments_;
     std::vector<std::uint32_t> first_segments_;  // Of each stroke, and one more.
     std::vector<double> lengths_;
-    std::vector<std::uint8_t> is_closed_;
+    std::vector<std::uint8_t> is_closed_, is_loose_, stays_;
+    std::vector<std::uint32_t> held_ends_, order_;
 };
 
 }  // namespace rimline
