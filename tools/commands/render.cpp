@@ -71,9 +71,10 @@ public:
         // The ground hides no line: the model stands on it, and from below it is not drawn.
         std::optional<ShownLines> lines;
         if (scene.lines) {
-            lines.emplace(octree, context);
+            lines.emplace(prepare_lines(octree, context));
+            Progress progress(context, "drawing lines");
             scene.instances.front().picture_lines =
-                lines->draw(scene.camera, picture_.size, options_, context);
+                lines->draw(scene.camera, picture_.size, options_.line_style(), progress.call());
         }
         Renderer renderer(device.context());
         const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);

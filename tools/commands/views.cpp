@@ -88,7 +88,7 @@ private:
         const std::uint32_t columns = contact_sheet_columns(eyes.size());
         about_model(model_.model, [&] {
             std::optional<ShownLines> lines;
-            if (style_.lines == "on") lines.emplace(*drawn.octree, context);
+            if (style_.lines == "on") lines.emplace(prepare_lines(*drawn.octree, context));
             const ViewScene scene{model_.model, *drawn.octree, style_, picture_,
                                   lines ? &*lines : nullptr};
             Renderer renderer(drawn.device->context());

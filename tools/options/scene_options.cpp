@@ -64,13 +64,14 @@ void SceneOptions::add_still_lines_to(CLI::App& app) {
         ->group(k_group);
 }
 
-double SceneOptions::shown_crease_degrees() const {
-    return crease_degrees.value_or(double{style_defaults(style_value()).crease_angle_deg});
-}
-
-bool SceneOptions::shows_intersections() const {
-    if (intersections) return *intersections == "on";
-    return style_value() == Style::ink || style_value() == Style::blueprint;
+LineStyle SceneOptions::line_style() const {
+    const StyleDefaults defaults = style_defaults(style_value());
+    return {
+        .crease_degrees = crease_degrees.value_or(double{defaults.crease_angle_deg}),
+        .all_creases = crease_degrees.has_value(),
+        .intersections = intersections ? *intersections == "on" : defaults.crease_angle_deg > 0.0f,
+        .hidden = hidden,
+        .min_length = min_length};
 }
 
 Style SceneOptions::style_value() const {
@@ -107,6 +108,7 @@ glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up) {
 Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
                                const PictureOptions& picture) const {
     const StyleDefaults defaults = style_defaults(style_value());
+    const LineStyle shown = line_style();
     Scene scene{.camera = camera,
                 .style = style_value(),
                 .palette = default_palette(style_value(), background(picture)),
@@ -117,8 +119,8 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
                 .lines = lines == "on",
                 .line_width_px = float(line_width.value_or(defaults.line_width_px)),
                 .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,
-                .crease_angle_deg = float(shown_crease_degrees()),
-                .only_clear_creases = !shows_all_creases()};
+                .crease_angle_deg = float(shown.crease_degrees),
+                .only_clear_creases = !shown.all_creases};
     for (const glm::vec3& light : picture.lights)
         scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
     for (const glm::vec3& sun : picture.suns)

@@ -11,6 +11,7 @@
 
 #include "engine/scene.h"
 #include "silhouette/hough/hough_octree.h"
+#include "tools/options/line_style.h"
 #include "tools/options/picture_options.h"
 
 namespace rimline::tools {
@@ -36,12 +37,7 @@ struct SceneOptions {
     /// A scene in this style with this camera, the lights of `picture` and no instances. --sun auto is
     /// computed for `mesh`.
     Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
-    /// The least bend of creases that are drawn as lines; 0: none are.
-    double shown_crease_degrees() const;
-    /// Whether they are all edges that bend so, not only those that stand out (clear_creases.h).
-    bool shows_all_creases() const { return crease_degrees.has_value(); }
-    /// Whether lines are drawn where faces pass through each other.
-    bool shows_intersections() const;
+    LineStyle line_style() const;
     /// The material of the model.
     Material material(const PictureOptions& picture) const;
 

@@ -35,56 +35,59 @@ double pixels_a_unit(const Camera& camera, ImageSize size) {
     return 0.5 * size.height / std::tan(0.5 * glm::radians(camera.fov_y_deg));
 }
 
-LineSurface prepared_surface(const Mesh& mesh, const Context& context) {
-    Progress progress(context, "finding contacts of faces");
-    return LineSurface(mesh, LineSurface::Contacts::found, progress.call());
-}
-
 }  // namespace
 
-ShownLines::ShownLines(const HoughOctree& octree, const Context& context)
-    : octree_(octree), surface_(prepared_surface(octree.mesh(), context)), drawer_(surface_) {}
+ShownLines::ShownLines(const HoughOctree& octree, LineSurface::Contacts contacts,
+                       const LongCall& call)
+    : octree_(octree), surface_(octree.mesh(), contacts, call), drawer_(surface_) {}
 
-const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size,
-                                     const SceneOptions& style, const Context& context) {
+const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size, const LineStyle& style,
+                                     const LongCall& call) {
     const glm::dvec3 reach = glm::abs(camera.eye) + glm::distance(camera.eye, camera.target);
     if (!HomogeneousPoint::is_valid(glm::vec3(reach))) return nullptr;
     const LineView view = view_of(camera);
     const SilhouetteTracker silhouette(octree_, view.point());
     const double pixels = pixels_a_unit(camera, size);
-    const double crease_degrees = style.shown_crease_degrees();
     const double min_length = style.min_length.value_or(k_min_share * size.height) / pixels;
-    LineOptions options{.crease_angle_rad = static_cast<float>(glm::radians(crease_degrees)),
+    choose_creases(style);
+    LineOptions options{.crease_angle_rad = static_cast<float>(glm::radians(style.crease_degrees)),
+                        .shown_creases = creases_,
                         .gap = k_gap_px / pixels,
                         .stubble = min_length,
                         .smooth = k_smooth_px / pixels,
                         .simplify = k_simplify_px / pixels};
-    options.draws[std::size_t(LineKind::crease)] = crease_degrees > 0.0;
-    if (options.draws[std::size_t(LineKind::crease)] && !style.shows_all_creases()) {
-        find_clear_creases(options.crease_angle_rad);
-        options.shown_creases = clear_creases_;
-    }
-    options.draws[std::size_t(LineKind::intersection)] = style.shows_intersections();
-    Progress progress(context, "drawing lines");
-    const LineDrawing& drawing =
-        drawer_.draw(view, silhouette.silhouette(), options, progress.call());
+    options.draws[std::size_t(LineKind::crease)] = style.crease_degrees > 0.0;
+    options.draws[std::size_t(LineKind::intersection)] = style.intersections;
+    const LineDrawing& drawing = drawer_.draw(view, silhouette.silhouette(), options, call);
 
     lines_.points.clear();
     lines_.lines.clear();
     first_point_ = 0;
     add_strokes(drawing);
     if (style.hidden) add_hidden_lines(drawing, min_length);
-    crease_count_ = drawing.report.creases;
     silhouette_count_ = static_cast<std::uint32_t>(silhouette.silhouette().size()) +
                         octree_.mesh().edges_of_class(EdgeClass::border).size();
     return &lines_;
 }
 
-// The same for all pictures of one angle.
-void ShownLines::find_clear_creases(float min_bend_rad) {
-    if (min_bend_rad == clear_angle_rad_) return;
-    clear_creases_ = clear_crease_flags(octree_.mesh(), min_bend_rad);
-    clear_angle_rad_ = min_bend_rad;
+ShownLines prepare_lines(const HoughOctree& octree, const Context& context) {
+    Progress progress(context, "finding contacts of faces");
+    return ShownLines(octree, LineSurface::Contacts::found, progress.call());
+}
+
+// The same for all pictures of one style.
+void ShownLines::choose_creases(const LineStyle& style) {
+    if (style.crease_degrees == crease_degrees_ && style.all_creases == all_creases_) return;
+    crease_degrees_ = style.crease_degrees;
+    all_creases_ = style.all_creases;
+    const Mesh& mesh = octree_.mesh();
+    std::vector<Crease> creases;
+    if (crease_degrees_ > 0.0)
+        creases = find_creases(mesh, static_cast<float>(glm::radians(crease_degrees_)));
+    if (!all_creases_) creases = clear_creases(mesh, creases);
+    creases_.assign(mesh.edge_count(), 0);
+    for (const Crease& crease : creases) creases_[index(crease.edge)] = 1;
+    crease_count_ = static_cast<std::uint32_t>(creases.size());
 }
 
 void ShownLines::add_strokes(const LineDrawing& drawing) {

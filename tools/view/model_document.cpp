@@ -38,6 +38,13 @@ ModelDocument::ModelDocument(std::string name, const MeshSource& source, const B
                             return HoughOctree(check_size(this->name(), mesh_), {}, call);
                         })),
       is_solid_(rimline::is_solid(mesh_, begin("asking whether it is a solid"))),
+      lines_(make_part(begin, "finding contacts of faces",
+                       [&](const LongCall& call) {
+                           return ShownLines(octree_,
+                                             is_solid_ ? LineSurface::Contacts::none
+                                                       : LineSurface::Contacts::found,
+                                             call);
+                       })),
       face_tree_(make_face_tree(octree_, 0)) {}
 
 const HoughOctree& ModelDocument::ground(const glm::dvec3& up) {

@@ -10,6 +10,7 @@
 #include "silhouette/hough/box_tree.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/output/shown_lines.h"
 #include "tools/view/document_base.h"
 
 namespace rimline::tools {
@@ -29,6 +30,9 @@ public:
     const Mesh& mesh() const noexcept { return mesh_; }
     const HoughOctree& octree() const noexcept { return octree_; }
     bool is_solid() const noexcept { return is_solid_; }
+    /// Lines with exact visibility.
+    ShownLines& lines() noexcept { return lines_; }
+    const ShownLines& lines() const noexcept { return lines_; }
     /// The tree over the faces of the octree's first origin, for display (silhouette/hough/box_walk.h).
     const BoxTree& face_tree() const noexcept { return face_tree_; }
     /// The ground for this up axis. Built at the first call; valid as long as the document.
@@ -45,6 +49,7 @@ private:
     Mesh mesh_;
     HoughOctree octree_;
     bool is_solid_;
+    ShownLines lines_;
     BoxTree face_tree_;
     std::vector<std::unique_ptr<Ground>> grounds_;
 };

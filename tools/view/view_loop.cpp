@@ -101,8 +101,8 @@ void ViewLoop::apply_keys() {
 void ViewLoop::save(const PanelRequests::Save& save) {
     try {
         OutputFile file(save.path, session_.document().name());
-        const std::vector<std::byte> png =
-            encode_png(renderer_.picture(session_.picture(), save.size.width, save.size.height));
+        const std::vector<std::byte> png = encode_png(
+            renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
         file.commit();
         panel_.show_message("saved " + save.path, false);
@@ -149,19 +149,31 @@ void ViewLoop::build_panel() {
     context_.end_frame();
 }
 
-// Half the resolution is four times as fast on a CPU device.
-std::uint32_t ViewLoop::scale() const {
-    const bool slow = renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+bool ViewLoop::is_frame_fine() const {
     const bool rests = !is_moving_ && now_s() - last_change_s_ >= k_rest_s;
-    return !slow || rests || !options_.panel || options_.frames > 0 ? RendererOptions{}.scale : 1;
+    return rests || !options_.panel || options_.frames > 0;
+}
+
+// Half the resolution is four times as fast on a CPU device.
+std::uint32_t ViewLoop::scale(bool is_fine) const {
+    const bool slow = renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    return is_fine || !slow ? RendererOptions{}.scale : 1;
+}
+
+// The size of the picture, for lines with exact visibility; while something moves, lines are streamed.
+std::optional<ImageSize> ViewLoop::exact_size(bool is_fine) const {
+    const VkExtent2D size = window_.size_px();
+    if (!is_fine || size.width == 0 || size.height == 0) return {};
+    return ImageSize{size.width, size.height};
 }
 
 bool ViewLoop::draw() {
     const double start_s = now_s();
-    const std::uint32_t frame_scale = scale();
+    const bool is_fine = is_frame_fine();
     std::optional<WindowRenderer::Frame> frame;
     try {
-        frame = renderer_.draw(session_.picture(), context_.drawing(), frame_scale, captures_next_);
+        frame = renderer_.draw(session_.picture(exact_size(is_fine)), context_.drawing(),
+                               scale(is_fine), captures_next_);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_aspect())) throw;
         panel_.show_message(error.what(), true);
@@ -170,11 +182,16 @@ bool ViewLoop::draw() {
         return false;
     }
     if (!frame) return false;
-    is_coarse_ = frame_scale < RendererOptions{}.scale;
+    is_coarse_ = !is_fine;
     // Wait until the frames in flight that may refer to it are done.
     if (++frames_of_document_ > Renderer::k_frames_in_flight + 1) session_.forget_previous();
     if (captures_next_) captured_ = std::move(frame->picture);
     captures_next_ = false;
+    if (frame->report.segments > 0) {
+        const ShownLines& lines = session_.model().lines();
+        frame->report.silhouette = lines.silhouette_count();
+        frame->report.creases = lines.crease_count();
+    }
     counters_.add(frame->report, 1e3 * (now_s() - start_s));
     if (session_.is_cloud()) counters_.cloud = session_.cloud().report();
     return true;

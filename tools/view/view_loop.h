@@ -61,7 +61,7 @@ public:
     /// Captures the next frame as the window shows it. run() captures the last of its frames.
     void capture_next() noexcept { captures_next_ = true; }
     const Picture& captured() const noexcept { return captured_; }
-    /// Whether the last frame was drawn at the lower resolution.
+    /// Whether the last frame was drawn faster: on a CPU device at the lower resolution, and without exact lines.
     bool is_coarse() const noexcept { return is_coarse_; }
 
     /// Width over height of the window's area that the panel leaves free.
@@ -76,7 +76,9 @@ private:
     void build_panel();
     bool draw();
     double waiting_time() const;
-    std::uint32_t scale() const;
+    bool is_frame_fine() const;
+    std::uint32_t scale(bool is_fine) const;
+    std::optional<ImageSize> exact_size(bool is_fine) const;
 
     Window& window_;
     ViewSession& session_;

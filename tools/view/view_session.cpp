@@ -24,6 +24,13 @@ void ViewAppearance::set_style(Style chosen) {
     only_clear_creases = true;
 }
 
+LineStyle ViewAppearance::line_style() const {
+    return {.crease_degrees = double{crease_angle_deg},
+            .all_creases = !only_clear_creases,
+            .intersections = style_defaults(style).crease_angle_deg > 0.0f,
+            .hidden = hidden};
+}
+
 void ViewSession::show(Document document, double aspect) {
     PictureOptions defaults;
     defaults.fov_degrees = appearance.fov_y_deg;
@@ -100,9 +107,13 @@ HomogeneousPoint ViewSession::silhouette_point() const {
     return silhouette_point_of(frozen_ ? *frozen_ : camera);
 }
 
-ViewPicture ViewSession::picture() const {
+ViewPicture ViewSession::picture(std::optional<ImageSize> exact_size) const {
     if (is_cloud()) return cloud_scene();
-    return scene();
+    Scene shown = scene();
+    if (exact_size && appearance.lines && !frozen_)
+        shown.instances.front().picture_lines =
+            document_.model()->lines().draw(camera, *exact_size, appearance.line_style());
+    return shown;
 }
 
 SplatScene ViewSession::cloud_scene() const {

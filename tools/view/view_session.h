@@ -11,6 +11,7 @@
 
 #include "engine/clouds/splat_renderer.h"
 #include "engine/scene.h"
+#include "tools/options/line_style.h"
 #include "tools/options/option_types.h"
 #include "tools/view/document.h"
 
@@ -21,6 +22,7 @@ struct ViewAppearance {
     explicit ViewAppearance(Style chosen = Style::ink) { set_style(chosen); }
     /// Changes the style. Colors, line width and creases become those of the style.
     void set_style(Style chosen);
+    LineStyle line_style() const;
 
     Style style = Style::ink;
     glm::vec3 background{1.0f};  ///< Linear, as the two colors below.
@@ -88,8 +90,9 @@ public:
     /// The viewpoint or direction of the lines' silhouette, in the coordinates of the document.
     HomogeneousPoint silhouette_point() const;
 
-    /// The scene of the document. Valid until the session changes.
-    ViewPicture picture() const;
+    /// The scene of the document. Valid until the session changes. Of a model whose silhouette is not frozen, a
+    /// picture of `exact_size` has lines with exact visibility, as `render` draws them. They take longer.
+    ViewPicture picture(std::optional<ImageSize> exact_size = {}) const;
     /// For models only.
     Scene scene() const;
     /// For clouds only. Moves the cloud's silhouette to silhouette_point().

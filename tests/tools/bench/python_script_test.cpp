@@ -33,7 +33,7 @@ TEST_CASE("a script that fails has no output whatever it has printed") {
     CHECK_FALSE(run_python("import sys\nprint('half')\nsys.exit(77)", input, {}));
 }
 
-TEST_CASE("a program reads its input from the beginning; one that fails gives nothing") {
+TEST_CASE("a program reads its input from the beginning, and one that fails gives nothing") {
     ScriptInput input;
     input.add(std::string("text"));
     REQUIRE(input.is_complete());

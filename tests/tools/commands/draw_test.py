@@ -15,6 +15,8 @@ from program import fail, model, run, skip, succeed
 SVG = "{http://www.w3.org/2000/svg}"
 INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 KINDS = ("silhouette", "border", "crease", "intersection")
+# Lines as the mesh has them, in straight pieces.
+PLAIN = ("--smooth", "0", "--curve", "0")
 # Borders, creases, hidden lines; a surface that other surfaces pass through.
 SAMPLES = (["shape:knot:3000"], ["shape:scene"], ["shape:terrain:2000", "--eye", "2,1,3"], ["shape:box", "--ortho", "auto"],
            ["shape:scene", "--views", "front,top,right,iso", "--page", "297x210"])
@@ -27,6 +29,28 @@ def length(line):
     return sum(math.dist(a, b) for a, b in zip(points, points[1:]))
 
 
+def curve_point(a, b, c, d, t):
+    s = 1 - t
+    return tuple(s * s * s * i + 3 * s * s * t * j + 3 * s * t * t * k + t * t * t * l for i, j, k, l in zip(a, b, c, d))
+
+
+def path_points(data):
+    """The points of an SVG path, and 32 of each curve."""
+    pair = r"-?\d+(?:\.\d{1,3})?,-?\d+(?:\.\d{1,3})?"
+    triple = f"{pair} {pair} {pair}"
+    assert re.fullmatch(f"M{pair}( {pair})*(L{pair}( {pair})*|C{triple}( {triple})*)*Z?", data), data
+    points = []
+    for command, numbers in re.findall(r"([MLC])([^MLCZ]*)", data):
+        pairs = [tuple(map(float, number.split(","))) for number in numbers.split()]
+        if command != "C":
+            points += pairs
+            continue
+        for controls in zip(pairs[::3], pairs[1::3], pairs[2::3]):
+            begin = points[-1]
+            points += [curve_point(begin, *controls, i / 32) for i in range(1, 33)]
+    return points
+
+
 def read_svg(path):
     root = xml.etree.ElementTree.parse(path).getroot()
     lines = []
@@ -37,9 +61,7 @@ def read_svg(path):
             assert name == layer.get("id")
             for path_element in group.findall(SVG + "path"):
                 data = path_element.get("d")
-                assert re.fullmatch(r"M(-?\d+(\.\d{1,3})?,-?\d+(\.\d{1,3})? ?)+Z?", data), data
-                points = [tuple(map(float, pair.split(","))) for pair in data.strip("MZ").split()]
-                lines.append(Line(name, kind, data.endswith("Z"), points))
+                lines.append(Line(name, kind, data.endswith("Z"), path_points(data)))
     return root, lines
 
 
@@ -65,6 +87,11 @@ def read_pdf(path):
             points = [tuple(map(float, command.split()[:2]))]
         elif command.endswith(" l"):
             points.append(tuple(map(float, command.split()[:2])))
+        elif command.endswith(" c"):
+            numbers = list(map(float, command.split()[:6]))
+            controls = list(zip(numbers[::2], numbers[1::2]))
+            begin = points[-1]
+            points += [curve_point(begin, *controls, i / 32) for i in range(1, 33)]
         elif command in ("s", "S"):
             lines.append(Line(layer, None, command == "s", points))
     box = [float(x) for x in re.search(rb"/MediaBox \[0 0 (\S+) (\S+)\]", data).groups()]
@@ -123,7 +150,7 @@ def test_a_drawing_has_its_lines_in_millimeters_in_every_format():
             for hidden in ("none", "dashed", "layer"):
                 for ending in ("svg", "pdf", "dxf", "json"):
                     path = os.path.join(folder, "a." + ending)
-                    result = succeed("draw", *sample, "--hidden", hidden, "-o", path)
+                    result = succeed("draw", *sample, *PLAIN, "--hidden", hidden, "-o", path)
                     assert result["output"] == path and result["page"] == size and result["failed_checks"] == 0
                     if ending == "svg":
                         root, read["svg"] = read_svg(path)
@@ -193,6 +220,42 @@ def test_other_programs_read_the_drawings():
         skip("no " + ", ".join(missing))
 
 
+def farthest(lines, others):
+    """The greatest distance from a point of the lines to the others."""
+    segments = [pair for line in others
+                for pair in zip(line.points, line.points[1:] + (line.points[:1] if line.closed else []))]
+
+    def distance(p, a, b):
+        way = (b[0] - a[0], b[1] - a[1])
+        square = way[0] ** 2 + way[1] ** 2
+        share = ((p[0] - a[0]) * way[0] + (p[1] - a[1]) * way[1]) / square if square else 0
+        share = min(max(share, 0), 1)
+        return math.dist(p, (a[0] + share * way[0], a[1] + share * way[1]))
+
+    return max(min(distance(point, *segment) for segment in segments) for line in lines for point in line.points)
+
+
+def test_no_step_of_shaping_moves_a_line_by_more_than_its_tolerance():
+    rounding = 0.002
+    with tempfile.TemporaryDirectory() as folder:
+        for ending, read in (("svg", read_svg), ("pdf", read_pdf)):
+            path = os.path.join(folder, "a." + ending)
+
+            def lines_of(*options):
+                succeed("draw", "shape:knot:3000", "--gap", "0", "--min-length", "0", "--stubble", "0", *options, "-o", path)
+                return read(path)[1]
+
+            edges = lines_of("--smooth", "0", "--simplify", "0", "--curve", "0")
+            for tolerance in (0.05, 0.3):
+                for options in (["--smooth", str(tolerance), "--simplify", "0", "--curve", "0"],
+                                ["--smooth", "0", "--simplify", str(tolerance), "--curve", "0"],
+                                ["--smooth", "0", "--simplify", "0", "--curve", str(tolerance)]):
+                    shaped = lines_of(*options)
+                    assert [line.points for line in shaped] != [line.points for line in edges]
+                    moved = max(farthest(shaped, edges), farthest(edges, shaped))
+                    assert 0.1 * tolerance < moved < tolerance + rounding, options
+
+
 def test_a_sphere_is_one_visible_loop():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.svg")
@@ -225,7 +288,7 @@ def test_a_box_from_the_front_has_four_edges_and_true_lengths():
 def test_the_views_of_a_sheet_are_aligned_in_third_angle_projection():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.json")
-        arguments = ["draw", "shape:scene", "--views", "front,top,right,left,bottom,back,iso", "--scale", "1:1", "--page", "fit", "--simplify", "0"]
+        arguments = ["draw", "shape:scene", "--views", "front,top,right,left,bottom,back,iso", "--scale", "1:1", "--page", "fit", "--simplify", "0", *PLAIN]
         result = succeed(*arguments, "-o", path)
         with open(path) as file:
             drawing = json.load(file)
@@ -255,7 +318,7 @@ def test_the_views_of_a_sheet_are_aligned_in_third_angle_projection():
 def test_a_drawing_as_json_is_consistent():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.json")
-        result = succeed("draw", "shape:scene", "--min-length", "0", "-o", path)
+        result = succeed("draw", "shape:scene", "--min-length", "0", "--stubble", "0", "-o", path)
         with open(path) as file:
             drawing = json.load(file)
         view, = drawing["views"]
@@ -319,19 +382,19 @@ def test_pages_have_the_size_that_is_asked_for():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.svg")
         for page, margin in (("100x50", 5), ("420x297", 20)):
-            result = succeed("draw", "shape:knot:2000", "--page", page, "--margin", str(margin), "-o", path)
+            result = succeed("draw", "shape:knot:2000", *PLAIN, "--page", page, "--margin", str(margin), "-o", path)
             low_x, low_y, high_x, high_y = bounds(read_svg(path)[1])
             width, height = map(float, page.split("x"))
             assert result["page"] == [width, height]
             assert abs(min(low_x, low_y) - margin) < 0.1 and max(high_x - width, high_y - height) < -margin + 0.1
-        result = succeed("draw", "shape:knot:2000", "--page", "fit", "--margin", "3", "-o", path)
+        result = succeed("draw", "shape:knot:2000", *PLAIN, "--page", "fit", "--margin", "3", "-o", path)
         box = bounds(read_svg(path)[1])
         assert max(result["page"]) == 180
         assert is_close(box, [3, 3, result["page"][0] - 3, result["page"][1] - 3], 0.1)
         # Each tolerance has the length on the page that is asked for.
-        few = succeed("draw", "shape:knot:20000", "--simplify", "1", "-o", path)
+        few = succeed("draw", "shape:knot:20000", *PLAIN, "--simplify", "1", "-o", path)
         coarse = sum(len(line.points) for line in read_svg(path)[1])
-        many = succeed("draw", "shape:knot:20000", "--simplify", "0", "-o", path)
+        many = succeed("draw", "shape:knot:20000", *PLAIN, "--simplify", "0", "-o", path)
         assert coarse < 0.5 * sum(len(line.points) for line in read_svg(path)[1])
         assert few["chains"] == many["chains"]
         succeed("draw", "shape:scene", "--min-length", "30", "--hidden", "layer", "-o", path)
@@ -344,7 +407,7 @@ def test_a_drawing_ends_at_the_borders_of_its_picture():
         inside = ["--eye", "0,3,0", "--target", "1,0.5,0.3"]
         for camera in (inside, [*inside, "--fov", "100"], ["--eye", "3,2,4", "--fov", "12"], ["--ortho", "1"]):
             for hidden in ("none", "layer"):
-                result = succeed("draw", "shape:scene", *camera, "--page", "200x150", "--hidden", hidden, "-o", path)
+                result = succeed("draw", "shape:scene", *PLAIN, *camera, "--page", "200x150", "--hidden", hidden, "-o", path)
                 _, lines = read_svg(path)
                 check_lengths(lines, result, hidden == "layer")
                 low_x, low_y, high_x, high_y = bounds(lines)
@@ -409,6 +472,6 @@ def test_machine_parts_and_scans_are_drawn():
         path = os.path.join(folder, "a.pdf")
         sheet = succeed("draw", model("fandisk.obj"), "--ortho", "auto", "--views", "front,top,right,iso", "--scale", "1:1", "-o", path)
         assert sheet["failed_checks"] == 0 and len(read_pdf(path)[1]) == sheet["strokes"]
-        head = succeed("draw", model("igea.ply"), "--hidden", "layer", "-o", path)
+        head = succeed("draw", model("igea.ply"), *PLAIN, "--hidden", "layer", "-o", path)
         assert head["failed_checks"] == head["undecided_lines"] == 0 and 0 < head["visible_length"] < head["hidden_length"]
         check_lengths(read_pdf(path)[1], head, True)

@@ -106,10 +106,11 @@ def test_render_chooses_lines_by_style_and_option():
             result = succeed("render", "shape:box:12", "-o", output, "--size", "64x64", *options)
             assert result["creases"] == creases
         pictures = []
-        for options in ([], ["--min-length", "400"], ["--lines", "off"]):
-            succeed("render", "shape:box:12", "-o", output, "--size", "64x64", *options)
+        for options in (["--min-length", "0"], ["--min-length", "400"], ["--lines", "off"]):
+            succeed("render", "shape:knot:3000", "-o", output, "--size", "64x64", "--style", "toon", *options)
             pictures.append(png_rows(output))
-        assert pictures[0] != pictures[1] == pictures[2]
+        # The outline stays.
+        assert pictures[0] != pictures[1] != pictures[2]
         for options in (["--min-length=-1"], ["--intersections", "maybe"]):
             fail(2, "render", "shape:box:12", "-o", output, *options)
 

@@ -69,7 +69,8 @@ public:
         const TestedDevice device(own);
         if (session.is_cloud())
             return SplatRenderer(device.context()).render(session.cloud_scene(), width, height);
-        return Renderer(device.context()).render(session.scene(), width, height);
+        const ViewPicture picture = session.picture(ImageSize{width, height});
+        return Renderer(device.context()).render(std::get<Scene>(picture), width, height);
     }
 
     void resize(int width, int height) {
