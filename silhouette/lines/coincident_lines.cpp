@@ -39,6 +39,7 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
     double length = 0.0;
     stretches_.clear();
+    hidden_.clear();
     for (std::uint32_t i = 0; i < frame.lines.size(); ++i) {
         if (!frame.lines[i].is_drawn) continue;
         const FlatLine& flat = frame.flats[i];
@@ -50,14 +51,14 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
             const glm::dvec2 to = glm::mix(flat.ends[0], flat.ends[1], end);
             const glm::dvec2 way = to - from;
             const double own_length = glm::length(way);
-            stretches_.push_back({i,
-                                  {from, to},
-                                  begin,
-                                  end,
-                                  count > 0,
-                                  own_length,
-                                  own_length > tolerance ? direction_of(way) : std::uint16_t{0},
-                                  most_turn_of(own_length, tolerance)});
+            (count > 0 ? hidden_ : stretches_)
+                .push_back({i,
+                            {from, to},
+                            begin,
+                            end,
+                            own_length,
+                            own_length > tolerance ? direction_of(way) : std::uint16_t{0},
+                            most_turn_of(own_length, tolerance)});
             low = glm::min(low, glm::min(from, to));
             high = glm::max(high, glm::max(from, to));
             length += own_length;
@@ -71,6 +72,7 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
         }
         add(1.0);
     }
+    stretches_.insert(stretches_.end(), hidden_.begin(), hidden_.end());
     if (stretches_.empty()) return;
     const double size = double(stretches_.size());
     grid_.reset(low, high,
@@ -107,8 +109,6 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
             const Stretch& other = stretches_[j];
             if (tested_[j] == i || other.line == own.line) return;
             tested_[j] = i;
-            // The first of two that are both visible or both hidden stays.
-            if (other.is_hidden != own.is_hidden ? other.is_hidden : j > i) return;
             const glm::dvec2 a = other.ends[0] - own.ends[0], b = other.ends[1] - own.ends[0];
             const double height_a = along.x * a.y - along.y * a.x;
             const double height_b = along.x * b.y - along.y * b.x;
@@ -127,7 +127,7 @@ void CoincidentLines::find(const LineFrame& frame, CoveredStretches& covered) {
         };
         grid_.each_cell(own.ends[0], own.ends[1], [&](std::uint32_t cell) {
             const std::uint32_t end = grid_.begin_of(cell + 1);
-            for (std::uint32_t k = grid_.begin_of(cell); k < end; ++k)
+            for (std::uint32_t k = grid_.begin_of(cell); k < end && boxes_[k].stretch < i; ++k)
                 if (may_meet(boxes_[k].area, box) && may_be_parallel(boxes_[k]))
                     visit(boxes_[k].stretch);
         });

@@ -50,7 +50,6 @@ private:
         std::uint32_t line;
         std::array<glm::dvec2, 2> ends;
         double begin, end;
-        bool is_hidden;
         double length;  // In the picture.
         // Its direction, and how far that of a line may be from it that passes within the tolerance of both ends.
         std::uint16_t direction, most_turn;
@@ -61,7 +60,7 @@ private:
         std::uint16_t direction, most_turn;
     };
     PictureGrid grid_;
-    std::vector<Stretch> stretches_;
+    std::vector<Stretch> stretches_, hidden_;  // First the visible ones: the first of two stays.
     std::vector<Box> boxes_;  // By place in the grid.
     std::vector<CoveredStretch> found_;
     std::vector<std::uint32_t> tested_;

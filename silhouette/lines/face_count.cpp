@@ -36,6 +36,17 @@ std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& vi
     return count;
 }
 
+bool is_covered(const LineGeometry& surface, const LineView& view, const glm::dvec2& place) {
+    const Mesh& mesh = surface.mesh();
+    const glm::dvec3 eye_to_center = mesh.center() - view.unproject({{0.0, 0.0}, 0.0});
+    const glm::dvec3 behind =
+        view.unproject({place, glm::length(eye_to_center) + 2.0 * mesh.radius()});
+    return surface.tree().any_along(ray_end(surface, view, behind), behind, [&](std::uint32_t f) {
+        const RayCount ray = meets_face(surface, view, behind, f);
+        return ray.count > 0 || !ray.is_sure;
+    });
+}
+
 RayCount meets_face(const LineGeometry& surface, const LineView& view, const glm::dvec3& point,
                     std::uint32_t face) {
     constexpr double k_error = 0x1p-44;

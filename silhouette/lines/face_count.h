@@ -24,6 +24,9 @@ template <typename IsOwn>
 RayCount count_before_point(const LineGeometry& surface, const LineView& view,
                             const glm::dvec3& point, IsOwn&& is_own);
 
+/// Whether any face lies at a place of the picture, or so near to it that doubles cannot tell. O(log faces) mostly.
+bool is_covered(const LineGeometry& surface, const LineView& view, const glm::dvec2& place);
+
 /// The end of a ray from a point to the eye: the eye, or for a direction a point outside of the mesh.
 glm::dvec3 ray_end(const LineGeometry& surface, const LineView& view, const glm::dvec3& point);
 

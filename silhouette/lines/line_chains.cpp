@@ -10,9 +10,11 @@ namespace rimline {
 
 void LineChains::make(const LineFrame& frame, const CoveredStretches& covered,
                       const LineOptions& options, LineDrawing& drawing) {
-    links_.find(frame);
+    normals_.begin(frame);
+    links_.find(frame, normals_);
     is_smooth_ = options.smooth > 0.0;
-    if (is_smooth_) contour_.begin(frame, options.smooth, options.crease_angle_rad);
+    if (is_smooth_) contour_.begin(frame, options.smooth, options.crease_angle_rad, normals_);
+    last_node_ = k_no_vertex;
     is_done_.assign(frame.lines.size(), 0);
     chain_of_line_.assign(frame.lines.size(), k_no_chain);
     // Open chains from their ends, then closed ones.
@@ -55,7 +57,11 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
     const std::array<glm::dvec3, 2> ends{frame.end_of(frame.lines[line], 0),
                                          frame.end_of(frame.lines[line], 1)};
     std::array<glm::dvec2, 2> shifts{};
-    if (is_smooth_) shifts = {shift_at(frame, line, 0), shift_at(frame, line, 1)};
+    if (is_smooth_) {
+        // The chain comes from the end that it entered at.
+        shifts[entered_at % 2] = shift_at(frame, entered_at);
+        shifts[1 - entered_at % 2] = shift_at(frame, entered_at ^ 1u);
+    }
     const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
         const double share = flat.share_in_space(share_in_picture, is_orthographic);
         const LineView::Projected seen = frame.view->project(glm::mix(ends[0], ends[1], share));
@@ -116,13 +122,18 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
 }
 
 // Only silhouettes move, and not where other lines begin.
-glm::dvec2 LineChains::shift_at(const LineFrame& frame, std::uint32_t line, std::size_t end) {
-    const ViewLine& l = frame.lines[line];
-    if (l.kind != LineKind::silhouette || l.is_cut[0] || l.is_cut[1]) return glm::dvec2(0.0);
+glm::dvec2 LineChains::shift_at(const LineFrame& frame, LineEnd end) {
+    const ViewLine& line = frame.lines[end / 2];
+    if (line.kind != LineKind::silhouette || line.is_cut[0] || line.is_cut[1])
+        return glm::dvec2(0.0);
+    const std::uint32_t node = frame.nodes[end / 2][end % 2];
+    if (node == last_node_) return last_shift_;
     const auto is_drawn = [&](LineEnd e) { return frame.lines[e / 2].is_drawn; };
-    const std::span<const LineEnd> ends = frame.ends_at(frame.nodes[line][end]);
-    if (std::ranges::count_if(ends, is_drawn) != 2) return glm::dvec2(0.0);
-    return contour_.shift_of(l.vertices[end]);
+    last_node_ = node;
+    last_shift_ = std::ranges::count_if(frame.ends_at(node), is_drawn) == 2
+                      ? contour_.shift_of(line.vertices[end % 2])
+                      : glm::dvec2(0.0);
+    return last_shift_;
 }
 
 // Points where visibility changes stay, because there the line meets the one that hides it. Towards them the

@@ -48,7 +48,7 @@ private:
     void follow(const LineFrame& frame, LineEnd first_end, bool is_closed,
                 const CoveredStretches& covered, const LineOptions& options, LineDrawing& drawing);
     void add_line(const LineFrame& frame, LineEnd entered_at, const CoveredStretches& covered);
-    glm::dvec2 shift_at(const LineFrame& frame, std::uint32_t line, std::size_t end);
+    glm::dvec2 shift_at(const LineFrame& frame, LineEnd end);
     void move_to_contour(double tolerance, bool is_closed);
     void split(bool is_closed, const LineOptions& options);
     void rotate_to_change(const LineOptions& options);
@@ -58,7 +58,10 @@ private:
     LineLinks links_;
     std::vector<std::uint8_t> is_done_;
     std::vector<std::uint32_t> chain_of_line_, lines_;  // lines_: of the chain that is being made.
+    SmoothNormals normals_;
     SmoothContour contour_;
+    std::uint32_t last_node_ = k_no_vertex;  // Where the line before ended, and its shift there.
+    glm::dvec2 last_shift_{0.0};
     bool is_smooth_ = false;
     std::vector<ChainPoint> points_, rotated_;
     std::vector<double> shares_of_shift_;

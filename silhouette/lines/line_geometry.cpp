@@ -34,6 +34,12 @@ void LineGeometry::find_bends() {
                           for (std::uint32_t e = run.begin(); e < run.end(); ++e)
                               bends_rad_[e] = static_cast<float>(bend_of(mesh_, EdgeId{e}));
                       });
+    sharpest_bends_rad_.assign(mesh_.vertex_count(), 0.0f);
+    for (std::uint32_t e = 0; e < mesh_.edge_count(); ++e)
+        for (const VertexId vertex : mesh_.edge(EdgeId{e}).vertices) {
+            float& sharpest = sharpest_bends_rad_[index(vertex)];
+            sharpest = std::max(sharpest, bends_rad_[e]);
+        }
 }
 
 // A plane comes from a cross product in double, whose terms have rounding errors of 2^-52.

@@ -30,6 +30,8 @@ public:
     const IntersectionCurves& curves() const noexcept { return curves_; }
     /// By edge, its bend in radians (creases.h).
     std::span<const float> bends_rad() const noexcept { return bends_rad_; }
+    /// By vertex, the greatest bend of its edges.
+    std::span<const float> sharpest_bends_rad() const noexcept { return sharpest_bends_rad_; }
     /// Faces whose plane (Mesh::plane()) may be far from their corners: slivers. Ascending.
     std::span<const std::uint32_t> slivers() const noexcept { return slivers_; }
     /// Edges that can hide others though they are not on a silhouette: non-manifold ones, and those of faces
@@ -47,7 +49,7 @@ private:
     FaceContacts contacts_;
     std::vector<std::uint8_t> is_touched_;
     IntersectionCurves curves_;
-    std::vector<float> bends_rad_;
+    std::vector<float> bends_rad_, sharpest_bends_rad_;
     std::vector<std::uint32_t> slivers_;
     std::vector<EdgeId> special_edges_;
 };

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "silhouette/lines/exact_signs.h"
-#include "silhouette/lines/smooth_facing.h"
 
 namespace rimline {
 
@@ -21,7 +20,7 @@ void LineLinks::link(LineEnd a, LineEnd b) noexcept {
     next_[b] = a;
 }
 
-void LineLinks::find(const LineFrame& frame) {
+void LineLinks::find(const LineFrame& frame, SmoothNormals& normals) {
     next_.assign(2 * frame.lines.size(), k_no_end);
     const std::size_t nodes = frame.end_begin.size() - 1;
     for (std::uint32_t node = 0; node < nodes; ++node)
@@ -34,14 +33,15 @@ void LineLinks::find(const LineFrame& frame) {
             if (ends_.size() == 2)
                 link(ends_[0], ends_[1]);
             else if (ends_.size() > 2 && !(kind == LineKind::silhouette &&
-                                           link_around_sectors(frame, frame.node_vertices[node])))
+                                           link_around_sectors(frame, frame.node_vertices[node], normals)))
                 link_best(frame);
         }
 }
 
 // Returns whether the vertex has one closed fan of faces, and around it fronts and backs between the silhouettes in
 // turn. Else it links nothing.
-bool LineLinks::link_around_sectors(const LineFrame& frame, std::uint32_t vertex) {
+bool LineLinks::link_around_sectors(const LineFrame& frame, std::uint32_t vertex,
+                                    SmoothNormals& normals) {
     const std::span<const VertexStars::Link> links = frame.surface->stars().links(vertex);
     const std::size_t count = links.size();
     for (std::size_t i = 0; i < count; ++i)
@@ -59,7 +59,7 @@ bool LineLinks::link_around_sectors(const LineFrame& frame, std::uint32_t vertex
                          frame.position(link[1])) > 0;
     };
     std::size_t first = count;  // A silhouette after which the sector is to be linked around.
-    const bool links_around_fronts = !(smooth_facing(frame, vertex) > 0.0);
+    const bool links_around_fronts = !(normals.facing(vertex) > 0.0);
     bool was_front = is_front(links.back());
     for (std::size_t i = 0; i < count; ++i) {
         const bool is_now_front = is_front(links[i]);

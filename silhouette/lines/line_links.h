@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/smooth_normals.h"
 
 namespace rimline {
 
@@ -21,14 +22,14 @@ constexpr LineEnd k_no_end = 0xffffffffu;
 
 class LineLinks {
 public:
-    /// Links the drawn lines. O(lines), and at nodes of many lines O(degree^3).
-    void find(const LineFrame& frame);
+    /// Links the drawn lines. O(lines), and at nodes of many lines O(degree^3). `normals` are those of the frame.
+    void find(const LineFrame& frame, SmoothNormals& normals);
     /// The end at which a chain goes on that leaves its line at this one; k_no_end where it ends.
     LineEnd next(LineEnd end) const noexcept { return next_[end]; }
 
 private:
     void link(LineEnd a, LineEnd b) noexcept;
-    bool link_around_sectors(const LineFrame& frame, std::uint32_t vertex);
+    bool link_around_sectors(const LineFrame& frame, std::uint32_t vertex, SmoothNormals& normals);
     void link_best(const LineFrame& frame);
 
     std::vector<LineEnd> next_;

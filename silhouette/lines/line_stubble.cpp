@@ -101,15 +101,6 @@ bool LineStubble::is_loose(std::uint32_t stroke, const LineOptions& options) con
 
 bool LineStubble::is_at_outline(std::uint32_t stroke, const LineFrame& frame,
                                 const LineOptions& options) const {
-    const LineView& view = *frame.view;
-    const Mesh& mesh = frame.surface->mesh();
-    const glm::dvec3 eye_to_center = mesh.center() - view.unproject({{0.0, 0.0}, 0.0});
-    const double behind = glm::length(eye_to_center) + 2.0 * mesh.radius();
-    const auto is_background = [&](const glm::dvec2& place) {
-        const auto is_own = [](std::uint32_t) { return false; };
-        return count_before_point(*frame.surface, view, view.unproject({place, behind}), is_own)
-                   .count == 0;
-    };
     // The line may lie beside that of the mesh.
     const double reach = options.smooth + 0.5 * options.gap;
     const double parts = std::ceil(lengths_[stroke] / (k_outline_spacing * options.stubble));
@@ -122,7 +113,8 @@ bool LineStubble::is_at_outline(std::uint32_t stroke, const LineFrame& frame,
         for (; next < arc + length; next += spacing) {
             const glm::dvec2 place = segment.from + ((next - arc) / length) * way;
             const glm::dvec2 side = (reach / length) * glm::dvec2(-way.y, way.x);
-            if (is_background(place + side) || is_background(place - side)) return true;
+            for (const glm::dvec2& beside : {place + side, place - side})
+                if (!is_covered(*frame.surface, *frame.view, beside)) return true;
         }
         arc += length;
     }
@@ -145,6 +137,7 @@ bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) co
 
 // A loose stroke stays where it holds two ends of strokes that are not loose, and no other such stroke does.
 void LineStubble::keep_bridges(const LineOptions& options) {
+    if (std::ranges::find(is_loose_, 1) == is_loose_.end()) return;
     held_ends_.assign(lengths_.size(), 0);
     for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
         if (is_loose_[s] != 0 || is_closed_[s] != 0 || first_segments_[s] == first_segments_[s + 1])
@@ -171,6 +164,7 @@ void LineStubble::keep_bridges(const LineOptions& options) {
 }
 
 void LineStubble::remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing) {
+    outline_.assign(drawing.strokes.size(), Outline::unknown);
     for (;;) {
         fill(options.gap, drawing);
         is_loose_.clear();
@@ -178,8 +172,12 @@ void LineStubble::remove(const LineFrame& frame, const LineOptions& options, Lin
             is_loose_.push_back(
                 first_segments_[s] == first_segments_[s + 1] || is_loose(s, options) ? 1 : 0);
         keep_bridges(options);
-        for (std::uint32_t s = 0; s < lengths_.size(); ++s)
-            if (is_loose_[s] != 0 && is_at_outline(s, frame, options)) is_loose_[s] = 0;
+        for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
+            if (is_loose_[s] == 0) continue;
+            if (outline_[s] == Outline::unknown)
+                outline_[s] = is_at_outline(s, frame, options) ? Outline::yes : Outline::no;
+            if (outline_[s] == Outline::yes) is_loose_[s] = 0;
+        }
         // The longest first: a stroke is the double of strokes that stay.
         order_.resize(lengths_.size());
         std::iota(order_.begin(), order_.end(), 0u);
@@ -190,7 +188,10 @@ void LineStubble::remove(const LineFrame& frame, const LineOptions& options, Lin
             stays_[s] = is_loose_[s] == 0 && !is_double(s, options) ? 1 : 0;
         std::size_t kept = 0;
         for (std::uint32_t s = 0; s < lengths_.size(); ++s)
-            if (stays_[s] != 0) drawing.strokes[kept++] = drawing.strokes[s];
+            if (stays_[s] != 0) {
+                outline_[kept] = outline_[s];
+                drawing.strokes[kept++] = drawing.strokes[s];
+            }
         if (kept == drawing.strokes.size()) return;
         drawing.strokes.resize(kept);
     }

@@ -53,6 +53,8 @@ private:
     std::vector<std::uint32_t> first_segments_;  // Of each stroke, and one more.
     std::vector<double> lengths_;
     std::vector<std::uint8_t> is_closed_, is_loose_, stays_;
+    enum class Outline : std::uint8_t { unknown, no, yes };
+    std::vector<Outline> outline_;  // Of each stroke of the drawing.
     std::vector<std::uint32_t> held_ends_, order_;
 };
 

@@ -4,69 +4,59 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include "silhouette/lines/smooth_facing.h"
+#include <optional>
 
 namespace rimline {
 
-void SmoothContour::begin(const LineFrame& frame, double tolerance, float crease_angle_rad) {
+void SmoothContour::begin(const LineFrame& frame, double tolerance, float crease_angle_rad,
+                          SmoothNormals& normals) {
     frame_ = &frame;
+    normals_ = &normals;
     tolerance_ = tolerance;
     crease_angle_rad_ = crease_angle_rad;
-    const std::size_t vertices = frame.surface->mesh().vertex_count();
-    facing_stamps_.resize(vertices);
-    shift_stamps_.resize(vertices);
-    facings_.resize(vertices);
-    shifts_.resize(vertices);
-    ++view_number_;
 }
 
 glm::dvec2 SmoothContour::shift_of(std::uint32_t vertex) {
-    if (shift_stamps_[vertex] != view_number_) {
-        shift_stamps_[vertex] = view_number_;
-        shifts_[vertex] = find_shift(vertex);
-    }
-    return shifts_[vertex];
-}
-
-double SmoothContour::facing_of(std::uint32_t vertex) {
-    if (facing_stamps_[vertex] == view_number_) return facings_[vertex];
-    facing_stamps_[vertex] = view_number_;
-    return facings_[vertex] = smooth_facing(*frame_, vertex);
-}
-
-bool SmoothContour::is_at_crease(std::uint32_t vertex) const {
-    const Mesh& mesh = frame_->surface->mesh();
-    for (const std::uint32_t face : frame_->surface->stars().faces(vertex))
-        for (const EdgeId edge : mesh.edges_of(FaceId{face})) {
-            const auto& [v, w] = mesh.edge(edge).vertices;
-            if ((index(v) == vertex || index(w) == vertex) &&
-                frame_->surface->bends_rad()[index(edge)] >= crease_angle_rad_)
-                return true;
-        }
-    return false;
-}
-
-glm::dvec2 SmoothContour::find_shift(std::uint32_t vertex) {
-    if (is_at_crease(vertex)) return glm::dvec2(0.0);
+    if (frame_->surface->sharpest_bends_rad()[vertex] >= crease_angle_rad_) return glm::dvec2(0.0);
     const LineView& view = *frame_->view;
     const auto at = [&](std::uint32_t v) { return glm::dvec3(frame_->position(v)); };
-    const glm::dvec2 from = view.project(at(vertex)).position;
+    const glm::dvec3 own = at(vertex);
+    const double own_facing = normals_->facing(vertex);
+    const glm::dvec2 from = view.project(own).position;
+
+    // Of a neighbor: how it faces the eye, and where the contour crosses the edge to it.
+    struct Spoke {
+        std::uint32_t vertex = k_no_vertex;
+        double facing = 0.0;
+        std::optional<glm::dvec2> crossing;
+    };
+    const auto crossing_of = [&](const glm::dvec3& a, double f, const glm::dvec3& b,
+                                 double g) -> std::optional<glm::dvec2> {
+        if ((f > 0.0) == (g > 0.0)) return {};
+        const LineView::Projected place = view.project(glm::mix(a, b, f / (f - g)));
+        if (!view.is_orthographic() && !(place.depth > 0.0)) return {};
+        return place.position;
+    };
+    const auto spoke_to = [&](std::uint32_t v) {
+        Spoke spoke{v, normals_->facing(v), {}};
+        spoke.crossing = crossing_of(own, own_facing, at(v), spoke.facing);
+        return spoke;
+    };
+
     double nearest = -1.0;
     glm::dvec2 shift(0.0);
+    Spoke last;
     for (const auto& [a, b] : frame_->surface->stars().links(vertex)) {
-        const std::array<std::uint32_t, 3> corners{vertex, a, b};
+        const Spoke first = a == last.vertex ? last : spoke_to(a);
+        last = spoke_to(b);
         // The contour crosses two sides of a face, or none.
         std::array<glm::dvec2, 2> ends;
         std::size_t count = 0;
-        for (std::size_t k = 0; k < 3 && count < 2; ++k) {
-            const std::uint32_t v = corners[k], w = corners[(k + 1) % 3];
-            const double f = facing_of(v), g = facing_of(w);
-            if ((f > 0.0) == (g > 0.0)) continue;
-            const LineView::Projected place = view.project(glm::mix(at(v), at(w), f / (f - g)));
-            if (!view.is_orthographic() && !(place.depth > 0.0)) continue;
-            ends[count++] = place.position;
-        }
+        for (const std::optional<glm::dvec2>& crossing : {first.crossing, last.crossing})
+            if (crossing) ends[count++] = *crossing;
+        if (count == 1)
+            if (const auto side = crossing_of(at(a), first.facing, at(b), last.facing))
+                ends[count++] = *side;
         if (count < 2) continue;
         const glm::dvec2 way = ends[1] - ends[0];
         const double square = glm::dot(way, way);

@@ -10,36 +10,28 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <vector>
 
 #include "silhouette/lines/line_frame.h"
+#include "silhouette/lines/smooth_normals.h"
 
 namespace rimline {
 
 class SmoothContour {
 public:
     /// Before the first shift of a view. No shift is longer than `tolerance`, in picture coordinates. Vertices at
-    /// an edge that bends by `crease_angle_rad` do not move: there the mesh is the surface.
-    void begin(const LineFrame& frame, double tolerance, float crease_angle_rad);
+    /// an edge that bends by `crease_angle_rad` do not move: there the mesh is the surface. `normals` are those of
+    /// the frame.
+    void begin(const LineFrame& frame, double tolerance, float crease_angle_rad,
+               SmoothNormals& normals);
 
-    /// How far a vertex moves in the picture. O(faces of its neighbors); remembered until begin().
+    /// How far a vertex moves in the picture. O(faces of the vertex).
     glm::dvec2 shift_of(std::uint32_t vertex);
 
 private:
-    // n · (eye - p): positive where the smooth surface faces the eye.
-    double facing_of(std::uint32_t vertex);
-    glm::dvec2 find_shift(std::uint32_t vertex);
-    bool is_at_crease(std::uint32_t vertex) const;
-
     const LineFrame* frame_ = nullptr;
+    SmoothNormals* normals_ = nullptr;
     double tolerance_ = 0.0;
     float crease_angle_rad_ = 0.0f;
-    // By vertex, valid where the stamp is that of the view.
-    std::uint32_t view_number_ = 0;
-    std::vector<std::uint32_t> facing_stamps_, shift_stamps_;
-    std::vector<double> facings_;
-    std::vector<glm::dvec2> shifts_;
 };
 
 }  // namespace rimline

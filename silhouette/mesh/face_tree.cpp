@@ -5,7 +5,6 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace rimline {
 
@@ -125,26 +124,11 @@ std::vector<FaceTree::NodePair> FaceTree::node_pairs(std::uint32_t max_faces) co
     return done;
 }
 
-// The margin is a few hundred times the rounding errors of the tests and of the ends.
+// The margin is a few hundred times the rounding errors of the tests and of the ends. Along an axis on which the
+// segment has no length, 1e300 tells as well as infinity on which side of it a box lies, and gives no NaN.
 FaceTree::Segment::Segment(const glm::dvec3& a, const glm::dvec3& b)
     : from(a), margin(0x1p-44 * (reach_of(a) + reach_of(b)) + 0x1p-1000) {
-    for (int i = 0; i < 3; ++i) inverse[i] = 1.0 / (b[i] - a[i]);
-}
-
-bool FaceTree::Segment::may_meet(const FaceBox& box) const noexcept {
-    double begin = 0.0, end = 1.0;
-    for (int i = 0; i < 3; ++i) {
-        const double low = double{box.low[i]} - margin - from[i];
-        const double high = double{box.high[i]} + margin - from[i];
-        if (std::isinf(inverse[i])) {
-            if (low > 0.0 || high < 0.0) return false;
-            continue;
-        }
-        const double p = low * inverse[i], q = high * inverse[i];
-        begin = std::max(begin, std::min(p, q));
-        end = std::min(end, std::max(p, q));
-    }
-    return begin <= end + 0x1p-44;
+    for (int i = 0; i < 3; ++i) inverse[i] = std::clamp(1.0 / (b[i] - a[i]), -1e300, 1e300);
 }
 
 }  // namespace rimline

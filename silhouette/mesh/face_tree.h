@@ -5,6 +5,7 @@
 // A node holds a range of faces, in the order of the tree. Its children hold one half each. So there are no
 // pointers, and the tree depends on the mesh alone.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -55,15 +56,25 @@ public:
         });
     }
 
-    /// Calls visit(face) for each face that the segment may meet, and for some others.
+    /// Calls visit(face) for each face that the segment may meet, and for some others, until it returns true.
+    /// Returns whether it did.
     template <typename Visit>
-    void each_along(const glm::dvec3& from, const glm::dvec3& to, Visit&& visit) const {
+    bool any_along(const glm::dvec3& from, const glm::dvec3& to, Visit&& visit) const {
         const Segment segment(from, to);
         const auto is_outside = [&](const Node& node) {
             return !segment.may_meet(boxes_[node.number]);
         };
-        any_leaf(is_outside, [&](const Node& node) {
-            for (std::uint32_t i = node.first; i < node.last; ++i) visit(order_[i]);
+        return any_leaf(is_outside, [&](const Node& node) {
+            for (std::uint32_t i = node.first; i < node.last; ++i)
+                if (visit(order_[i])) return true;
+            return false;
+        });
+    }
+    /// The same for all of them.
+    template <typename Visit>
+    void each_along(const glm::dvec3& from, const glm::dvec3& to, Visit&& visit) const {
+        any_along(from, to, [&](std::uint32_t face) {
+            visit(face);
             return false;
         });
     }
@@ -108,7 +119,16 @@ private:
     // A segment, prepared for tests of boxes that are wider than its rounding errors.
     struct Segment {
         Segment(const glm::dvec3& from, const glm::dvec3& to);
-        bool may_meet(const FaceBox& box) const noexcept;
+        bool may_meet(const FaceBox& box) const noexcept {
+            double begin = 0.0, end = 1.0;
+            for (int i = 0; i < 3; ++i) {
+                const double p = (double{box.low[i]} - margin - from[i]) * inverse[i];
+                const double q = (double{box.high[i]} + margin - from[i]) * inverse[i];
+                begin = std::max(begin, std::min(p, q));
+                end = std::min(end, std::max(p, q));
+            }
+            return begin <= end + 0x1p-44;
+        }
         glm::dvec3 from, inverse;
         double margin;
     };
