@@ -5,16 +5,19 @@
 //
 // Visible lines come first, then hidden ones. A stretch is covered where a line that came before lies along it.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "silhouette/lines/line_frame.h"
-#include "silhouette/lines/picture_box.h"
-#include "silhouette/lines/picture_grid.h"
 
 namespace rimline {
+
+/// Seen from the eye, and not from the point beside it, lines coincide that are so near to each other from there.
+double coincidence_tolerance(const LineFrame& frame);
+
+/// False where the two lines coincide nowhere, but for stretches of a hundred tolerances or less.
+bool may_coincide(const FlatLine& a, const FlatLine& b, double tolerance) noexcept;
 
 /// A stretch of a line that another one covers, as shares in the picture of its FlatLine.
 struct CoveredStretch {
@@ -42,28 +45,24 @@ private:
 
 class CoincidentLines {
 public:
-    /// O(lines + pairs of nearly parallel lines that share a cell).
-    void find(const LineFrame& frame, CoveredStretches& covered);
+    /// Of the frame's parallels. O(lines + parallels log parallels).
+    void find(LineFrame& frame, CoveredStretches& covered);
 
 private:
+    // A piece of a line of one visibility.
     struct Stretch {
         std::uint32_t line;
         std::array<glm::dvec2, 2> ends;
         double begin, end;
         double length;  // In the picture.
-        // Its direction, and how far that of a line may be from it that passes within the tolerance of both ends.
-        std::uint16_t direction, most_turn;
+        bool is_hidden;
     };
-    struct Box {
-        PictureBox area;
-        std::uint32_t stretch;
-        std::uint16_t direction, most_turn;
-    };
-    PictureGrid grid_;
-    std::vector<Stretch> stretches_, hidden_;  // First the visible ones: the first of two stays.
-    std::vector<Box> boxes_;  // By place in the grid.
+    static void find_stretches(const LineFrame& frame, std::uint32_t line,
+                               std::vector<Stretch>& stretches);
+    void cover(const Stretch& own, const Stretch& other, double tolerance);
+
+    std::vector<Stretch> stretches_, others_;
     std::vector<CoveredStretch> found_;
-    std::vector<std::uint32_t> tested_;
 };
 
 }  // namespace rimline

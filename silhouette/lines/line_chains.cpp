@@ -31,13 +31,25 @@ void LineChains::follow(const LineFrame& frame, LineEnd first_end, bool is_close
                         LineDrawing& drawing) {
     points_.clear();
     lines_.clear();
+    // Whether the shape of a line matters, and of the one before. Where a closed chain begins, it always does.
+    const auto is_shaped = [&](LineEnd end) {
+        return is_smooth_ && (options.shapes_hidden || is_seen(frame, end / 2));
+    };
+    bool was_shaped = is_smooth_, is_now_shaped = is_shaped(first_end);
     for (LineEnd end = first_end;;) {
         is_done_[end / 2] = 1;
         lines_.push_back(end / 2);
-        add_line(frame, end, covered);
         const LineEnd next = links_.next(end ^ 1u);
-        if (next == k_no_end || is_done_[next / 2] != 0) break;
+        const bool is_last = next == k_no_end || is_done_[next / 2] != 0;
+        const bool is_next_shaped = is_last ? is_smooth_ : is_shaped(next);
+        std::array<glm::dvec2, 2> shifts{glm::dvec2(0.0), glm::dvec2(0.0)};
+        if (was_shaped || is_now_shaped) shifts[end % 2] = shift_at(frame, end);
+        if (is_now_shaped || is_next_shaped) shifts[1 - end % 2] = shift_at(frame, end ^ 1u);
+        add_line(frame, end, shifts, covered);
+        if (is_last) break;
         end = next;
+        was_shaped = is_now_shaped;
+        is_now_shaped = is_next_shaped;
     }
     if (is_smooth_) move_to_contour(options.smooth, is_closed);
     split(is_closed, options);
@@ -49,6 +61,7 @@ void LineChains::follow(const LineFrame& frame, LineEnd first_end, bool is_close
 
 // Adds the points of a line from one of its ends to the other.
 void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
+                          const std::array<glm::dvec2, 2>& shifts,
                           const CoveredStretches& covered) {
     const std::uint32_t line = entered_at / 2;
     const bool is_reversed = entered_at % 2 != 0;
@@ -56,12 +69,6 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
     const bool is_orthographic = frame.view->is_orthographic();
     const std::array<glm::dvec3, 2> ends{frame.end_of(frame.lines[line], 0),
                                          frame.end_of(frame.lines[line], 1)};
-    std::array<glm::dvec2, 2> shifts{};
-    if (is_smooth_) {
-        // The chain comes from the end that it entered at.
-        shifts[entered_at % 2] = shift_at(frame, entered_at);
-        shifts[1 - entered_at % 2] = shift_at(frame, entered_at ^ 1u);
-    }
     const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
         const double share = flat.share_in_space(share_in_picture, is_orthographic);
         const LineView::Projected seen = frame.view->project(glm::mix(ends[0], ends[1], share));
@@ -119,6 +126,14 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
         if (k > 0) count -= events[k - 1].jump;
     }
     add(0.0, count, false);
+}
+
+// Whether a piece of the line is visible.
+bool LineChains::is_seen(const LineFrame& frame, std::uint32_t line) {
+    std::int32_t count = frame.first_counts[line], least = count;
+    for (const LineEvent& event : frame.events_of(line))
+        least = std::min(least, count += event.jump);
+    return least <= 0;
 }
 
 // Only silhouettes move, and not where other lines begin.

@@ -5,6 +5,7 @@
 // A chain follows lines from link to link (line_links.h), and its runs end where visibility changes. Hidden runs between
 // visible ones that are too short to see are then visible, and visible ones between hidden ones hidden.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -47,7 +48,9 @@ private:
 
     void follow(const LineFrame& frame, LineEnd first_end, bool is_closed,
                 const CoveredStretches& covered, const LineOptions& options, LineDrawing& drawing);
-    void add_line(const LineFrame& frame, LineEnd entered_at, const CoveredStretches& covered);
+    void add_line(const LineFrame& frame, LineEnd entered_at,
+                  const std::array<glm::dvec2, 2>& shifts, const CoveredStretches& covered);
+    static bool is_seen(const LineFrame& frame, std::uint32_t line);
     glm::dvec2 shift_at(const LineFrame& frame, LineEnd end);
     void move_to_contour(double tolerance, bool is_closed);
     void split(bool is_closed, const LineOptions& options);

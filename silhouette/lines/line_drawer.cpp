@@ -68,7 +68,7 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     find_locals(frame, options.draws[std::size_t(LineKind::crease)], options.crease_angle_rad);
     find_curve_locals(frame);
     call.checkpoint(0.3);
-    state_->events.find(frame);
+    state_->events.find(frame, !options.keeps_coincident);
     call.checkpoint(0.6);
     state_->invisibility.spread(frame);
     call.checkpoint(0.8);

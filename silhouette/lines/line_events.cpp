@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "silhouette/lines/coincident_lines.h"
 #include "silhouette/lines/exact_signs.h"
 #include "silhouette/lines/local_rule.h"
 
@@ -14,7 +15,6 @@ namespace rimline {
 namespace {
 
 constexpr std::uint32_t k_no_line = 0xffffffffu;
-constexpr std::uint32_t k_max_lines_a_cell = 8;
 // In radii: of a segment of an intersection and a line so near to each other in depth, either may lie in front.
 constexpr double k_depth_slack = 0x1p-40;
 
@@ -44,64 +44,46 @@ CrossingPlace crossing_of(const FlatLine& a, const FlatLine& b) {
 
 }  // namespace
 
-void LineEvents::fill_grid(const LineFrame& frame) {
-    glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
-    double length = 0.0;
-    occluders_.clear();
-    for (const std::uint32_t i : frame.walk) {
-        const FlatLine& flat = frame.flats[i];
-        if (frame.lines[i].balance != 0) occluders_.push_back({flat, i});
-    }
-    for (const FlatLine& flat : frame.flats) {
-        low = glm::min(low, glm::min(flat.ends[0], flat.ends[1]));
-        high = glm::max(high, glm::max(flat.ends[0], flat.ends[1]));
-        length +=
-            std::abs(flat.ends[0].x - flat.ends[1].x) + std::abs(flat.ends[0].y - flat.ends[1].y);
-    }
-    // Cells half as wide as a line is long, but not many more than there are lines.
-    const double lines = double(frame.lines.size());
-    const double area = (high.x - low.x) * (high.y - low.y);
-    grid_.reset(low, high,
-                0.5 * std::max(length / lines, std::sqrt(area / (k_max_lines_a_cell * lines +
-                                                                 2 * k_max_lines_a_cell))));
-    for (std::uint32_t i = 0; i < occluders_.size(); ++i)
-        grid_.add(i, occluders_[i].flat.ends[0], occluders_[i].flat.ends[1]);
-    grid_.finish();
-    steps_ = PictureSteps(low, high);
-    boxes_.clear();
-    for (const std::uint32_t i : grid_.all_segments()) {
-        const auto& [ends, depths, shares] = occluders_[i].flat;
-        boxes_.push_back(
-            {steps_.box(ends[0], ends[1], 0.0), float_below(std::min(depths[0], depths[1])), i});
-    }
-    tested_.assign(occluders_.size(), k_no_line);
+void LineEvents::fill_tree(const LineFrame& frame) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const FlatLine& flat : frame.flats)
+        for (const std::size_t k : {0, 1}) {
+            low = glm::min(low, glm::dvec3(flat.ends[k], flat.depths[k]));
+            high = glm::max(high, glm::dvec3(flat.ends[k], flat.depths[k]));
+        }
+    const PictureSteps steps(low, high);
+    tree_.clear();
+    placed_.clear();
+    const auto add = [&](std::uint32_t i) {
+        const auto& [ends, depths, shares] = frame.flats[i];
+        const bool is_drawn = frame.lines[i].is_drawn, hides = frame.lines[i].balance != 0;
+        const PictureBox box = steps.box({ends[0], depths[0]}, {ends[1], depths[1]});
+        placed_.push_back({frame.flats[i], i, is_drawn, hides});
+        tree_.add(box, is_drawn || hides ? box : k_empty_picture_box);
+    };
+    for (const std::uint32_t i : frame.walk) add(i);
+    for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i) add(i);
+    tree_.finish();
 }
 
-// Calls visit(occluder) for each that may lie before the line in the picture, once.
-template <typename Visit>
-void LineEvents::each_candidate(const FlatLine& flat, std::uint32_t line, Visit&& visit) {
-    const auto& [ends, depths, shares] = flat;
-    const PictureQuery own = steps_.query(ends[0], ends[1]);
-    const float depth = float_above(std::max(depths[0], depths[1]));
-    grid_.each_cell(ends[0], ends[1], [&](std::uint32_t cell) {
-        const std::uint32_t end = grid_.begin_of(cell + 1);
-        for (std::uint32_t k = grid_.begin_of(cell); k < end; ++k) {
-            const Box& box = boxes_[k];
-            if (!may_meet(box.area, own) || box.depth > depth) continue;
-            if (tested_[box.occluder] == line) continue;
-            tested_[box.occluder] = line;
-            visit(occluders_[box.occluder]);
-        }
+void LineEvents::find_crossings(LineFrame& frame, bool finds_parallels) {
+    const double tolerance = coincidence_tolerance(frame);
+    tree_.each_pair([&](std::uint32_t place, std::uint32_t other) {
+        const Placed &own = placed_[place], &before = placed_[other];
+        if (place == other) return;
+        if (finds_parallels && own.is_drawn && before.is_drawn &&
+            may_coincide(own.flat, before.flat, tolerance))
+            frame.parallels.push_back(
+                {std::min(own.line, before.line), std::max(own.line, before.line)});
+        if (!before.hides) return;
+        if (own.line < frame.edge_lines)
+            cross(frame, own.line, before);
+        else
+            cross_segment(frame, own.line, before);
     });
 }
 
-void LineEvents::find_crossings(LineFrame& frame) {
-    for (const std::uint32_t i : frame.walk)
-        each_candidate(frame.flats[i], i,
-                       [&](const Occluder& occluder) { cross(frame, i, occluder); });
-}
-
-void LineEvents::cross(LineFrame& frame, std::uint32_t i, const Occluder& occluder) {
+void LineEvents::cross(LineFrame& frame, std::uint32_t i, const Placed& occluder) {
     const ViewLine &line = frame.lines[i], &other = frame.lines[occluder.line];
     const auto [v, w] = line.vertices;
     const auto [c, d] = other.vertices;
@@ -228,7 +210,7 @@ void LineEvents::add_footholds(LineFrame& frame) {
 // The ends of a segment are rounded, and segments that share a node share its position. So a line passes behind
 // the chain of segments where it does exactly, but perhaps beside the segment that says so. A segment is doubtful
 // where an occluder passes so near to it that doubles do not decide on which side, or which lies in front.
-void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, const Occluder& occluder) {
+void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, const Placed& occluder) {
     const IntersectionCurves& curves = frame.surface->curves();
     const IntersectionCurves::Segment& segment = curves.segments()[frame.lines[i].source];
     const ViewLine& other = frame.lines[occluder.line];
@@ -267,11 +249,10 @@ void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, const Occluder
     ++frame.report.crossings;
 }
 
-void LineEvents::find_events_of_intersections(LineFrame& frame) {
+// Where segments of intersections pass through faces.
+void LineEvents::add_passages(LineFrame& frame) {
     const Mesh& mesh = frame.surface->mesh();
     for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i) {
-        each_candidate(frame.flats[i], i,
-                       [&](const Occluder& occluder) { cross_segment(frame, i, occluder); });
         for (const auto& [kind, face, share] :
              frame.surface->curves().passages(frame.lines[i].source)) {
             if (kind != IntersectionCurves::Passage::Kind::through) frame.set_doubtful(i);
@@ -305,13 +286,14 @@ void LineEvents::sort(LineFrame& frame) {
                   });
 }
 
-void LineEvents::find(LineFrame& frame) {
+void LineEvents::find(LineFrame& frame, bool finds_parallels) {
     found_.clear();
+    frame.parallels.clear();
     if (!frame.lines.empty()) {
-        fill_grid(frame);
-        find_crossings(frame);
+        fill_tree(frame);
+        find_crossings(frame, finds_parallels);
         find_contacts(frame);
-        find_events_of_intersections(frame);
+        add_passages(frame);
     }
     sort(frame);
 }

@@ -98,6 +98,8 @@ struct LineFrame {
     std::vector<std::uint8_t> is_doubtful;
     std::vector<std::uint32_t> event_begin;  ///< Of each line, and one more.
     std::vector<LineEvent> events;           ///< By line, then by share.
+    /// Pairs of drawn lines that may coincide in the picture, the lower number first. A pair may be there twice.
+    std::vector<std::array<std::uint32_t, 2>> parallels;
     std::vector<std::int32_t> first_counts;  ///< The invisibility at the first end of each line.
     LineReport report;
 

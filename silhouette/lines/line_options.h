@@ -24,6 +24,8 @@ struct LineOptions {
     double stubble = 0.0;  ///< Shorter strokes are left out where they are noise (line_stubble.h).
     /// Silhouettes move by at most this to the contour of the smooth surface (smooth_contour.h).
     double smooth = 0.0;
+    bool shapes_hidden =
+        true;  ///< Hidden runs move too. False takes less time where they are not drawn.
     double simplify = 0.0;  ///< Points are left out where the line moves by at most this.
     /// Runs end where LineRun::hidden_by changes, not only where visibility does.
     bool splits_counts = false;

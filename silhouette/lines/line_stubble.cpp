@@ -71,8 +71,8 @@ bool LineStubble::is_beside(const glm::dvec2& place, std::uint32_t stroke, doubl
                             bool must_stay) const {
     const auto is_near = [&](const Segment& segment) {
         const std::uint32_t other = segment.stroke;
-        if (other == stroke) return false;
-        if (must_stay && stays_[other] == 0) return false;
+        if (other == stroke || is_there_[other] == 0 || (must_stay && stays_[other] == 0))
+            return false;
         const double share = share_at(segment, place);
         // Before the end of a stroke lies no double of it, but what goes on from there.
         if (must_stay &&
@@ -89,6 +89,7 @@ bool LineStubble::is_beside(const glm::dvec2& place, std::uint32_t stroke, doubl
 }
 
 bool LineStubble::is_loose(std::uint32_t stroke, const LineOptions& options) const {
+    if (first_segments_[stroke] == first_segments_[stroke + 1]) return true;
     if (lengths_[stroke] >= 2.0 * options.stubble) return false;
     if (is_closed_[stroke] != 0) return lengths_[stroke] < options.stubble;
     const auto is_held = [&](const glm::dvec2& end) {
@@ -140,8 +141,7 @@ void LineStubble::keep_bridges(const LineOptions& options) {
     if (std::ranges::find(is_loose_, 1) == is_loose_.end()) return;
     held_ends_.assign(lengths_.size(), 0);
     for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
-        if (is_loose_[s] != 0 || is_closed_[s] != 0 || first_segments_[s] == first_segments_[s + 1])
-            continue;
+        if (is_there_[s] == 0 || is_loose_[s] != 0 || is_closed_[s] != 0) continue;
         for (const glm::dvec2& end :
              {segments_[first_segments_[s]].from, segments_[first_segments_[s + 1] - 1].to}) {
             std::uint32_t holder = k_no_stroke;
@@ -149,7 +149,9 @@ void LineStubble::keep_bridges(const LineOptions& options) {
             grid_.each_cell(end, end, [&](std::uint32_t cell) {
                 for (const std::uint32_t i : grid_.segments_in(cell)) {
                     const std::uint32_t other = segments_[i].stroke;
-                    if (other == s || distance_to(segments_[i], end) > options.gap) continue;
+                    if (other == s || is_there_[other] == 0 ||
+                        distance_to(segments_[i], end) > options.gap)
+                        continue;
                     if (is_loose_[other] == 0)
                         is_held = true;
                     else if (holder == k_no_stroke || lengths_[other] > lengths_[holder])
@@ -163,38 +165,39 @@ void LineStubble::keep_bridges(const LineOptions& options) {
         if (held_ends_[s] >= 2) is_loose_[s] = 0;
 }
 
+// Strokes that are gone hold no others, so there are rounds.
 void LineStubble::remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing) {
-    outline_.assign(drawing.strokes.size(), Outline::unknown);
-    for (;;) {
-        fill(options.gap, drawing);
-        is_loose_.clear();
-        for (std::uint32_t s = 0; s < lengths_.size(); ++s)
-            is_loose_.push_back(
-                first_segments_[s] == first_segments_[s + 1] || is_loose(s, options) ? 1 : 0);
+    fill(options.gap, drawing);
+    const std::size_t count = drawing.strokes.size();
+    // The longest first: a stroke is the double of strokes that stay.
+    order_.resize(count);
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::ranges::stable_sort(order_, std::ranges::greater{},
+                             [&](std::uint32_t s) { return lengths_[s]; });
+    outline_.assign(count, Outline::unknown);
+    is_there_.assign(count, 1);
+    is_loose_.assign(count, 0);
+    stays_.assign(count, 0);
+    for (bool is_done = false; !is_done;) {
+        for (const std::uint32_t s : order_)
+            is_loose_[s] = is_there_[s] != 0 && is_loose(s, options);
         keep_bridges(options);
-        for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
+        for (const std::uint32_t s : order_) {
             if (is_loose_[s] == 0) continue;
             if (outline_[s] == Outline::unknown)
                 outline_[s] = is_at_outline(s, frame, options) ? Outline::yes : Outline::no;
             if (outline_[s] == Outline::yes) is_loose_[s] = 0;
         }
-        // The longest first: a stroke is the double of strokes that stay.
-        order_.resize(lengths_.size());
-        std::iota(order_.begin(), order_.end(), 0u);
-        std::ranges::stable_sort(order_, std::ranges::greater{},
-                                 [&](std::uint32_t s) { return lengths_[s]; });
-        stays_.assign(lengths_.size(), 0);
+        std::ranges::fill(stays_, 0);
         for (const std::uint32_t s : order_)
-            stays_[s] = is_loose_[s] == 0 && !is_double(s, options) ? 1 : 0;
-        std::size_t kept = 0;
-        for (std::uint32_t s = 0; s < lengths_.size(); ++s)
-            if (stays_[s] != 0) {
-                outline_[kept] = outline_[s];
-                drawing.strokes[kept++] = drawing.strokes[s];
-            }
-        if (kept == drawing.strokes.size()) return;
-        drawing.strokes.resize(kept);
+            stays_[s] = is_there_[s] != 0 && is_loose_[s] == 0 && !is_double(s, options);
+        is_done = stays_ == is_there_;
+        is_there_ = stays_;
     }
+    std::size_t kept = 0;
+    for (std::uint32_t s = 0; s < count; ++s)
+        if (is_there_[s] != 0) drawing.strokes[kept++] = drawing.strokes[s];
+    drawing.strokes.resize(kept);
 }
 
 }  // namespace rimline

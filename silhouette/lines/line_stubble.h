@@ -52,7 +52,7 @@ private:
     std::vector<Segment> segments_;
     std::vector<std::uint32_t> first_segments_;  // Of each stroke, and one more.
     std::vector<double> lengths_;
-    std::vector<std::uint8_t> is_closed_, is_loose_, stays_;
+    std::vector<std::uint8_t> is_closed_, is_there_, is_loose_, stays_;
     enum class Outline : std::uint8_t { unknown, no, yes };
     std::vector<Outline> outline_;  // Of each stroke of the drawing.
     std::vector<std::uint32_t> held_ends_, order_;

@@ -1,81 +1,93 @@
 #pragma once
 
-// Boxes of a picture whose test is one subtraction.
+// Boxes of the lines of a picture, of which eight are compared at once.
 //
-// The picture is divided into 2^15 steps along each axis. A box is four numbers of steps, rounded outwards, in one
-// word of 64 bits; upper ends are held from the other side. Between two numbers lies a bit that is 0 in a box and 1
-// in a query, and stays 1 in query - box where the number of the query is not less.
-//
-//     box    0 low x     0 low y     0 -high x    0 -high y
-//     query  1 high x    1 high y    1 -low x     1 -low y
+// The picture and its depths are divided into 2^15 steps along each axis. A box is rounded outwards to whole steps.
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
 
 namespace rimline {
 
-/// Floats below and above a value, by no less than rounding. (std::nextafter is a slow call.)
-inline float float_below(double value) noexcept {
-    const auto rounded = static_cast<float>(value);
-    return rounded - ((rounded < 0.0f ? -rounded : rounded) * 0x1p-23f + 0x1p-120f);
-}
-inline float float_above(double value) noexcept { return -float_below(-value); }
-
 struct PictureBox {
-    std::uint64_t steps;
-};
-struct PictureQuery {
-    std::uint64_t steps;
+    std::int16_t low_x, low_y, high_x, high_y;
+    std::int16_t near, far;  ///< Of the depth.
+
+    void include(const PictureBox& other) noexcept {
+        low_x = std::min(low_x, other.low_x);
+        low_y = std::min(low_y, other.low_y);
+        high_x = std::max(high_x, other.high_x);
+        high_y = std::max(high_y, other.high_y);
+        near = std::min(near, other.near);
+        far = std::max(far, other.far);
+    }
 };
 
-/// Whether the boxes of both may have a place in common.
-inline bool may_meet(const PictureBox& box, const PictureQuery& query) noexcept {
-    constexpr std::uint64_t k_between = 0x8000'8000'8000'8000u;
-    return ((query.steps - box.steps) & k_between) == k_between;
+/// The one that is nowhere: it meets nothing, and changes no box that includes it.
+constexpr PictureBox k_empty_picture_box{
+    std::numeric_limits<std::int16_t>::max(), std::numeric_limits<std::int16_t>::max(),
+    std::numeric_limits<std::int16_t>::min(), std::numeric_limits<std::int16_t>::min(),
+    std::numeric_limits<std::int16_t>::max(), std::numeric_limits<std::int16_t>::min()};
+
+struct EightPictureBoxes {
+    std::array<std::int16_t, 8> low_x, low_y, high_x, high_y, near;
+
+    void set(std::size_t k, const PictureBox& box) noexcept {
+        low_x[k] = box.low_x;
+        low_y[k] = box.low_y;
+        high_x[k] = box.high_x;
+        high_y[k] = box.high_y;
+        near[k] = box.near;
+    }
+};
+
+/// Bit k: box k meets the box in the picture, and its nearest depth is not behind the farthest of the box.
+inline std::uint32_t may_lie_before(const EightPictureBoxes& eight,
+                                    const PictureBox& box) noexcept {
+    std::array<std::int16_t, 8> does;
+    for (std::size_t k = 0; k < 8; ++k)  // Becomes a few instructions on vectors.
+        does[k] = static_cast<std::int16_t>(
+            (eight.low_x[k] <= box.high_x) & (eight.low_y[k] <= box.high_y) &
+            (eight.high_x[k] >= box.low_x) & (eight.high_y[k] >= box.low_y) &
+            (eight.near[k] <= box.far));
+    // The product's highest number is the sum of four, each times its power of two.
+    constexpr std::uint64_t k_powers = 0x0001'0002'0004'0008u;
+    static_assert(std::endian::native == std::endian::little);
+    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(does);
+    return static_cast<std::uint32_t>((halves[0] * k_powers >> 48) |
+                                      (halves[1] * k_powers >> 48 << 4));
 }
 
 class PictureSteps {
 public:
     PictureSteps() = default;
-    /// Places outside of the picture count as on its border.
-    PictureSteps(const glm::dvec2& low, const glm::dvec2& high) noexcept
-        : low_(low),
-          steps_a_unit_(k_last_step / std::max({high.x - low.x, high.y - low.y, 1e-300})) {}
-
-    /// Of all places within `margin` of the segment.
-    PictureBox box(const glm::dvec2& a, const glm::dvec2& b, double margin) const noexcept {
-        const Ends ends = ends_of(a, b, margin);
-        return {ends.low_x << 48 | ends.low_y << 32 | (k_last - ends.high_x) << 16 |
-                (k_last - ends.high_y)};
+    /// Between two places: x and y of the picture, and the depth. What lies outside counts as on the border.
+    PictureSteps(const glm::dvec3& low, const glm::dvec3& high) noexcept : low_(low) {
+        for (int i = 0; i < 3; ++i)
+            steps_a_unit_[i] = k_last_step / std::max(high[i] - low[i], 1e-300);
     }
-    PictureQuery query(const glm::dvec2& a, const glm::dvec2& b) const noexcept {
-        const Ends ends = ends_of(a, b, 0.0);
-        return {(ends.high_x | k_bit) << 48 | (ends.high_y | k_bit) << 32 |
-                ((k_last - ends.low_x) | k_bit) << 16 | ((k_last - ends.low_y) | k_bit)};
+
+    /// Of a segment.
+    PictureBox box(const glm::dvec3& a, const glm::dvec3& b) const noexcept {
+        const auto step = [&](double value, int axis, double slack) {
+            return static_cast<std::int16_t>(
+                std::clamp((value - low_[axis]) * steps_a_unit_[axis] + slack, 0.0, k_last_step));
+        };
+        return {step(std::min(a.x, b.x), 0, -k_slack), step(std::min(a.y, b.y), 1, -k_slack),
+                step(std::max(a.x, b.x), 0, k_slack),  step(std::max(a.y, b.y), 1, k_slack),
+                step(std::min(a.z, b.z), 2, -k_slack), step(std::max(a.z, b.z), 2, k_slack)};
     }
 
 private:
     static constexpr double k_last_step = 32'767.0;
-    static constexpr std::uint64_t k_last = 32'767, k_bit = 0x8000;
     static constexpr double k_slack = 1e-6;  // Of a step: far above rounding errors.
 
-    struct Ends {
-        std::uint64_t low_x, low_y, high_x, high_y;
-    };
-    Ends ends_of(const glm::dvec2& a, const glm::dvec2& b, double margin) const noexcept {
-        const auto step = [&](double value, double origin, double slack) {
-            return static_cast<std::uint64_t>(
-                std::clamp((value - origin) * steps_a_unit_ + slack, 0.0, k_last_step));
-        };
-        return {step(std::min(a.x, b.x) - margin, low_.x, -k_slack),
-                step(std::min(a.y, b.y) - margin, low_.y, -k_slack),
-                step(std::max(a.x, b.x) + margin, low_.x, k_slack),
-                step(std::max(a.y, b.y) + margin, low_.y, k_slack)};
-    }
-
-    glm::dvec2 low_{0.0};
-    double steps_a_unit_ = 1.0;
+    glm::dvec3 low_{0.0}, steps_a_unit_{1.0};
 };
 
 }  // namespace rimline

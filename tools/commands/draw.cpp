@@ -233,6 +233,7 @@ private:
             const bool has_edges = has_sources_ && format == DrawingFormat::svg;
             LineOptions options = lines_.line_options(page.views[i].mm_per_unit);
             options.shown_creases = clear_creases;
+            options.shapes_hidden = lines_.draws_hidden() || format == DrawingFormat::json;
             // Points that are left out would take their edges with them.
             if (has_edges) options.simplify = 0.0;
             if (verifies_) verify(context, mesh, camera, silhouette, page.views[i], drawer, totals);

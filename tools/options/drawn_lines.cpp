@@ -71,6 +71,7 @@ LineOptions DrawnLines::line_options(double mm_per_unit) const {
             .min_length = min_length_mm / mm_per_unit,
             .stubble = stubble_mm / mm_per_unit,
             .smooth = smooth_mm / mm_per_unit,
+            .shapes_hidden = draws_hidden(),
             .simplify = simplify_mm / mm_per_unit,
             .splits_counts = hidden_by > 0,
             .keeps_coincident = keeps_coincident};

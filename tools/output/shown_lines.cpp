@@ -55,6 +55,7 @@ const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size, const
                         .gap = k_gap_px / pixels,
                         .stubble = min_length,
                         .smooth = k_smooth_px / pixels,
+                        .shapes_hidden = style.hidden,
                         .simplify = k_simplify_px / pixels};
     options.draws[std::size_t(LineKind::crease)] = style.crease_degrees > 0.0;
     options.draws[std::size_t(LineKind::intersection)] = style.intersections;
