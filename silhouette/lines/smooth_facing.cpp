@@ -13,6 +13,8 @@ double smooth_facing(const LineFrame& frame, std::uint32_t vertex) {
         const double weight = glm::dot(u, u) * glm::dot(v, v);
         if (weight > 0.0) normal += glm::cross(u, v) / weight;
     }
+    const double length = glm::length(normal);
+    if (length > 0.0) normal /= length;
     const glm::dvec3 eye(frame.view->point().xyz());
     return glm::dot(normal, frame.view->is_orthographic() ? eye : eye - p);
 }
