@@ -17,8 +17,8 @@
 namespace rimline {
 namespace {
 
-// Distances are bounded at eight places between two points. Between these they were at most 1.1 times as long, and
-// with these seeds 1.02 times.
+// Distances are bounded at eight places between two points. Between these they are longer by at most a tenth in 6,000
+// lines of each kind here, and with these seeds by less.
 constexpr double k_slack = 1.05;
 
 using Polyline = std::vector<glm::dvec2>;
