@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "silhouette/lines/line_simplify.h"
@@ -15,7 +16,7 @@ namespace {
 // some tolerances turn by more than 40.
 constexpr double k_course_corner_cos = 0.5, k_corner_cos = 0.766, k_long_tolerances = 8.0;
 constexpr int k_max_rounds = 4;  // Of fitting with better parameters.
-constexpr int k_samples_a_point = 8;
+constexpr std::size_t k_samples_a_point = 8;
 
 glm::dvec2 direction(const glm::dvec2& way) {
     const double length = glm::length(way);
@@ -155,16 +156,30 @@ private:
         return greatest;
     }
 
-    // Whether every place of the curve lies near the line.
-    bool stays_near(std::size_t first, std::size_t last, const CurvePiece& curve) const {
+    // Whether curve and line lie near each other everywhere.
+    bool stays_near(std::size_t first, std::size_t last, const CurvePiece& curve) {
         const std::size_t samples = k_samples_a_point * (last - first);
-        std::size_t near = first;
-        for (std::size_t k = 1; k < samples; ++k) {
-            const glm::dvec2 p = point_on(curve, points_[first], double(k) / double(samples));
-            // The nearest segment lies at or after that of the sample before; a few more on both sides.
-            double least = distance_to_segment(p, points_[near], points_[near + 1]);
-            for (std::size_t i = near + 1; i < last && i < near + 8; ++i) {
-                const double distance = distance_to_segment(p, points_[i], points_[i + 1]);
+        curve_places_.assign(1, points_[first]);
+        line_places_.assign(1, points_[first]);
+        for (std::size_t k = 1; k <= samples; ++k) {
+            curve_places_.push_back(point_on(curve, points_[first], double(k) / double(samples)));
+            const std::size_t i = first + (k - 1) / k_samples_a_point;
+            const double share =
+                double((k - 1) % k_samples_a_point + 1) / double{k_samples_a_point};
+            line_places_.push_back(glm::mix(points_[i], points_[i + 1], share));
+        }
+        return lie_near(curve_places_, points_.subspan(first, last - first + 1)) &&
+               lie_near(line_places_, curve_places_);
+    }
+
+    // Whether all places lie near a line, in the order in which it passes them.
+    bool lie_near(std::span<const glm::dvec2> places, std::span<const glm::dvec2> line) const {
+        std::size_t near = 0;
+        for (const glm::dvec2& p : places) {
+            // The nearest segment lies at or after that of the place before; a few more beyond it.
+            double least = distance_to_segment(p, line[near], line[near + 1]);
+            for (std::size_t i = near + 1; i + 1 < line.size() && i < near + 8; ++i) {
+                const double distance = distance_to_segment(p, line[i], line[i + 1]);
                 if (distance < least) least = distance, near = i;
             }
             if (least > tolerance_) return false;
@@ -176,6 +191,7 @@ private:
     double tolerance_;
     std::vector<CurvePiece>& pieces_;
     std::vector<double> arcs_, parameters_;
+    std::vector<glm::dvec2> curve_places_, line_places_;
 };
 
 }  // namespace

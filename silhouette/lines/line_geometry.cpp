@@ -11,18 +11,25 @@
 
 namespace rimline {
 
+// Shares of the time. Where contacts are searched for, that takes most of it, else the tree.
 LineGeometry::LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall& call)
-    : mesh_(mesh), stars_(mesh), tree_(mesh) {
-    if (finds_contacts) contacts_ = find_face_contacts(mesh, tree_, call.part(0.1, 0.9));
+    : mesh_(mesh),
+      stars_(mesh, call.part(0.0, finds_contacts ? 0.03 : 0.08)),
+      tree_(mesh, call.part(finds_contacts ? 0.03 : 0.08, finds_contacts ? 0.3 : 0.8)) {
+    call.checkpoint(finds_contacts ? 0.3 : 0.8);
+    if (finds_contacts) contacts_ = find_face_contacts(mesh, tree_, call.part(0.3, 0.8));
+    call.checkpoint(0.8);
     if (!contacts_.touches.empty()) {
         is_touched_.resize(mesh.vertex_count());
         for (const FaceContacts::Touch& touch : contacts_.touches) is_touched_[touch.vertex] = 1;
     }
-    call.checkpoint(0.9);
     find_slivers();
+    call.checkpoint(0.85);
     const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
     find_special_edges(is_flat);
-    curves_ = IntersectionCurves(mesh, stars_, tree_, contacts_, is_flat, call.part(0.92, 0.97));
+    call.checkpoint(0.9);
+    curves_ = IntersectionCurves(mesh, stars_, tree_, contacts_, is_flat, call.part(0.9, 0.95));
+    call.checkpoint(0.95);
     find_bends();
     call.checkpoint(1.0);
 }

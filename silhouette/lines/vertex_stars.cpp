@@ -16,7 +16,9 @@ constexpr std::size_t k_max_sorted_links = 64;
 
 }  // namespace
 
-VertexStars::VertexStars(const Mesh& mesh) : begin_(mesh.vertex_count() + 1, 0) {
+VertexStars::VertexStars(const Mesh& mesh, const LongCall& call)
+    : begin_(mesh.vertex_count() + 1, 0) {
+    call.checkpoint(0.0);
     const std::span<const Triangle> triangles = mesh.triangles();
     const auto has_star = [](const Triangle& t) {
         return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
@@ -37,6 +39,7 @@ VertexStars::VertexStars(const Mesh& mesh) : begin_(mesh.vertex_count() + 1, 0) 
             faces_[place] = f;
         }
     }
+    call.checkpoint(0.5);
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, mesh.vertex_count(), 4096),
                       [&](const auto& run) {
                           for (std::uint32_t v = run.begin(); v < run.end(); ++v) {

@@ -16,8 +16,8 @@ public:
     /// The corners of a face after one of its corners v, in the face's direction.
     using Link = std::array<std::uint32_t, 2>;
 
-    /// O(vertices + faces). Faces with two equal corners are in no star.
-    explicit VertexStars(const Mesh& mesh);
+    /// O(vertices + faces). Faces with two equal corners are in no star. Throws Error{cancelled}.
+    explicit VertexStars(const Mesh& mesh, const LongCall& call = {});
 
     /// One link for each face at the vertex. Where the faces of a fan follow each other, so do their links, and
     /// the second corner of one is the first of the next.

@@ -2,7 +2,6 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 
@@ -11,6 +10,7 @@ namespace rimline {
 namespace {
 
 constexpr std::uint32_t k_faces_a_task = 4096;
+constexpr std::size_t k_nodes_a_checkpoint = 64;
 
 double reach_of(const glm::dvec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -32,32 +32,49 @@ public:
                           });
     }
 
-    /// Sorts the faces [first, last), and sets the boxes of the node and of all below it.
-    FaceBox build(std::size_t node, std::uint32_t first, std::uint32_t last) {
-        FaceBox box;
-        if (last - first <= k_leaf_faces) {
-            for (std::uint32_t i = first; i < last; ++i) {
-                tree_.order_[i] = places_[i].face;
-                box.include(tree_.box_of(places_[i].face));
-            }
-            return tree_.boxes_[node] = box;
+    // Large nodes are sorted level by level, each level on all threads, and what is below them at once.
+    void build(const LongCall& call) {
+        const auto count = static_cast<std::uint32_t>(places_.size());
+        std::vector<Node> level{{0, 0, count}}, next;
+        const double levels = std::max(1.0, std::log2(double(count) / k_leaf_faces));
+        std::uint32_t depth = 0;
+        for (; count >> depth > k_faces_a_task; ++depth) {
+            call.checkpoint(depth / levels);
+            next.resize(2 * level.size());
+            tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t i) {
+                sort_around(level[i].first, middle_of(level[i].first, level[i].last),
+                            level[i].last);
+                std::ranges::copy(children_of(level[i]), next.begin() + std::ptrdiff_t(2 * i));
+            });
+            level.swap(next);
         }
-        const std::uint32_t middle = middle_of(first, last);
-        sort_around(first, middle, last);
-        FaceBox other;
-        const auto low = [&] { box = build(2 * node + 1, first, middle); };
-        const auto high = [&] { other = build(2 * node + 2, middle, last); };
-        if (last - first > k_faces_a_task) {
-            tbb::parallel_invoke(low, high);
-        } else {
-            low();
-            high();
+        for (std::size_t first = 0; first < level.size(); first += k_nodes_a_checkpoint) {
+            call.checkpoint(std::lerp(depth / levels, 1.0, double(first) / double(level.size())));
+            tbb::parallel_for(first, std::min(level.size(), first + k_nodes_a_checkpoint),
+                              [&](std::size_t i) { build_below(level[i]); });
         }
-        box.include(other);
-        return tree_.boxes_[node] = box;
+        for (std::size_t node = level.front().number; node-- > 0;) {
+            tree_.boxes_[node] = tree_.boxes_[2 * node + 1];
+            tree_.boxes_[node].include(tree_.boxes_[2 * node + 2]);
+        }
     }
 
 private:
+    // Sorts the faces of a node, and sets the boxes of the node and of all below it.
+    FaceBox build_below(const Node& node) {
+        FaceBox box;
+        if (is_leaf(node)) {
+            for (std::uint32_t i = node.first; i < node.last; ++i) {
+                tree_.order_[i] = places_[i].face;
+                box.include(tree_.box_of(places_[i].face));
+            }
+            return tree_.boxes_[node.number] = box;
+        }
+        sort_around(node.first, middle_of(node.first, node.last), node.last);
+        for (const Node& child : children_of(node)) box.include(build_below(child));
+        return tree_.boxes_[node.number] = box;
+    }
+
     struct Place {
         glm::vec3 twice_center;
         std::uint32_t face;
@@ -84,12 +101,13 @@ private:
     std::vector<Place> places_;
 };
 
-FaceTree::FaceTree(const Mesh& mesh) : mesh_(mesh), order_(mesh.face_count()) {
+FaceTree::FaceTree(const Mesh& mesh, const LongCall& call)
+    : mesh_(mesh), order_(mesh.face_count()) {
     std::size_t nodes = 1;
     for (std::uint32_t faces = mesh.face_count(); faces > k_leaf_faces; faces -= faces / 2)
         nodes = 2 * nodes + 1;
     boxes_.resize(nodes);
-    Builder(*this).build(0, 0, mesh.face_count());
+    Builder(*this).build(call);
 }
 
 FaceBox FaceTree::box_of(std::uint32_t face) const {

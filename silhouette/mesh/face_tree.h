@@ -35,8 +35,8 @@ struct FaceBox {
 
 class FaceTree {
 public:
-    /// `mesh` must outlive the tree. O(n log n) on all threads of oneTBB.
-    explicit FaceTree(const Mesh& mesh);
+    /// `mesh` must outlive the tree. O(n log n) on all threads of oneTBB. Throws Error{cancelled}.
+    explicit FaceTree(const Mesh& mesh, const LongCall& call = {});
 
     /// The faces in the order of the tree. Neighbors in it are neighbors in space.
     std::span<const std::uint32_t> order() const noexcept { return order_; }

@@ -8,6 +8,7 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/lines/against_oracle.h"
+#include "tests/silhouette/lines/difficult_meshes.h"
 #include "tests/silhouette/mesh/random.h"
 
 namespace rimline {
@@ -66,27 +67,6 @@ MeshSource grid_boxes(std::uint64_t seed) {
     return source;
 }
 
-// With holes, faces the other way round, faces twice, and fins.
-MeshSource broken_knot(std::uint64_t seed) {
-    MeshSource source = make_built_in_shape("knot", 2000);
-    tests::Random random(seed);
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const auto& t : source.triangles) {
-        const std::uint32_t chance = random.below(100);
-        if (chance < 5) continue;
-        triangles.push_back(t);
-        if (chance < 10) std::swap(triangles.back()[0], triangles.back()[1]);
-        if (chance >= 97) triangles.push_back(t);
-        if (chance == 50) {
-            const auto fin = static_cast<std::uint32_t>(source.positions.size());
-            source.positions.push_back(source.positions[t[0]] + 0.1f * random.in_cube());
-            triangles.push_back({t[0], t[1], fin});
-        }
-    }
-    source.triangles = std::move(triangles);
-    return source;
-}
-
 TEST_CASE("lines of built-in shapes are hidden where a count of faces says") {
     for (const char* shape : {"sphere", "torus", "knot", "box", "spring", "terrain", "scene"}) {
         CAPTURE(shape);
@@ -115,7 +95,7 @@ TEST_CASE("lines of boxes that touch and overlap are hidden where a count of fac
 }
 
 TEST_CASE("lines of a broken mesh are hidden where a count of faces says") {
-    const Mesh mesh(broken_knot(4));
+    const Mesh mesh(tests::broken_knot(4));
     CHECK(mesh.edges_of_class(EdgeClass::border).size() > 100);
     CHECK(mesh.edges_of_class(EdgeClass::nonmanifold).size() > 100);
     CHECK(mesh.edges_of_class(EdgeClass::inconsistent).size() > 100);
@@ -194,7 +174,7 @@ TEST_CASE("a crease between faces of opposite directions is drawn where one is s
 
 // Scaled by a power of two, or with all faces reversed, nothing changes.
 TEST_CASE("visibility does not depend on scale and orientation") {
-    const MeshSource source = broken_knot(5);
+    const MeshSource source = tests::broken_knot(5);
     const auto counts_of = [](const MeshSource& s, double scale) {
         const Mesh mesh(s);
         const LineView view =

@@ -1,0 +1,336 @@
+#include "silhouette/lines/line_stubble.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <set>
+#include <vector>
+
+#include "silhouette/lines/face_count.h"
+#include "silhouette/lines/line_drawer.h"
+#include "silhouette/lines/line_geometry.h"
+#include "silhouette/mesh/brute_force.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/silhouette/lines/against_oracle.h"
+#include "tests/silhouette/lines/difficult_meshes.h"
+
+namespace rimline {
+namespace {
+
+// Doubles are shorter than this many times the stubble.
+constexpr double k_longest_double = 6.0;
+
+struct StrokePlace {
+    glm::dvec2 position, way;  // The way has length 1.
+};
+
+// A stroke as a polyline.
+class DrawnStroke {
+public:
+    DrawnStroke(const LineDrawing& drawing, const LineStroke& stroke)
+        : length(stroke.length), is_closed(stroke.is_closed) {
+        for (const StrokePart& part : drawing.parts_of(stroke)) {
+            const std::span<const LinePoint> points = drawing.points_of(drawing.runs[part.run]);
+            parts_.emplace_back();
+            for (const LinePoint& point : points) parts_.back().push_back(point.position);
+            if (part.is_reversed) std::ranges::reverse(parts_.back());
+        }
+    }
+
+    double distance_to(const glm::dvec2& p) const {
+        double least = glm::distance(p, parts_.front().front());
+        each_segment([&](const glm::dvec2& from, const glm::dvec2& to) {
+            const glm::dvec2 way = to - from;
+            const double square = glm::dot(way, way);
+            const double share =
+                square > 0.0 ? std::clamp(glm::dot(p - from, way) / square, 0.0, 1.0) : 0.0;
+            least = std::min(least, glm::distance(p, from + share * way));
+        });
+        return least;
+    }
+    std::array<glm::dvec2, 2> ends() const {
+        return {parts_.front().front(), parts_.back().back()};
+    }
+    /// Places in the middle of stretches of about this length, in the order of the stroke.
+    std::vector<StrokePlace> places(double spacing) const {
+        std::vector<StrokePlace> places;
+        const double step = length / std::ceil(length / spacing);
+        double next = 0.5 * step, arc = 0.0;
+        each_segment([&](const glm::dvec2& from, const glm::dvec2& to) {
+            const double part = glm::distance(from, to);
+            for (; next < arc + part; next += step)
+                places.push_back({glm::mix(from, to, (next - arc) / part), (to - from) / part});
+            arc += part;
+        });
+        return places;
+    }
+
+    double length;
+    bool is_closed;
+
+private:
+    template <typename Visit>
+    void each_segment(Visit&& visit) const {
+        for (const std::vector<glm::dvec2>& part : parts_)
+            for (std::size_t i = 0; i + 1 < part.size(); ++i) visit(part[i], part[i + 1]);
+    }
+    std::vector<std::vector<glm::dvec2>> parts_;
+};
+
+// A drawing without stubble, and which of its strokes a drawing with stubble keeps.
+struct StubblePair {
+    LineDrawing all;
+    std::vector<DrawnStroke> strokes;
+    std::vector<std::uint8_t> is_kept;
+    std::size_t kept = 0;
+
+    StubblePair(LineDrawer& drawer, const Mesh& mesh, const LineView& view, LineOptions options) {
+        const std::vector<EdgeId> silhouette = brute_force_silhouette(mesh, view.point());
+        const double stubble = options.stubble;
+        options.stubble = 0.0;
+        all = drawer.draw(view, silhouette, options);
+        options.stubble = stubble;
+        const LineDrawing& less = drawer.draw(view, silhouette, options);
+        REQUIRE(less.points.size() == all.points.size());
+        REQUIRE(less.runs.size() == all.runs.size());
+        REQUIRE(less.chains.size() == all.chains.size());
+        std::set<std::uint32_t> first_runs;
+        for (const LineStroke& stroke : less.strokes)
+            first_runs.insert(less.parts_of(stroke).front().run);
+        for (const LineStroke& stroke : all.strokes) {
+            strokes.emplace_back(all, stroke);
+            is_kept.push_back(first_runs.contains(all.parts_of(stroke).front().run) ? 1 : 0);
+            kept += is_kept.back();
+        }
+        REQUIRE(kept == less.strokes.size());
+    }
+    // Whether another stroke passes within `reach`.
+    template <typename IsAsked>
+    bool passes_near(const glm::dvec2& place, double reach, IsAsked&& is_asked) const {
+        for (std::size_t s = 0; s < strokes.size(); ++s)
+            if (is_asked(s) && strokes[s].distance_to(place) <= reach) return true;
+        return false;
+    }
+};
+
+LineOptions stubble_of(double size) {
+    LineOptions options;
+    options.gap = 0.006 * size;
+    options.stubble = 0.03 * size;
+    return options;
+}
+
+template <typename Visit>
+void each_stubbly_view(Visit&& visit) {
+    const std::array<MeshSource, 4> sources{
+        make_built_in_shape("scene", 5000), make_built_in_shape("knot", 3000),
+        make_built_in_shape("terrain", 5000), tests::rough_sphere(3000, 0.02f, 5)};
+    for (std::size_t shape = 0; shape < sources.size(); ++shape) {
+        CAPTURE(shape);
+        const Mesh mesh(sources[shape]);
+        const LineSurface surface(mesh);
+        LineDrawer drawer(surface);
+        for (const bool is_orthographic : {false, true})
+            for (const glm::dvec3& direction : {glm::dvec3(1, 2, 3), glm::dvec3(-3, 1, 0.5)}) {
+                CAPTURE(is_orthographic);
+                CAPTURE(direction.x);
+                const LineView view = tests::view_of(mesh, direction, is_orthographic);
+                const LineOptions options = stubble_of(is_orthographic ? mesh.radius() : 0.35);
+                visit(surface, view, options, StubblePair(drawer, mesh, view, options));
+            }
+    }
+}
+
+TEST_CASE("only short strokes with loose ends and doubles are stubble") {
+    std::size_t loose = 0, doubles = 0, kept = 0;
+    each_stubbly_view([&](const LineSurface&, const LineView&, const LineOptions& options,
+                          const StubblePair& pair) {
+        kept += pair.kept;
+        for (std::size_t s = 0; s < pair.strokes.size(); ++s) {
+            if (pair.is_kept[s] != 0) continue;
+            const DrawnStroke& stroke = pair.strokes[s];
+            CAPTURE(stroke.length);
+            CHECK(stroke.length < k_longest_double * options.stubble);
+            // An end is not loose where a stroke is that stays.
+            int loose_ends = stroke.is_closed ? 1 : 0;
+            if (!stroke.is_closed)
+                for (const glm::dvec2& end : stroke.ends())
+                    loose_ends +=
+                        !pair.passes_near(end, options.gap * (1.0 - 1e-9),
+                                          [&](std::size_t i) { return pair.is_kept[i] != 0; });
+            if (stroke.length < loose_ends * options.stubble) {
+                ++loose;
+                continue;
+            }
+            ++doubles;
+            for (const StrokePlace& place : stroke.places(0.5 * options.gap))
+                CHECK(pair.passes_near(place.position, options.gap * 1.5, [&](std::size_t i) {
+                    return i != s && pair.strokes[i].length >= stroke.length;
+                }));
+        }
+    });
+    CHECK(kept > 100);
+    CHECK(loose > 100);
+    CHECK(doubles > 5);
+}
+
+// The silhouette of a surface against the background.
+bool is_at_background(const LineSurface& surface, const LineView& view, const StrokePlace& place,
+                      double reach) {
+    const glm::dvec2 side = reach * glm::dvec2(-place.way.y, place.way.x);
+    const double depth = glm::length(surface.mesh().center()) + 10.0 * surface.mesh().radius();
+    for (const double sign : {1.0, -1.0}) {
+        const glm::dvec3 far = view.unproject({place.position + sign * side, depth});
+        if (count_before_point(surface.geometry(), view, far, [](std::uint32_t) {
+                return false;
+            }).count == 0)
+            return true;
+    }
+    return false;
+}
+
+// At a place of the outline there is nothing behind the line on one side. The test for it looks at places a quarter of
+// the stubble apart.
+TEST_CASE("outlines have no gaps where stubble was") {
+    std::size_t of_removed = 0;
+    each_stubbly_view([&](const LineSurface& surface, const LineView& view,
+                          const LineOptions& options, const StubblePair& pair) {
+        const double spacing = options.stubble / 32.0;
+        for (std::size_t s = 0; s < pair.strokes.size(); ++s) {
+            if (pair.is_kept[s] != 0) continue;
+            double bare = 0.0;
+            for (const StrokePlace& place : pair.strokes[s].places(spacing)) {
+                const bool is_outline = is_at_background(surface, view, place, 0.5 * options.gap);
+                of_removed += is_outline;
+                const bool is_bare =
+                    is_outline &&
+                    !pair.passes_near(place.position, options.gap,
+                                      [&](std::size_t i) { return pair.is_kept[i] != 0; });
+                bare = is_bare ? bare + spacing : 0.0;
+                CHECK(bare <= 0.25 * options.stubble);
+            }
+        }
+    });
+    CHECK(of_removed > 1000);
+}
+
+TEST_CASE("a stubble of nearly zero leaves all strokes") {
+    each_stubbly_view([&](const LineSurface& surface, const LineView& view, LineOptions options,
+                          const StubblePair& pair) {
+        options.stubble = 1e-9 * options.gap;
+        LineDrawer drawer(surface);
+        const StubblePair none(drawer, surface.mesh(), view, options);
+        CHECK(none.kept == none.strokes.size());
+        CHECK(none.kept > pair.kept);
+    });
+}
+
+// Strokes of straight lines before a square from (-10, -10) to (10, 10).
+class StrokesBeforeSquare {
+public:
+    StrokesBeforeSquare()
+        : mesh_({{{-10, -10, -1}, {10, -10, -1}, {10, 10, -1}, {-10, 10, -1}},
+                 {{0, 1, 2}, {0, 2, 3}}}),
+          surface_(mesh_),
+          view_(LineView::orthographic({0, 0, 5}, {0, 0, 0}, {0, 1, 0})) {}
+
+    // How many of these lines stay, and whether the first one does.
+    struct Kept {
+        std::size_t count;
+        bool is_first_kept;
+    };
+    Kept keep(const std::vector<std::array<glm::dvec2, 2>>& lines) const {
+        LineDrawing drawing;
+        for (std::uint32_t i = 0; i < lines.size(); ++i) {
+            const auto& [from, to] = lines[i];
+            const double length = glm::distance(from, to);
+            drawing.points.push_back({from, 0.0, 0.0});
+            drawing.points.push_back({to, 0.0, length});
+            drawing.runs.push_back({i, 2 * i, 2 * i + 2, 0, length});
+            drawing.stroke_parts.push_back({i, false});
+            drawing.strokes.push_back({i, i + 1, false, length});
+        }
+        LineFrame frame;
+        frame.surface = &surface_.geometry();
+        frame.view = &view_;
+        LineOptions options;
+        options.stubble = 1.0;
+        options.gap = 0.1;
+        LineStubble().remove(frame, options, drawing);
+        return {drawing.strokes.size(),
+                !drawing.strokes.empty() && drawing.strokes[0].first_part == 0};
+    }
+
+private:
+    Mesh mesh_;
+    LineSurface surface_;
+    LineView view_;
+};
+
+constexpr std::array<glm::dvec2, 2> horizontal(double from, double to, double y) {
+    return {glm::dvec2(from, y), glm::dvec2(to, y)};
+}
+constexpr std::array<glm::dvec2, 2> vertical(double x, double from, double to) {
+    return {glm::dvec2(x, from), glm::dvec2(x, to)};
+}
+
+TEST_CASE("a stroke with two loose ends goes if it is shorter than twice the stubble") {
+    const StrokesBeforeSquare strokes;
+    CHECK(strokes.keep({horizontal(0, 1.99, 0)}).count == 0);
+    CHECK(strokes.keep({horizontal(0, 2.01, 0)}).count == 1);
+    // With one loose end.
+    CHECK(strokes.keep({horizontal(0.05, 0.99, 0), vertical(0, -5, 5)}).count == 1);
+    CHECK(strokes.keep({horizontal(0.05, 1.06, 0), vertical(0, -5, 5)}).count == 2);
+    CHECK(strokes.keep({horizontal(0.11, 1.9, 0), vertical(0, -5, 5)}).count == 1);
+}
+
+TEST_CASE("a short stroke between two long ones stays") {
+    const StrokesBeforeSquare strokes;
+    CHECK(
+        strokes.keep({horizontal(0.05, 0.45, 0), vertical(0, -5, 5), vertical(0.5, -5, 5)}).count ==
+        3);
+    CHECK(
+        strokes.keep({horizontal(0.05, 0.35, 0), vertical(0, -5, 5), vertical(0.5, -5, 5)}).count ==
+        2);
+}
+
+TEST_CASE("a loose stroke that two longer ones end at stays") {
+    const StrokesBeforeSquare strokes;
+    CHECK(strokes.keep({vertical(0, -0.5, 0.5), horizontal(-5, -0.05, 0), horizontal(0.05, 5, 0.2)})
+              .count == 3);
+    CHECK(!strokes.keep({vertical(0, -0.5, 0.5), horizontal(-5, -0.05, 0)}).is_first_kept);
+    // The longer ones hold each other.
+    CHECK(!strokes.keep({vertical(0, -0.5, 0.5), horizontal(-5, -0.04, 0), horizontal(0.04, 5, 0)})
+               .is_first_kept);
+}
+
+TEST_CASE("a double beside a longer stroke goes") {
+    const StrokesBeforeSquare strokes;
+    const auto longer = horizontal(-8, 8, 0);
+    CHECK(!strokes.keep({horizontal(0, 5.9, 0.09), longer}).is_first_kept);
+    CHECK(strokes.keep({horizontal(0, 6.1, 0.09), longer}).is_first_kept);
+    CHECK(strokes.keep({horizontal(0, 5.9, 0.11), longer}).is_first_kept);
+    // A part of it is not beside the other, or only goes on from its end.
+    CHECK(strokes.keep({{glm::dvec2(0, 0.05), glm::dvec2(5, 0.15)}, longer}).is_first_kept);
+    CHECK(strokes.keep({horizontal(3, 8.05, 0.05), longer}).is_first_kept);
+    CHECK(strokes.keep({horizontal(-8.05, -3, 0.05), longer}).is_first_kept);
+    // Of two equal ones the first stays, and so does one that is beside what goes.
+    CHECK(strokes.keep({horizontal(0, 5, 0), horizontal(0, 5, 0.05)}).count == 1);
+    CHECK(strokes.keep({horizontal(0, 5, 0.16), horizontal(0, 5.5, 0.08), longer}).is_first_kept);
+}
+
+TEST_CASE("a short stroke at an outline stays") {
+    const StrokesBeforeSquare strokes;
+    CHECK(strokes.keep({horizontal(0, 0.5, 9.9)}).count == 0);
+    CHECK(strokes.keep({horizontal(0, 0.5, 9.97)}).count == 1);
+    CHECK(strokes.keep({horizontal(0, 0.5, -9.97)}).count == 1);
+    // Its last fifth is before the background.
+    CHECK(strokes.keep({horizontal(8.72, 10.2, 0)}).count == 1);
+}
+
+}  // namespace
+}  // namespace rimline
