@@ -55,7 +55,7 @@ public:
         LineGraph().link(frame_);
         find_locals(frame_, true, options_.crease_angle_rad);
         find_curve_locals(frame_);
-        LineEvents().find(frame_);
+        LineEvents().find(frame_, false);
     }
     StepwiseDrawing(const StepwiseDrawing& other)
         : mesh_(other.mesh_), view_(other.view_), options_(other.options_), frame_(other.frame_) {
