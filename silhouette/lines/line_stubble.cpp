@@ -17,7 +17,9 @@ namespace {
 // Doubles are shorter than this many times LineOptions::stubble.
 constexpr double k_double_lengths = 6.0;
 // The distance of places at which a stroke is tested for the outline, in the same unit.
-constexpr double k_outline_spacing = 0.25;
+constexpr double k_outline_spacing = 0.25, k_max_outline_places = 24.0;
+constexpr LineStubble::OutlineTest k_has_outline{.gap_share = 0.5, .least_share = 0.0};
+constexpr LineStubble::OutlineTest k_is_outline{.gap_share = 0.125, .least_share = 0.5};
 constexpr std::uint32_t k_no_stroke = 0xffffffffu;
 
 }  // namespace
@@ -101,12 +103,14 @@ bool LineStubble::is_loose(std::uint32_t stroke, const LineOptions& options) con
 }
 
 bool LineStubble::is_at_outline(std::uint32_t stroke, const LineFrame& frame,
-                                const LineOptions& options) const {
+                                const LineOptions& options, const OutlineTest& test) const {
     // The line may lie beside that of the mesh.
-    const double reach = options.smooth + 0.5 * options.gap;
-    const double parts = std::ceil(lengths_[stroke] / (k_outline_spacing * options.stubble));
-    const double spacing = lengths_[stroke] / parts;
-    double next = 0.5 * spacing, arc = 0.0;
+    const double reach = options.smooth + test.gap_share * options.gap;
+    const double places = std::min(
+        std::ceil(lengths_[stroke] / (k_outline_spacing * options.stubble)), k_max_outline_places);
+    const double spacing = lengths_[stroke] / places;
+    const double needed = std::max(1.0, std::ceil(test.least_share * places));
+    double next = 0.5 * spacing, arc = 0.0, found = 0.0, left = places;
     for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
         const Segment& segment = segments_[i];
         const glm::dvec2 way = segment.to - segment.from;
@@ -114,8 +118,12 @@ bool LineStubble::is_at_outline(std::uint32_t stroke, const LineFrame& frame,
         for (; next < arc + length; next += spacing) {
             const glm::dvec2 place = segment.from + ((next - arc) / length) * way;
             const glm::dvec2 side = (reach / length) * glm::dvec2(-way.y, way.x);
-            for (const glm::dvec2& beside : {place + side, place - side})
-                if (!is_covered(*frame.surface, *frame.view, beside)) return true;
+            if (!is_covered(*frame.surface, *frame.view, place + side) ||
+                !is_covered(*frame.surface, *frame.view, place - side))
+                ++found;
+            --left;
+            if (found >= needed) return true;
+            if (found + left < needed) return false;
         }
         arc += length;
     }
@@ -165,6 +173,47 @@ void LineStubble::keep_bridges(const LineOptions& options) {
         if (held_ends_[s] >= 2) is_loose_[s] = 0;
 }
 
+void LineStubble::choose_staying(const LineOptions& options) {
+    std::ranges::fill(stays_, 0);
+    for (const std::uint32_t s : order_)
+        stays_[s] = is_there_[s] != 0 && is_loose_[s] == 0 && !is_double(s, options);
+}
+
+// Where a double is the outline itself, and with it those that go on from it, strokes beside these are doubles of the
+// outline, if they can be. Returns whether there is a new one.
+bool LineStubble::put_outline_first(const LineFrame& frame, const LineOptions& options) {
+    queue_.clear();
+    const auto put = [&](std::uint32_t s) {
+        if (is_there_[s] == 0 || is_loose_[s] != 0 || is_outline_[s] != Answer::unknown)
+            return false;
+        is_outline_[s] = answer(is_at_outline(s, frame, options, k_is_outline));
+        return is_outline_[s] == Answer::yes;
+    };
+    for (const std::uint32_t s : order_)
+        if (stays_[s] == 0 && put(s)) queue_.push_back(s);
+    if (queue_.empty()) return false;
+    const std::size_t count = queue_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t s = queue_[i];
+        if (is_closed_[s] != 0) continue;
+        neighbors_.clear();
+        for (const glm::dvec2& end :
+             {segments_[first_segments_[s]].from, segments_[first_segments_[s + 1] - 1].to})
+            grid_.each_cell(end, end, [&](std::uint32_t cell) {
+                for (const std::uint32_t k : grid_.segments_in(cell))
+                    if (distance_to(segments_[k], end) <= options.gap)
+                        neighbors_.push_back(segments_[k].stroke);
+            });
+        std::ranges::sort(neighbors_);
+        const auto last = std::ranges::unique(neighbors_);
+        neighbors_.erase(last.begin(), last.end());
+        for (const std::uint32_t neighbor : neighbors_) put(neighbor);
+    }
+    std::ranges::stable_partition(order_,
+                                  [&](std::uint32_t s) { return is_outline_[s] == Answer::yes; });
+    return true;
+}
+
 // Strokes that are gone hold no others, so there are rounds.
 void LineStubble::remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing) {
     fill(options.gap, drawing);
@@ -174,23 +223,23 @@ void LineStubble::remove(const LineFrame& frame, const LineOptions& options, Lin
     std::iota(order_.begin(), order_.end(), 0u);
     std::ranges::stable_sort(order_, std::ranges::greater{},
                              [&](std::uint32_t s) { return lengths_[s]; });
-    outline_.assign(count, Outline::unknown);
+    has_outline_.assign(count, Answer::unknown);
     is_there_.assign(count, 1);
     is_loose_.assign(count, 0);
     stays_.assign(count, 0);
+    is_outline_.assign(count, Answer::unknown);
     for (bool is_done = false; !is_done;) {
         for (const std::uint32_t s : order_)
             is_loose_[s] = is_there_[s] != 0 && is_loose(s, options);
         keep_bridges(options);
         for (const std::uint32_t s : order_) {
             if (is_loose_[s] == 0) continue;
-            if (outline_[s] == Outline::unknown)
-                outline_[s] = is_at_outline(s, frame, options) ? Outline::yes : Outline::no;
-            if (outline_[s] == Outline::yes) is_loose_[s] = 0;
+            if (has_outline_[s] == Answer::unknown)
+                has_outline_[s] = answer(is_at_outline(s, frame, options, k_has_outline));
+            if (has_outline_[s] == Answer::yes) is_loose_[s] = 0;
         }
-        std::ranges::fill(stays_, 0);
-        for (const std::uint32_t s : order_)
-            stays_[s] = is_there_[s] != 0 && is_loose_[s] == 0 && !is_double(s, options);
+        choose_staying(options);
+        if (put_outline_first(frame, options)) choose_staying(options);
         is_done = stays_ == is_there_;
         is_there_ = stays_;
     }

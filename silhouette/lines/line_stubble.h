@@ -6,7 +6,8 @@
 //           short stroke between others, like the short edge of a plate or a piece of an outline between two folds,
 //           stays: without it, there would be a gap. So does one that two longer strokes end at, and one with a part
 //           of the outline, which has nothing behind it on one side: an outline has no gaps.
-//   double  A stroke that is not much longer, all of it beside longer ones, so near that it would only thicken them.
+//   double  A stroke that is not much longer, all of it beside longer ones, so near that it would only thicken them. Of
+//           strokes at the outline and beside it, that at the outline stays, also where it is shorter.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -27,6 +28,12 @@ public:
     /// are few rounds. And a ray for each place of a loose stroke on both sides of it.
     void remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing);
 
+    /// When a stroke is at the outline: beside the least share of its places (of one at least) there is nothing, at
+    /// this share of the gap.
+    struct OutlineTest {
+        double gap_share, least_share;
+    };
+
 private:
     struct Segment {
         glm::dvec2 from, to;
@@ -41,8 +48,10 @@ private:
     void fill(double gap, const LineDrawing& drawing);
     bool is_loose(std::uint32_t stroke, const LineOptions& options) const;
     void keep_bridges(const LineOptions& options);
-    bool is_at_outline(std::uint32_t stroke, const LineFrame& frame,
-                       const LineOptions& options) const;
+    bool is_at_outline(std::uint32_t stroke, const LineFrame& frame, const LineOptions& options,
+                       const OutlineTest& test) const;
+    void choose_staying(const LineOptions& options);
+    bool put_outline_first(const LineFrame& frame, const LineOptions& options);
     bool is_double(std::uint32_t stroke, const LineOptions& options) const;
     // Whether another stroke, one in stays_ if asked for, passes within `reach` of a place.
     bool is_beside(const glm::dvec2& place, std::uint32_t stroke, double reach,
@@ -53,9 +62,11 @@ private:
     std::vector<std::uint32_t> first_segments_;  // Of each stroke, and one more.
     std::vector<double> lengths_;
     std::vector<std::uint8_t> is_closed_, is_there_, is_loose_, stays_;
-    enum class Outline : std::uint8_t { unknown, no, yes };
-    std::vector<Outline> outline_;  // Of each stroke of the drawing.
-    std::vector<std::uint32_t> held_ends_, order_;
+    enum class Answer : std::uint8_t { unknown, no, yes };
+    static Answer answer(bool is_so) noexcept { return is_so ? Answer::yes : Answer::no; }
+    std::vector<Answer> has_outline_,
+        is_outline_;  // Of each stroke, with a part of the outline, and most of it.
+    std::vector<std::uint32_t> held_ends_, order_, queue_, neighbors_;
 };
 
 }  // namespace rimline

@@ -4,8 +4,10 @@
 
 namespace rimline {
 
-LineSurface::LineSurface(const Mesh& mesh, Contacts contacts, const LongCall& call)
-    : geometry_(std::make_unique<const LineGeometry>(mesh, contacts == Contacts::found, call)) {}
+LineSurface::LineSurface(const Mesh& mesh, Contacts contacts, const LongCall& call) {
+    RIMLINE_CHECK(mesh.is_welded());
+    geometry_ = std::make_unique<const LineGeometry>(mesh, contacts == Contacts::found, call);
+}
 
 LineSurface::~LineSurface() = default;
 LineSurface::LineSurface(LineSurface&&) noexcept = default;

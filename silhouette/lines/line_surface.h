@@ -22,9 +22,9 @@ public:
         found,  ///< Where faces pass through each other is searched for.
         none,   ///< They do not: is_solid(mesh) (silhouette/mesh/solid.h).
     };
-    /// `mesh` must outlive it. Its vertices must be welded, as Mesh does by default: where vertices at one place are
-    /// not one, faces that meet there are not known to meet. O(n log n) on all threads of oneTBB, about a
-    /// microsecond a face. The result does not depend on their number. Throws Error{cancelled}.
+    /// `mesh` must outlive it, and be welded (Mesh::is_welded()): faces that meet at a place must share its vertex.
+    /// O(n log n) on all threads of oneTBB, about a microsecond a face. The result does not depend on their number.
+    /// Throws Error{cancelled}.
     explicit LineSurface(const Mesh& mesh, Contacts contacts = Contacts::found,
                          const LongCall& call = {});
     LineSurface(Mesh&&, Contacts = Contacts::found, const LongCall& = {}) = delete;

@@ -111,7 +111,8 @@ private:
 
 }  // namespace
 
-Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call) : up_(source.up) {
+Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call)
+    : welding_(welding), up_(source.up) {
     if (source.triangles.size() > k_max_faces || source.positions.size() > 0xfffffff0u)
         throw Error(ErrorCode::too_large, "the mesh has more than 2^30 triangles or 2^32 vertices");
     call.checkpoint(0.0);

@@ -87,6 +87,8 @@ public:
         return {class_begin_[c], class_begin_[c + 1]};
     }
 
+    /// Whether vertices with equal positions are one.
+    bool is_welded() const noexcept { return welding_ == Welding::equal_positions; }
     /// The file's number of a vertex. For welded positions, the first in the file.
     std::uint32_t file_vertex(VertexId vertex) const noexcept {
         return file_vertex_[index(vertex)];
@@ -131,7 +133,8 @@ private:
     std::uint32_t degenerate_face_count_ = 0;
     std::uint32_t component_count_ = 0;
     bool closed_ = false;
-    UpAxis up_ = UpAxis::y;
+    Welding welding_;
+    UpAxis up_;
     Bounds bounds_{};
     double radius_ = 0.0;
 };

@@ -169,7 +169,8 @@ TEST_CASE("only short strokes with loose ends and doubles are stubble") {
             ++doubles;
             for (const StrokePlace& place : stroke.places(0.5 * options.gap))
                 CHECK(pair.passes_near(place.position, options.gap * 1.5, [&](std::size_t i) {
-                    return i != s && pair.strokes[i].length >= stroke.length;
+                    return i != s &&
+                           (pair.is_kept[i] != 0 || pair.strokes[i].length >= stroke.length);
                 }));
         }
     });
@@ -215,18 +216,20 @@ TEST_CASE("outlines have no gaps where stubble was") {
             }
         }
     });
-    CHECK(of_removed > 1000);
+    CHECK(of_removed > 300);
 }
 
 TEST_CASE("a stubble of nearly zero leaves all strokes") {
+    std::size_t removed = 0;
     each_stubbly_view([&](const LineSurface& surface, const LineView& view, LineOptions options,
                           const StubblePair& pair) {
         options.stubble = 1e-9 * options.gap;
         LineDrawer drawer(surface);
         const StubblePair none(drawer, surface.mesh(), view, options);
         CHECK(none.kept == none.strokes.size());
-        CHECK(none.kept > pair.kept);
+        removed += none.kept - pair.kept;
     });
+    CHECK(removed > 100);
 }
 
 // Strokes of straight lines before a square from (-10, -10) to (10, 10).
@@ -321,6 +324,22 @@ TEST_CASE("a double beside a longer stroke goes") {
     // Of two equal ones the first stays, and so does one that is beside what goes.
     CHECK(strokes.keep({horizontal(0, 5, 0), horizontal(0, 5, 0.05)}).count == 1);
     CHECK(strokes.keep({horizontal(0, 5, 0.16), horizontal(0, 5.5, 0.08), longer}).is_first_kept);
+}
+
+// The side of the square at x = 10 is its outline. It has three pieces, and the one in the middle is a double of a longer
+// stroke inside.
+TEST_CASE("of an outline and a stroke beside it the outline stays") {
+    const StrokesBeforeSquare strokes;
+    const auto keep_at = [&](double x) {
+        return strokes.keep({vertical(x, 2, 3), vertical(x, 0, 2), vertical(x, 3, 5),
+                             vertical(x - 0.05, 0.5, 4.5)});
+    };
+    CHECK(keep_at(10).is_first_kept);
+    CHECK(keep_at(10).count == 3);
+    CHECK(!keep_at(9.8).is_first_kept);
+    CHECK(keep_at(9.8).count == 3);
+    // A stroke inside that is too long for a double stays too.
+    CHECK(strokes.keep({vertical(10, 0, 4), vertical(9.95, -5, 5)}).count == 2);
 }
 
 TEST_CASE("a short stroke at an outline stays") {
