@@ -32,8 +32,9 @@ void LineLinks::find(const LineFrame& frame, SmoothNormals& normals) {
                     ends_.push_back(end);
             if (ends_.size() == 2)
                 link(ends_[0], ends_[1]);
-            else if (ends_.size() > 2 && !(kind == LineKind::silhouette &&
-                                           link_around_sectors(frame, frame.node_vertices[node], normals)))
+            else if (ends_.size() > 2 &&
+                     !(kind == LineKind::silhouette &&
+                       link_around_sectors(frame, frame.node_vertices[node], normals)))
                 link_best(frame);
         }
 }

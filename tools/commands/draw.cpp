@@ -1,5 +1,6 @@
 // rimline draw: the lines of a model as a vector drawing.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -231,7 +232,10 @@ private:
             context.checkpoint();
 
             const bool has_edges = has_sources_ && format == DrawingFormat::svg;
-            LineOptions options = lines_.line_options(page.views[i].mm_per_unit);
+            const double mm_per_unit = page.views[i].mm_per_unit;
+            const glm::dvec2 sides_mm = mm_per_unit * (parts[i].high - parts[i].low);
+            LineOptions options =
+                lines_.line_options(mm_per_unit, std::max(sides_mm.x, sides_mm.y));
             options.shown_creases = clear_creases;
             options.shapes_hidden = lines_.draws_hidden() || format == DrawingFormat::json;
             // Points that are left out would take their edges with them.

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,9 @@ struct DrawnLines {
     std::uint32_t hidden_by = 0;  ///< 0: any number of faces.
     double gap_mm = 0.5;
     double min_length_mm = 1.0;
-    double stubble_mm = 4.0;
+    /// Not set: 4 mm, and in small drawings less (k_stubble_share).
+    std::optional<double> stubble_mm;
+    static constexpr double k_stubble_mm = 4.0, k_stubble_share = 1.0 / 48.0;
     double smooth_mm = 0.15;  ///< Less than half the width of a line.
     double simplify_mm = 0.02;
     double curve_mm = 0.05;
@@ -31,8 +34,9 @@ struct DrawnLines {
 
     void add_to(CLI::App& app);
     bool draws_hidden() const { return hidden != "none"; }
-    /// `mm_per_unit` of picture coordinates.
-    LineOptions line_options(double mm_per_unit) const;
+    /// `mm_per_unit` of picture coordinates, and the longer side of the drawing.
+    LineOptions line_options(double mm_per_unit,
+                             double side_mm = std::numeric_limits<double>::infinity()) const;
 };
 
 }  // namespace rimline::tools
