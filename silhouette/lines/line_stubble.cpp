@@ -20,6 +20,8 @@ constexpr double k_double_lengths = 6.0;
 constexpr double k_outline_spacing = 0.25, k_max_outline_places = 24.0;
 constexpr LineStubble::OutlineTest k_has_outline{.gap_share = 0.5, .least_share = 0.0};
 constexpr LineStubble::OutlineTest k_is_outline{.gap_share = 0.125, .least_share = 0.5};
+// Doubles run in about the same direction: within 45 degrees.
+constexpr double k_min_square_cos = 0.5;
 constexpr std::uint32_t k_no_stroke = 0xffffffffu;
 
 }  // namespace
@@ -69,36 +71,48 @@ double LineStubble::distance_to(const Segment& segment, const glm::dvec2& place)
     return glm::distance(place, glm::mix(segment.from, segment.to, share));
 }
 
-bool LineStubble::is_beside(const glm::dvec2& place, std::uint32_t stroke, double reach,
-                            bool must_stay) const {
-    const auto is_near = [&](const Segment& segment) {
-        const std::uint32_t other = segment.stroke;
-        if (other == stroke || is_there_[other] == 0 || (must_stay && stays_[other] == 0))
-            return false;
-        const double share = share_at(segment, place);
-        // Before the end of a stroke lies no double of it, but what goes on from there.
-        if (must_stay &&
-            ((segment.begins_stroke && share < 0.0) || (segment.ends_stroke && share > 1.0)))
-            return false;
-        return distance_to(segment, place) <= reach;
-    };
+template <typename IsAsked>
+bool LineStubble::any_near(const glm::dvec2& place, IsAsked&& is_asked) const {
     bool found = false;
     grid_.each_cell(place, place, [&](std::uint32_t cell) {
         for (const std::uint32_t i : grid_.segments_in(cell))
-            found = found || is_near(segments_[i]);
+            found = found || is_asked(segments_[i]);
     });
     return found;
+}
+
+bool LineStubble::is_held(const glm::dvec2& place, std::uint32_t stroke, double reach) const {
+    return any_near(place, [&](const Segment& segment) {
+        return segment.stroke != stroke && is_there_[segment.stroke] != 0 &&
+               distance_to(segment, place) <= reach;
+    });
+}
+
+bool LineStubble::has_other_along(const Segment& own, const glm::dvec2& place, double reach) const {
+    const glm::dvec2 way = own.to - own.from;
+    const double square = glm::dot(way, way);
+    return any_near(place, [&](const Segment& segment) {
+        if (segment.stroke == own.stroke || stays_[segment.stroke] == 0) return false;
+        // Before the end of a stroke lies no double of it, but what goes on from there.
+        const double share = share_at(segment, place);
+        if ((segment.begins_stroke && share < 0.0) || (segment.ends_stroke && share > 1.0))
+            return false;
+        const glm::dvec2 other = segment.to - segment.from;
+        const double dot = glm::dot(way, other);
+        return dot * dot >= k_min_square_cos * square * glm::dot(other, other) &&
+               distance_to(segment, place) <= reach;
+    });
 }
 
 bool LineStubble::is_loose(std::uint32_t stroke, const LineOptions& options) const {
     if (first_segments_[stroke] == first_segments_[stroke + 1]) return true;
     if (lengths_[stroke] >= 2.0 * options.stubble) return false;
     if (is_closed_[stroke] != 0) return lengths_[stroke] < options.stubble;
-    const auto is_held = [&](const glm::dvec2& end) {
-        return is_beside(end, stroke, options.gap, false);
+    const auto is_end_loose = [&](const glm::dvec2& end) {
+        return !is_held(end, stroke, options.gap);
     };
-    const int loose_ends = int(!is_held(segments_[first_segments_[stroke]].from)) +
-                           int(!is_held(segments_[first_segments_[stroke + 1] - 1].to));
+    const int loose_ends = int(is_end_loose(segments_[first_segments_[stroke]].from)) +
+                           int(is_end_loose(segments_[first_segments_[stroke + 1] - 1].to));
     return lengths_[stroke] < loose_ends * options.stubble;
 }
 
@@ -135,10 +149,11 @@ bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) co
         return false;
     // At places no farther from each other than the strokes are.
     for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
-        const auto& [from, to, number, begins, ends] = segments_[i];
-        const int parts = 1 + static_cast<int>(glm::distance(from, to) / options.gap);
+        const Segment& own = segments_[i];
+        const int parts = 1 + static_cast<int>(glm::distance(own.from, own.to) / options.gap);
         for (int part = 0; part <= parts; ++part)
-            if (!is_beside(glm::mix(from, to, double(part) / parts), stroke, options.gap, true))
+            if (!has_other_along(own, glm::mix(own.from, own.to, double(part) / parts),
+                                 options.gap))
                 return false;
     }
     return true;

@@ -53,9 +53,13 @@ private:
     void choose_staying(const LineOptions& options);
     bool put_outline_first(const LineFrame& frame, const LineOptions& options);
     bool is_double(std::uint32_t stroke, const LineOptions& options) const;
-    // Whether another stroke, one in stays_ if asked for, passes within `reach` of a place.
-    bool is_beside(const glm::dvec2& place, std::uint32_t stroke, double reach,
-                   bool must_stay) const;
+    // Whether another stroke passes within `reach` of a place.
+    bool is_held(const glm::dvec2& place, std::uint32_t stroke, double reach) const;
+    // Whether one in stays_ passes within `reach` of a segment's place, in about its direction.
+    bool has_other_along(const Segment& own, const glm::dvec2& place, double reach) const;
+    // Whether is_asked(segment) is true of a segment near to the place.
+    template <typename IsAsked>
+    bool any_near(const glm::dvec2& place, IsAsked&& is_asked) const;
 
     PictureGrid grid_;
     std::vector<Segment> segments_;

@@ -64,7 +64,8 @@ WholeResult draw_once(const std::string& model, const Mesh& mesh, const LongCall
                         .hidden_width_mm = lines.hidden_width_mm,
                         .dashes_hidden = false,
                         .has_sources = false};
-    add_page_lines(drawing, page.views.front(), {.min_length_mm = lines.min_length_mm},
+    add_page_lines(drawing, page.views.front(),
+                   {.min_length_mm = lines.min_length_mm.value_or(DrawnLines::k_min_hidden_mm)},
                    on_page.lines);
     std::erase_if(on_page.lines, [](const PageLine& line) { return line.is_hidden; });
     times.text_bytes = drawing_svg(on_page).size();

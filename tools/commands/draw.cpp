@@ -248,11 +248,12 @@ private:
             totals.ms += milliseconds_since(start);
             totals.add(lines);
 
-            PageLineOptions page_options{.min_length_mm = lines_.min_length_mm,
-                                         .simplify_mm = has_edges ? lines_.simplify_mm : 0.0,
-                                         .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
-                                         .frame = {},
-                                         .mesh = has_edges ? &mesh : nullptr};
+            PageLineOptions page_options{
+                .min_length_mm = lines_.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
+                .simplify_mm = has_edges ? lines_.simplify_mm : 0.0,
+                .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
+                .frame = {},
+                .mesh = has_edges ? &mesh : nullptr};
             if (lines_.hidden_by > 0) page_options.hidden_by = lines_.hidden_by;
             if (parts[i].is_cut) page_options.frame = {parts[i].low, parts[i].high};
             add_page_lines(lines, page.views[i], page_options, drawing.lines);

@@ -37,7 +37,8 @@ void DrawnLines::add_to(CLI::App& app) {
     add_number(app, "--gap", gap_mm, 0.0, 100.0,
                "Join lines over gaps up to this length, hidden or beside a line that ends")
         ->group(k_group);
-    add_number(app, "--min-length", min_length_mm, 0.0, 1000.0, "Leave out shorter lines")
+    add_number(app, "--min-length", min_length_mm, 0.0, 1000.0,
+               "Leave out shorter lines (default: 1 for hidden lines, 0 for visible ones)")
         ->group(k_group);
     add_number(
         app, "--stubble", stubble_mm, 0.0, 1000.0,
@@ -71,7 +72,7 @@ LineOptions DrawnLines::line_options(double mm_per_unit, double side_mm) const {
             .crease_angle_rad =
                 static_cast<float>(glm::radians(crease_degrees.value_or(k_clear_crease_degrees))),
             .gap = gap_mm / mm_per_unit,
-            .min_length = min_length_mm / mm_per_unit,
+            .min_length = min_length_mm.value_or(0.0) / mm_per_unit,
             .stubble = stubble_mm.value_or(usual_stubble_mm) / mm_per_unit,
             .smooth = smooth_mm / mm_per_unit,
             .shapes_hidden = draws_hidden(),

@@ -21,7 +21,9 @@ struct DrawnLines {
     std::string hidden = "none";  ///< Or dashed, or layer.
     std::uint32_t hidden_by = 0;  ///< 0: any number of faces.
     double gap_mm = 0.5;
-    double min_length_mm = 1.0;
+    /// Not set: no visible line is left out, and hidden ones below k_min_hidden_mm.
+    std::optional<double> min_length_mm;
+    static constexpr double k_min_hidden_mm = 1.0;
     /// Not set: 4 mm, and in small drawings less (k_stubble_share).
     std::optional<double> stubble_mm;
     static constexpr double k_stubble_mm = 4.0, k_stubble_share = 1.0 / 48.0;

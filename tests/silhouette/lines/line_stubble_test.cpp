@@ -317,6 +317,10 @@ TEST_CASE("a double beside a longer stroke goes") {
     CHECK(!strokes.keep({horizontal(0, 5.9, 0.09), longer}).is_first_kept);
     CHECK(strokes.keep({horizontal(0, 6.1, 0.09), longer}).is_first_kept);
     CHECK(strokes.keep({horizontal(0, 5.9, 0.11), longer}).is_first_kept);
+    // One across the other is short, and no double: here at a corner, to the next stroke.
+    const auto from_corner = horizontal(0.01, 0.09, 0);
+    CHECK(
+        strokes.keep({from_corner, vertical(0, -5, 0.02), horizontal(0.1, 5, 0.01)}).is_first_kept);
     // A part of it is not beside the other, or only goes on from its end.
     CHECK(strokes.keep({{glm::dvec2(0, 0.05), glm::dvec2(5, 0.15)}, longer}).is_first_kept);
     CHECK(strokes.keep({horizontal(3, 8.05, 0.05), longer}).is_first_kept);
