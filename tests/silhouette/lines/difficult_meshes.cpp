@@ -8,11 +8,11 @@
 
 namespace rimline::tests {
 
-MeshSource broken_knot(std::uint64_t seed) {
-    MeshSource source = make_built_in_shape("knot", 2000);
+MeshSource broken(const MeshSource& whole, std::uint64_t seed) {
+    MeshSource source = whole;
     Random random(seed);
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const auto& t : source.triangles) {
+    for (const auto& t : whole.triangles) {
         const std::uint32_t chance = random.below(100);
         if (chance < 5) continue;
         triangles.push_back(t);
@@ -26,6 +26,10 @@ MeshSource broken_knot(std::uint64_t seed) {
     }
     source.triangles = std::move(triangles);
     return source;
+}
+
+MeshSource broken_knot(std::uint64_t seed) {
+    return broken(make_built_in_shape("knot", 2000), seed);
 }
 
 MeshSource crossing_knots(std::uint32_t faces) {

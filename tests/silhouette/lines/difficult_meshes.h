@@ -8,7 +8,9 @@
 
 namespace rimline::tests {
 
-/// A knot with holes, faces the other way round, faces twice, and fins.
+/// A mesh with holes, faces the other way round, faces twice, and fins.
+MeshSource broken(const MeshSource& whole, std::uint64_t seed);
+/// The same of a knot.
 MeshSource broken_knot(std::uint64_t seed);
 
 /// Two knots that pass through each other, of about `faces` faces together.

@@ -5,6 +5,7 @@
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "tests/models.h"
 #include "tests/silhouette/lines/against_oracle.h"
+#include "tests/silhouette/lines/difficult_meshes.h"
 #include "tests/skip.h"
 
 namespace rimline {
@@ -24,6 +25,18 @@ RIMLINE_LINES_CASE("fandisk.obj")
 RIMLINE_LINES_CASE("ogre.obj")
 RIMLINE_LINES_CASE("rocker-arm.obj")
 RIMLINE_LINES_CASE("stanford-bunny.obj")
+
+// 10,000 borders, 6,000 non-manifold and 9,000 inconsistent edges.
+TEST_CASE("lines of a broken bunny are hidden where a count of faces says") {
+    const char* file = "stanford-bunny.obj";
+    const auto path = tests::find_model(file);
+    if (!path) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds stanford-bunny.obj");
+    const Mesh mesh(tests::broken(read_mesh_file(*path), 15));
+    CHECK(mesh.edges_of_class(EdgeClass::border).size() > 9'000);
+    CHECK(mesh.edges_of_class(EdgeClass::nonmanifold).size() > 5'000);
+    CHECK(mesh.edges_of_class(EdgeClass::inconsistent).size() > 8'000);
+    tests::check_views(mesh, tests::Cameras::around, 1, 83, 300.0);
+}
 
 TEST_SUITE("long") {
     TEST_CASE("lines are hidden where a count of faces says on all models from 21 views") {
