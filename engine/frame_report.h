@@ -15,10 +15,9 @@ struct ShadowReport {
     std::uint32_t instance = 0;
     std::uint32_t light = 0;
     ShadowChoice choice;
-    /// Upper bound of the triangles that a ray from the light meets (shadow_batches.h).
+    /// Upper bound of the triangles that a ray from the light meets (ray_bound.h).
     std::uint32_t bound = 0;
-    /// Number of runs of faces the volume was divided into, each face casting for itself in the general
-    /// form. 0: the volume was drawn whole.
+    /// Number of parts of the volume, runs of faces, that were drawn for themselves. 0: it was drawn whole.
     std::uint32_t runs = 0;
     /// The light lay exactly on a vertex and was moved (light_off_vertices()).
     bool light_moved = false;

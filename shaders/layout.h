@@ -184,6 +184,7 @@ struct InstanceData {
 struct LightData {
     RIMLINE_ADDRESS(Slots) slots;
     RIMLINE_ADDRESS(FaceWords) face_words;
+    RIMLINE_ADDRESS(EdgeRecords) part_sides;  // If its volume is drawn in parts, else 0.
     vec4 point;  // Homogeneous, in the mesh's coordinates.
     vec3 color;  // Its share in the light of a fully lit surface.
     // 0: volumes reach infinity. Else their length: a distance for a directional light, a multiple of
@@ -215,7 +216,7 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 25);
 static_assert(sizeof(InstanceData) == 11 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
-static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
+static_assert(sizeof(LightData) == 3 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 4);
 }  // namespace rimline::gpu
 #endif

@@ -29,7 +29,8 @@ DrawData::DrawData(const DeviceContext& context, std::uint32_t frames_in_flight)
     : context_(context),
       sets_(context, k_bindings, frames_in_flight),
       buffers_(frames_in_flight),
-      segments_(frames_in_flight) {}
+      segments_(frames_in_flight),
+      part_sides_(frames_in_flight) {}
 
 std::uint32_t DrawData::padded(std::size_t size_bytes) const noexcept {
     return static_cast<std::uint32_t>(
@@ -76,6 +77,15 @@ VkDeviceAddress DrawData::put_segments(std::span<const gpu::LineSegment> segment
         buffer = Buffer(context_, segments.size_bytes(), BufferPlace::upload, "lines");
     std::memcpy(buffer.mapped(), segments.data(), segments.size_bytes());
     return buffer.address();
+}
+
+DrawData::PartSides DrawData::make_part_sides(std::size_t count) {
+    if (count == 0) return {};
+    Buffer& buffer = part_sides_[slot_];
+    const VkDeviceSize size = VkDeviceSize{count} * sizeof(gpu::EdgeRecord);
+    if (buffer.size() < size)
+        buffer = Buffer(context_, size, BufferPlace::upload, "parts of shadow volumes");
+    return {{reinterpret_cast<gpu::EdgeRecord*>(buffer.mapped()), count}, buffer.address()};
 }
 
 }  // namespace rimline

@@ -46,6 +46,8 @@ public:
         if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
         list_.shadow_batches.resize(light_count);
         for (std::size_t l = 0; l < light_count; ++l) plan_shadows(l);
+        put_part_sides();
+        put_lights();
         return std::move(list_);
     }
 
@@ -158,12 +160,14 @@ private:
         return parts_.draw_data.put(data);
     }
 
+    // Its data is put by put_lights().
     DrawnLight add_light(std::size_t i, std::size_t l, const Caster& caster,
                          const DrawnInstance& drawn) {
         const SceneInstance& instance = scene_.instances[i];
         const HomogeneousPoint& point = view_.instances[i].lights[l].point;
         gpu::LightData data{.slots = 0,
                             .face_words = 0,
+                            .part_sides = 0,
                             .point = {point.x, point.y, point.z, point.w},
                             .color = glm::vec3(1.0f / float(scene_.lights.size())),
                             .extrusion = 0.0f};
@@ -175,7 +179,7 @@ private:
             choose_volume(i, l, caster, data, light);
             add_volume(i, l, drawn, data, light);
         }
-        light.data = parts_.draw_data.put(data);
+        lights_.push_back(data);
         return light;
     }
 
@@ -222,34 +226,64 @@ private:
 
     // Divides the casters of light `l` into batches that the stencil can count.
     void plan_shadows(std::size_t l) {
-        ShadowCounter& counter = parts_.shadow_counter;
+        ShadowBatches& batches = parts_.shadow_batches;
         std::vector<ShadowReport>& shadows = frame_.report.shadows;
-        counter.begin();
+        batches.begin();
         for (ShadowReport& shadow : shadows) {
             if (shadow.light != l) continue;
-            const InstanceState& state = state_of(shadow.instance);
+            InstanceState& state = state_of(shadow.instance);
             if (state.deforming) {
-                shadow.bound = counter.add_unseen(shadow.instance, state.mesh->face_count());
+                shadow.bound = batches.add_unseen(shadow.instance, state.mesh->face_count());
                 continue;
             }
             const TrackedSilhouette& volume = *state.lights[l];
-            shadow.bound = counter.add(shadow.instance, {.mesh = &volume.mesh(),
-                                                         .silhouette = volume.silhouette(),
-                                                         .face_words = volume.face_words(),
-                                                         .light = volume.point(),
-                                                         .form = shadow.choice.form});
+            shadow.bound = batches.add(shadow.instance,
+                                       {.mesh = &volume.mesh(),
+                                        .columns = &state.caster->columns,
+                                        .silhouette = volume.silhouette(),
+                                        .face_words = volume.face_words(),
+                                        .light = volume.point(),
+                                        .form = shadow.choice.form},
+                                       state.volumes[l]);
         }
-        list_.shadow_batches[l] = counter.end();
+        list_.shadow_batches[l] = batches.end();
         for (const ShadowBatch& batch : list_.shadow_batches[l])
             for (const ShadowDraw& draw : batch.draws) {
-                if (!draw.face_by_face) continue;
-                const auto shadow = std::ranges::find_if(shadows, [&](const ShadowReport& s) {
-                    return s.light == l && s.instance == draw.instance;
-                });
-                ++shadow->runs;
-                shadow->choice.form = ShadowForm::general;
-                shadow->choice.form_reason = "more triangles may be in a row than a batch counts";
+                if (!draw.sides) continue;
+                ++std::ranges::find_if(shadows, [&](const ShadowReport& shadow) {
+                      return shadow.light == l && shadow.instance == draw.instance;
+                  })->runs;
             }
+    }
+
+    gpu::LightData& light_data(const ShadowReport& shadow) {
+        return lights_[shadow.instance * scene_.lights.size() + shadow.light];
+    }
+
+    // Copies the sides of all volumes that are drawn in parts.
+    void put_part_sides() {
+        const auto sides_of =
+            [&](const ShadowReport& shadow) -> const std::vector<gpu::EdgeRecord>& {
+            return state_of(shadow.instance).volumes[shadow.light].sides;
+        };
+        std::size_t count = 0;
+        for (const ShadowReport& shadow : frame_.report.shadows)
+            if (shadow.runs > 0) count += sides_of(shadow).size();
+        const DrawData::PartSides put = parts_.draw_data.make_part_sides(count);
+        std::size_t first = 0;
+        for (const ShadowReport& shadow : frame_.report.shadows) {
+            if (shadow.runs == 0) continue;
+            const std::vector<gpu::EdgeRecord>& sides = sides_of(shadow);
+            std::ranges::copy(sides, put.records.subspan(first).begin());
+            light_data(shadow).part_sides = put.address + first * sizeof(gpu::EdgeRecord);
+            first += sides.size();
+        }
+    }
+
+    void put_lights() {
+        auto data = lights_.begin();
+        for (DrawnInstance& instance : list_.instances)
+            for (DrawnLight& light : instance.lights) light.data = parts_.draw_data.put(*data++);
     }
 
     const FrameView& view_;
@@ -257,7 +291,8 @@ private:
     std::uint32_t ring_slot_;
     const DrawListParts& parts_;
     RecordedFrame& frame_;
-    std::vector<Segments> segments_;  // Of each instance.
+    std::vector<Segments> segments_;      // Of each instance.
+    std::vector<gpu::LightData> lights_;  // Of each instance, and of each of its lights.
     DrawList list_;
 };
 

@@ -55,13 +55,16 @@ struct DrawnInstance {
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
 };
 
-/// The volume of a caster, or of some of its faces.
+/// The volume of a caster, or of a run of its faces.
 struct ShadowDraw {
+    /// Records of the caster's LightData.part_sides.
+    struct PartSides {
+        std::uint32_t first, count;
+    };
     std::uint32_t instance = 0;
     std::uint32_t first_face = 0;
     std::uint32_t face_count = 0;
-    /// Each face casts its own volume, in the general form. If false, all faces of the caster are drawn.
-    bool face_by_face = false;
+    std::optional<PartSides> sides;  ///< Set: the sides of this run. Else all faces are drawn.
 };
 
 /// The volumes counted between two folds of the stencil (shadow_volume_pass.h).

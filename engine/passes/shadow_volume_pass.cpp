@@ -113,7 +113,7 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
             const DrawnInstance& instance = list.instances[draw.instance];
             const DrawnLight& drawn = instance.lights[light];
             if (drawn.method == ShadowMethod::pass) continue;
-            const bool single = drawn.form == ShadowForm::single && !draw.face_by_face;
+            const bool single = drawn.form == ShadowForm::single;
             if (single && front_bit == 0) continue;
             set_draw(commands, layout_, list, instance, &drawn, front_bit);
             // If all light rays end in one point, there is no dark cap.
@@ -138,17 +138,18 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
         const DrawnInstance& instance = list.instances[draw.instance];
         const DrawnLight& drawn = instance.lights[light];
         const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
-        if (draw.face_by_face) {
+        const bool single = drawn.form == ShadowForm::single;
+        const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
+        if (draw.sides) {
+            // Geometry shaders number points from 0, wherever a draw begins.
             bind(pipelines.pulled_sides);
             set_counting(commands, drawn.method, false);
-            set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_FACES);
-            vkCmdDraw(commands, 3 * corners * draw.face_count, 1, 3 * corners * draw.first_face, 0);
+            set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_PARTS | flag);
+            vkCmdDraw(commands, corners * draw.sides->count, 1, corners * draw.sides->first, 0);
             continue;
         }
         bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);
         set_counting(commands, drawn.method, false);
-        const bool single = drawn.form == ShadowForm::single;
-        const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
         set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_SLOTS | flag);
         const VkDeviceSize offset = !pulled        ? IndirectDraw::k_points
                                     : corners == 3 ? IndirectDraw::k_pointed_sides
