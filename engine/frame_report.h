@@ -41,6 +41,9 @@ struct FrameReport {
     /// Wall-clock time from moving the trackers to the last recorded command. Includes the first
     /// extraction of silhouettes, not the upload of meshes drawn for the first time.
     double record_ms = 0.0;
+    /// The part of record_ms in which change sets were taken from trackers, with the wait for trackers that had
+    /// not finished.
+    double follow_ms = 0.0;
     std::uint32_t meshes_uploaded = 0;  ///< Meshes drawn for the first time.
     std::uint64_t bytes_uploaded = 0;   ///< Bytes of these meshes.
     /// Wall-clock time from the same start to the finished picture; 0 for a frame that a caller submits.

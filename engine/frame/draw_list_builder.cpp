@@ -144,6 +144,7 @@ private:
         silhouette.follow(point, ring_slot_);
         const ChangeStream& stream = silhouette.stream();
         frame_.silhouettes.push_back(&silhouette);
+        frame_.report.follow_ms += 1e-3 * silhouette.changes().update_us;
         frame_.report.bytes_streamed += stream.bytes_streamed();
         frame_.report.bytes_full += stream.bytes_full();
         return stream;

@@ -155,13 +155,6 @@ private:
     BinnedInterval binned_;
 };
 
-// A number in [0, 4) that increases with the angle of `v`, by one for each quarter turn.
-double turn_of(const glm::dvec2& v) {
-    const double along = v.x / (std::abs(v.x) + std::abs(v.y));
-    const double turn = v.y >= 0.0 ? 1.0 - along : 3.0 + along;
-    return turn >= 4.0 ? 0.0 : turn;
-}
-
 // All meridians of a point light, around the axis.
 class AllMeridians {
 public:
@@ -178,25 +171,32 @@ public:
         if (step > 2.0) step -= 4.0;
         if (step < -2.0) step += 4.0;
         if (!(std::abs(step) + a.error + b.error < 1.9)) return {0, bins_};
+        // From one circle below 0 on, so that casts round down.
         const double bins_per_turn = bins_ / 4.0;
-        const double least = bins_per_turn * (a.turn + std::min(-a.error, step - b.error));
-        const double most = bins_per_turn * (a.turn + std::max(a.error, step + b.error));
-        const double first = std::floor(least);
-        const double count = std::floor(most) + 1.0 - first;
-        if (!(count < bins_)) return {0, bins_};
-        const double wrapped = first - bins_ * std::floor(first / bins_);
-        return {static_cast<std::uint32_t>(wrapped) % bins_, static_cast<std::uint32_t>(count)};
+        const auto first = static_cast<std::uint32_t>(
+            bins_per_turn * (a.turn + std::min(-a.error, step - b.error)) + bins_);
+        const auto last = static_cast<std::uint32_t>(
+            bins_per_turn * (a.turn + std::max(a.error, step + b.error)) + bins_);
+        const std::uint32_t count = last - first + 1;
+        if (count >= bins_) return {0, bins_};
+        return {first % bins_, count};
     }
 
 private:
     struct End {
-        double turn, error;
+        double turn;  // In [0, 4], increases with the angle, by one for each quarter turn.
+        double error;
     };
     End end_of(const glm::vec3& place) const {
         const glm::dvec3 away = glm::dvec3(place) - light_;
-        const glm::dvec2 across(away[(axis_ + 1) % 3], away[(axis_ + 2) % 3]);
-        const double error = k_float_rounding * glm::length(away);
-        return {turn_of(across), error / (std::abs(across.x) + std::abs(across.y))};
+        const double x = away[(axis_ + 1) % 3];
+        const double y = away[(axis_ + 2) % 3];
+        const glm::dvec3 size = glm::abs(away);
+        const double per_length = 1.0 / (std::abs(x) + std::abs(y));
+        const double along = x * per_length;
+        // A sum in place of the length, because it is faster: far lights, where errors count, are outside.
+        return {y >= 0.0 ? 1.0 - along : 3.0 + along,
+                k_float_rounding * (size.x + size.y + size.z) * per_length};
     }
 
     glm::dvec3 light_;
