@@ -17,7 +17,7 @@ struct ShadowReport {
     ShadowChoice choice;
     /// Upper bound of the triangles that a ray from the light meets (ray_bound.h).
     std::uint32_t bound = 0;
-    /// Number of parts of the volume, runs of faces, that were drawn for themselves. 0: it was drawn whole.
+    /// Number of parts of the volume that were drawn for themselves (counted_volume.h). 0: it was drawn whole.
     std::uint32_t runs = 0;
     /// The light lay exactly on a vertex and was moved (light_off_vertices()).
     bool light_moved = false;

@@ -51,9 +51,13 @@ RIMLINE_SHARED VolumeCorner side_corner(EdgeRecord edge, bool is_front, uint cor
 // The lists of sides to draw (DrawConstants.choice).
 #define RIMLINE_SIDES_SLOTS 0u  // Silhouette slots: regular edges whose faces' bits differ.
 #define RIMLINE_SIDES_LOOSE 1u  // The loose list: one record per face of every other edge.
-#define RIMLINE_SIDES_PARTS 2u  // Sides of runs of faces, one record each.
+#define RIMLINE_SIDES_PARTS 2u  // Sides of parts of the volume, one record each.
 // Flag: only faces that the light sees from the front cast.
 #define RIMLINE_SIDES_SINGLE 4u
+
+// The caps to draw: those of faces whose bit is bit 0 of DrawConstants.choice. Flag: of the faces listed for
+// parts of the volume, else of all.
+#define RIMLINE_CAPS_PART 2u
 
 #ifdef __cplusplus
 }  // namespace rimline::gpu

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
 
 #include "silhouette/mesh/face_bits.h"
 
@@ -11,6 +14,9 @@ namespace rimline {
 namespace {
 
 constexpr std::size_t k_prefetched = 16;
+constexpr std::uint32_t k_distance_classes = 1u << 16;
+// So many times the least number of parts come from halving alone.
+constexpr std::size_t k_few_parts = 2;
 
 std::array<glm::vec3, 3> corners_of(const Mesh& mesh, std::uint32_t face) {
     std::array<glm::vec3, 3> corners;
@@ -19,11 +25,11 @@ std::array<glm::vec3, 3> corners_of(const Mesh& mesh, std::uint32_t face) {
     return corners;
 }
 
-Bounds bounds_of_run(const Mesh& mesh, std::uint32_t first, std::uint32_t end) {
-    const glm::vec3 start = mesh.positions()[index(mesh.triangles()[first][0])];
+Bounds bounds_of(const Mesh& mesh, const FaceRun& run) {
+    const glm::vec3 start = corners_of(mesh, run.faces()[0])[0];
     Bounds bounds{start, start};
-    for (std::uint32_t f = first; f < end; ++f)
-        for (const glm::vec3& corner : corners_of(mesh, f)) {
+    for (const std::uint32_t face : run.faces())
+        for (const glm::vec3& corner : corners_of(mesh, face)) {
             bounds.low = glm::min(bounds.low, corner);
             bounds.high = glm::max(bounds.high, corner);
         }
@@ -69,40 +75,83 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
     count.form = volume.form;
     count.bound = std::min(bound, mesh.face_count());  // A ray meets at most all triangles.
     count.parts.clear();
+    count.faces.clear();
     count.sides.clear();
 }
 
 void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, VolumeCount& count) {
-    if (count.parts.empty()) divide(volume, limit, 0, volume.mesh->face_count(), count);
+    if (!count.parts.empty()) return;
+    const std::uint32_t faces = volume.mesh->face_count();
+    order_.resize(faces);
+    ranks_.resize(faces);
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::iota(ranks_.begin(), ranks_.end(), 0u);
+    divide(volume, limit, 0, faces, count);
+    if (count.parts.size() <= k_few_parts * (count.bound / limit + 1)) return;
+    VolumeCount by_distance{.light = count.light, .form = count.form, .bound = count.bound};
+    sort_faces(volume);
+    divide(volume, limit, 0, faces, by_distance);
+    if (by_distance.parts.size() < count.parts.size()) count = std::move(by_distance);
+}
+
+// By classes of distance: within a class the order does not matter.
+void VolumeCounter::sort_faces(const CountedVolume& volume) {
+    const Mesh& mesh = *volume.mesh;
+    const glm::dvec3 light(volume.light.xyz());
+    const glm::dvec3 towards = light / std::max(glm::length(light), double{k_min_point_component});
+    const auto distance = [&](std::uint32_t face) {
+        const std::array<glm::vec3, 3> corners = corners_of(mesh, face);
+        const glm::dvec3 middle =
+            (glm::dvec3(corners[0]) + glm::dvec3(corners[1]) + glm::dvec3(corners[2])) / 3.0;
+        return volume.light.is_direction() ? -glm::dot(middle, towards)
+                                           : glm::distance(middle, light);
+    };
+    const double center = volume.light.is_direction() ? -glm::dot(mesh.center(), towards)
+                                                      : glm::distance(mesh.center(), light);
+    const double nearest = center - mesh.radius();
+    const double classes_per_length =
+        mesh.radius() > 0.0 ? k_distance_classes / (2.0 * mesh.radius()) : 0.0;
+    std::vector<std::uint32_t> begins(k_distance_classes + 1, 0);
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        ranks_[f] = static_cast<std::uint32_t>(std::clamp(
+            (distance(f) - nearest) * classes_per_length, 0.0, k_distance_classes - 1.0));
+        ++begins[ranks_[f] + 1];
+    }
+    for (std::size_t c = 0; c < k_distance_classes; ++c) begins[c + 1] += begins[c];
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        ranks_[f] = begins[ranks_[f]]++;
+        order_[ranks_[f]] = f;
+    }
 }
 
 void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, std::uint32_t first,
                            std::uint32_t end, VolumeCount& count) {
-    const auto first_side = static_cast<std::uint32_t>(count.sides.size());
-    append_sides_of_run(volume, first, end, count.sides);
-    const std::uint32_t bound =
-        bound_of_run(volume, limit, first, end, std::span(count.sides).subspan(first_side));
-    if (bound <= limit) {
-        count.parts.push_back(
-            {.first_face = first,
-             .face_count = end - first,
-             .first_side = first_side,
-             .side_count = static_cast<std::uint32_t>(count.sides.size()) - first_side,
-             .bound = bound});
+    const FaceRun run{order_, ranks_, first, end};
+    VolumePart part{.first_face = static_cast<std::uint32_t>(count.faces.size()),
+                    .first_side = static_cast<std::uint32_t>(count.sides.size())};
+    append_run(volume, run, count);
+    part.face_count = static_cast<std::uint32_t>(count.faces.size()) - part.first_face;
+    part.side_count = static_cast<std::uint32_t>(count.sides.size()) - part.first_side;
+    part.bound =
+        std::min(part.face_count,
+                 bound_of_run(volume, limit, run, std::span(count.sides).subspan(part.first_side)));
+    if (part.bound <= limit) {
+        if (part.face_count > 0) count.parts.push_back(part);
         return;
     }
-    count.sides.resize(first_side);
-    const std::uint32_t middle = first + (end - first) / 2;
+    count.faces.resize(part.first_face);
+    count.sides.resize(part.first_side);
+    const std::uint32_t middle = first + run.size() / 2;
     divide(volume, limit, first, middle, count);
     divide(volume, limit, middle, end, count);
 }
 
 std::uint32_t VolumeCounter::bound_of_run(const CountedVolume& volume, std::uint32_t enough,
-                                          std::uint32_t first, std::uint32_t end,
+                                          const FaceRun& run,
                                           std::span<const gpu::EdgeRecord> records) {
-    if (end - first <= enough) return end - first;
+    if (run.size() <= enough) return run.size();
     const Mesh& mesh = *volume.mesh;
-    const Bounds bounds = bounds_of_run(mesh, first, end);
+    const Bounds bounds = bounds_of(mesh, run);
     sides_.clear();
     for (const gpu::EdgeRecord& record : records)
         sides_.push_back({mesh.positions()[record.v0], mesh.positions()[record.v1], 1});
@@ -110,32 +159,30 @@ std::uint32_t VolumeCounter::bound_of_run(const CountedVolume& volume, std::uint
         return rays_.from_outside(sides_, bounds, volume.light, *outer, enough);
     const int axis = volume.columns->axis();
     std::uint32_t faces_at_poles = 0;
-    for (std::uint32_t f = first; f < end; ++f)
-        faces_at_poles += may_meet_line(volume.light, axis, corners_of(mesh, f), bounds) ? 1 : 0;
+    for (const std::uint32_t face : run.faces())
+        faces_at_poles += may_meet_line(volume.light, axis, corners_of(mesh, face), bounds) ? 1 : 0;
     return rays_.from_within(sides_, volume.light, axis, faces_at_poles);
 }
 
-void append_sides_of_run(const CountedVolume& volume, std::uint32_t first, std::uint32_t end,
-                         std::vector<gpu::EdgeRecord>& sides) {
+void append_run(const CountedVolume& volume, const FaceRun& run, VolumeCount& count) {
     const Mesh& mesh = *volume.mesh;
     const bool single = volume.form == ShadowForm::single;
     const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
-    for (std::uint32_t f = first; f < end; ++f) {
+    for (const std::uint32_t f : run.faces()) {
         const bool front = face_bit(volume.face_words, FaceId{f});
         if (single && !front) continue;
+        count.faces.push_back(f);
         const Triangle& triangle = mesh.triangles()[f];
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const EdgeId edge = mesh.edges_of(FaceId{f})[corner];
             if (edge == k_no_edge) continue;  // The sides of a face with two equal corners cancel.
             if (index(edge) < regular_end) {
                 const auto& [f0, f1] = mesh.edge(edge).faces;
-                const std::uint32_t other = index(f0) == f ? index(f1) : index(f0);
+                const FaceId other = index(f0) == f ? f1 : f0;
                 // Two faces with equal bits traverse the side in opposite directions.
-                if (other >= first && other < end &&
-                    face_bit(volume.face_words, FaceId{other}) == front)
-                    continue;
+                if (run.has(other) && face_bit(volume.face_words, other) == front) continue;
             }
-            sides.push_back(
+            count.sides.push_back(
                 {index(triangle[corner]), index(triangle[(corner + 1) % 3]), f, index(k_no_face)});
         }
     }

@@ -46,7 +46,7 @@ public:
         if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
         list_.shadow_batches.resize(light_count);
         for (std::size_t l = 0; l < light_count; ++l) plan_shadows(l);
-        put_part_sides();
+        put_parts();
         put_lights();
         return std::move(list_);
     }
@@ -169,6 +169,7 @@ private:
         gpu::LightData data{.slots = 0,
                             .face_words = 0,
                             .part_sides = 0,
+                            .part_faces = 0,
                             .point = {point.x, point.y, point.z, point.w},
                             .color = glm::vec3(1.0f / float(scene_.lights.size())),
                             .extrusion = 0.0f};
@@ -250,34 +251,36 @@ private:
         list_.shadow_batches[l] = batches.end();
         for (const ShadowBatch& batch : list_.shadow_batches[l])
             for (const ShadowDraw& draw : batch.draws) {
-                if (!draw.sides) continue;
+                if (!draw.part) continue;
                 ++std::ranges::find_if(shadows, [&](const ShadowReport& shadow) {
                       return shadow.light == l && shadow.instance == draw.instance;
                   })->runs;
             }
     }
 
-    gpu::LightData& light_data(const ShadowReport& shadow) {
-        return lights_[shadow.instance * scene_.lights.size() + shadow.light];
-    }
-
-    // Copies the sides of all volumes that are drawn in parts.
-    void put_part_sides() {
-        const auto sides_of =
-            [&](const ShadowReport& shadow) -> const std::vector<gpu::EdgeRecord>& {
-            return state_of(shadow.instance).volumes[shadow.light].sides;
+    // Copies the lists of all volumes that are drawn in parts.
+    void put_parts() {
+        const auto count_of = [&](const ShadowReport& shadow) -> const VolumeCount& {
+            return state_of(shadow.instance).volumes[shadow.light];
         };
-        std::size_t count = 0;
-        for (const ShadowReport& shadow : frame_.report.shadows)
-            if (shadow.runs > 0) count += sides_of(shadow).size();
-        const DrawData::PartSides put = parts_.draw_data.make_part_sides(count);
-        std::size_t first = 0;
+        std::size_t sides = 0, faces = 0;
         for (const ShadowReport& shadow : frame_.report.shadows) {
             if (shadow.runs == 0) continue;
-            const std::vector<gpu::EdgeRecord>& sides = sides_of(shadow);
-            std::ranges::copy(sides, put.records.subspan(first).begin());
-            light_data(shadow).part_sides = put.address + first * sizeof(gpu::EdgeRecord);
-            first += sides.size();
+            sides += count_of(shadow).sides.size();
+            faces += count_of(shadow).faces.size();
+        }
+        const DrawData::PartLists lists = parts_.draw_data.make_part_lists(sides, faces);
+        sides = faces = 0;
+        for (const ShadowReport& shadow : frame_.report.shadows) {
+            if (shadow.runs == 0) continue;
+            const VolumeCount& count = count_of(shadow);
+            std::ranges::copy(count.sides, lists.sides.subspan(sides).begin());
+            std::ranges::copy(count.faces, lists.faces.subspan(faces).begin());
+            gpu::LightData& light = lights_[shadow.instance * scene_.lights.size() + shadow.light];
+            light.part_sides = lists.sides_address + sides * sizeof(gpu::EdgeRecord);
+            light.part_faces = lists.faces_address + faces * sizeof(std::uint32_t);
+            sides += count.sides.size();
+            faces += count.faces.size();
         }
     }
 

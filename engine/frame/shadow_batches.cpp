@@ -12,13 +12,13 @@ void ShadowBatches::begin() noexcept {
 std::uint32_t ShadowBatches::add(std::uint32_t instance, const CountedVolume& volume,
                                  VolumeCount& count) {
     counter_.update(volume, k_batch_limit, count);
-    added_.push_back({instance, volume.mesh->face_count(), count.bound, volume, &count});
+    added_.push_back({instance, count.bound, volume, &count});
     total_ += count.bound;
     return count.bound;
 }
 
 std::uint32_t ShadowBatches::add_unseen(std::uint32_t instance, std::uint32_t face_count) {
-    added_.push_back({instance, face_count, std::min(face_count, k_batch_limit), {}, nullptr});
+    added_.push_back({instance, std::min(face_count, k_batch_limit), {}, nullptr});
     total_ += added_.back().bound;
     return added_.back().bound;
 }
@@ -38,15 +38,16 @@ std::vector<ShadowBatch> ShadowBatches::end() {
     };
     for (const Added& added : added_) {
         if (added.bound <= limit) {
-            draw({.instance = added.instance, .face_count = added.face_count}, added.bound);
+            draw({.instance = added.instance}, added.bound);
             continue;
         }
         counter_.divide(added.volume, k_batch_limit, *added.count);
         for (const VolumePart& part : added.count->parts)
             draw({.instance = added.instance,
-                  .first_face = part.first_face,
-                  .face_count = part.face_count,
-                  .sides = ShadowDraw::PartSides{part.first_side, part.side_count}},
+                  .part = ShadowDraw::Part{.first_face = part.first_face,
+                                           .face_count = part.face_count,
+                                           .first_side = part.first_side,
+                                           .side_count = part.side_count}},
                  part.bound);
     }
     // The pass folds the stencil only if there is more than one batch.

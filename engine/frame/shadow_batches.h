@@ -37,7 +37,6 @@ public:
 private:
     struct Added {
         std::uint32_t instance;
-        std::uint32_t face_count;
         std::uint32_t bound;
         CountedVolume volume;
         VolumeCount* count;  // Null if unseen.

@@ -55,16 +55,15 @@ struct DrawnInstance {
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
 };
 
-/// The volume of a caster, or of a run of its faces.
+/// The volume of a caster, or of a part of its faces.
 struct ShadowDraw {
-    /// Records of the caster's LightData.part_sides.
-    struct PartSides {
-        std::uint32_t first, count;
+    /// Places in the lists of the caster's gpu::LightData.
+    struct Part {
+        std::uint32_t first_face, face_count;
+        std::uint32_t first_side, side_count;
     };
     std::uint32_t instance = 0;
-    std::uint32_t first_face = 0;
-    std::uint32_t face_count = 0;
-    std::optional<PartSides> sides;  ///< Set: the sides of this run. Else all faces are drawn.
+    std::optional<Part> part;
 };
 
 /// The volumes counted between two folds of the stencil (shadow_volume_pass.h).

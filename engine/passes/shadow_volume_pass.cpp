@@ -115,10 +115,13 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
             if (drawn.method == ShadowMethod::pass) continue;
             const bool single = drawn.form == ShadowForm::single;
             if (single && front_bit == 0) continue;
-            set_draw(commands, layout_, list, instance, &drawn, front_bit);
+            const std::uint32_t flag = draw.part ? RIMLINE_CAPS_PART : 0;
+            set_draw(commands, layout_, list, instance, &drawn, front_bit | flag);
             // If all light rays end in one point, there is no dark cap.
             const std::uint32_t caps = drawn.ends_in_one_point ? 1 : 2;
-            vkCmdDraw(commands, 3 * draw.face_count, caps, 3 * draw.first_face, 0);
+            const std::uint32_t first = draw.part ? draw.part->first_face : 0;
+            const std::uint32_t count = draw.part ? draw.part->face_count : instance.face_count;
+            vkCmdDraw(commands, 3 * count, caps, 3 * first, 0);
         }
     }
 }
@@ -140,12 +143,13 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
         const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
         const bool single = drawn.form == ShadowForm::single;
         const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
-        if (draw.sides) {
+        if (draw.part) {
             // Geometry shaders number points from 0, wherever a draw begins.
             bind(pipelines.pulled_sides);
             set_counting(commands, drawn.method, false);
             set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_PARTS | flag);
-            vkCmdDraw(commands, corners * draw.sides->count, 1, corners * draw.sides->first, 0);
+            vkCmdDraw(commands, corners * draw.part->side_count, 1, corners * draw.part->first_side,
+                      0);
             continue;
         }
         bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);

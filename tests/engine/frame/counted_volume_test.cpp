@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <deque>
 #include <glm/geometric.hpp>
+#include <span>
 #include <string>
 
 #include "silhouette/mesh/face_bits.h"
@@ -41,7 +42,7 @@ std::vector<bool> faces_on_ray(const Mesh& mesh, const glm::dvec3& from,
 // A light before a model, and random rays to its faces.
 class Rays {
 public:
-    Rays(const TrackedVolume& volume, int count, Random& random) : volume_(volume) {
+    Rays(const TrackedVolume& volume, int count, Random& random) {
         const Mesh& mesh = volume.mesh();
         const HomogeneousPoint& light = volume.light();
         for (int ray = 0; ray < count; ++ray) {
@@ -61,23 +62,18 @@ public:
         }
     }
 
-    // The greatest number of casting faces on a ray among faces [first, end).
-    std::uint32_t most(ShadowForm form, std::uint32_t first, std::uint32_t end) const {
+    // The greatest number of these faces on a ray.
+    std::uint32_t most(std::span<const std::uint32_t> faces) const {
         std::uint32_t most = 0;
         for (const std::vector<bool>& met : met_) {
             std::uint32_t count = 0;
-            for (std::uint32_t f = first; f < end; ++f)
-                count += met[f] && (form == ShadowForm::general ||
-                                    face_bit(volume_.counted(form).face_words, FaceId{f}))
-                             ? 1
-                             : 0;
+            for (const std::uint32_t face : faces) count += met[face] ? 1 : 0;
             most = std::max(most, count);
         }
         return most;
     }
 
 private:
-    const TrackedVolume& volume_;
     std::vector<std::vector<bool>> met_;
 };
 
@@ -129,7 +125,12 @@ TEST_CASE("no ray meets more triangles than the bound, of a volume and of each o
                 VolumeCounter counter;
                 VolumeCount count;
                 counter.update(volume.counted(form), 127, count);
-                const std::uint32_t most = rays.most(form, 0, mesh.face_count());
+                std::vector<std::uint32_t> casting;
+                for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+                    if (form == ShadowForm::general ||
+                        face_bit(volume.counted(form).face_words, FaceId{f}))
+                        casting.push_back(f);
+                const std::uint32_t most = rays.most(casting);
                 CHECK(most <= count.bound);
                 CHECK(count.bound <= mesh.face_count());
                 tightness += double(count.bound) / std::max(1u, most);
@@ -144,10 +145,14 @@ TEST_CASE("no ray meets more triangles than the bound, of a volume and of each o
                     next += part.face_count;
                     next_side += part.side_count;
                     CHECK(part.bound <= limit);
-                    CHECK(rays.most(form, part.first_face, next) <= part.bound);
+                    CHECK(rays.most(
+                              std::span(count.faces).subspan(part.first_face, part.face_count)) <=
+                          part.bound);
                 }
-                CHECK(next == mesh.face_count());
+                CHECK(next == count.faces.size());
                 CHECK(next_side == count.sides.size());
+                std::ranges::sort(count.faces);
+                CHECK(count.faces == casting);  // Each once.
                 parts += count.parts.size();
             }
         }
@@ -207,6 +212,7 @@ TEST_CASE("a light that rests is not counted again") {
         counter.update(other->counted(ShadowForm::general), 127, count);
         CHECK(count.bound != 12345);
         CHECK(count.parts.empty());
+        CHECK(count.faces.empty());
         CHECK(count.sides.empty());
     }
     CHECK(count.bound == bound);

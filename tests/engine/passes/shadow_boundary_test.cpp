@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <deque>
 #include <glm/vec3.hpp>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -119,7 +120,8 @@ public:
     void emit(Drawn drawn) {
         boundary_.clear();
         const bool single = drawn == Drawn::single;
-        emit_caps(0, caster_.mesh.face_count(), single);
+        for (std::uint32_t f = 0; f < caster_.mesh.face_count(); ++f)
+            if (!single || face_bit(words_, FaceId{f})) emit_caps(f);
         const std::uint32_t regular_end = caster_.mesh.edges_of_class(EdgeClass::regular).last;
         for (std::uint32_t e = 0; e < regular_end; ++e)
             if (is_on_silhouette(caster_.mesh, EdgeId{e}, words_))
@@ -128,28 +130,22 @@ public:
             if (!single || face_bit(words_, FaceId{edge.f0})) add_side(edge, 1);
     }
 
-    // Faces [first, end) as a part.
-    void emit_part(std::uint32_t first, std::uint32_t end, ShadowForm form) {
+    void emit_part(const FaceRun& run, ShadowForm form) {
         boundary_.clear();
-        emit_caps(first, end, form == ShadowForm::single);
-        std::vector<gpu::EdgeRecord> sides;
-        append_sides_of_run({.mesh = &caster_.mesh, .face_words = words_, .form = form}, first, end,
-                            sides);
-        for (const gpu::EdgeRecord& side : sides) add_side(side, 1);
+        VolumeCount part;
+        append_run({.mesh = &caster_.mesh, .face_words = words_, .form = form}, run, part);
+        for (const std::uint32_t face : part.faces) emit_caps(face);
+        for (const gpu::EdgeRecord& side : part.sides) add_side(side, 1);
     }
 
 private:
-    void emit_caps(std::uint32_t first, std::uint32_t end, bool single) {
-        for (std::uint32_t f = first; f < end; ++f) {
-            const bool front = face_bit(words_, FaceId{f});
-            if (single && !front) continue;
-            for (const bool dark : {false, true}) {
-                if (dark && pointed_) continue;
-                const gpu::TriangleRecord& t = caster_.triangles[f];
-                boundary_.add(number(gpu::cap_corner(t, dark, 0)),
-                              number(gpu::cap_corner(t, dark, 1)),
-                              number(gpu::cap_corner(t, dark, 2)), front ? 1 : -1);
-            }
+    void emit_caps(std::uint32_t face) {
+        const bool front = face_bit(words_, FaceId{face});
+        for (const bool dark : {false, true}) {
+            if (dark && pointed_) continue;
+            const gpu::TriangleRecord& t = caster_.triangles[face];
+            boundary_.add(number(gpu::cap_corner(t, dark, 0)), number(gpu::cap_corner(t, dark, 1)),
+                          number(gpu::cap_corner(t, dark, 2)), front ? 1 : -1);
         }
     }
 
@@ -223,12 +219,16 @@ TEST_CASE("the boundary of every emitted volume is zero") {
         INFO("pair ", pair);
         emission.emit(Drawn::general);
         bool closed = boundary.is_zero();
-        // Any run of faces is a volume, in both forms, whatever the mesh is.
+        // Any run of faces in any order is a volume, in both forms, whatever the mesh is.
         const std::uint32_t faces = caster.mesh.face_count();
+        std::vector<std::uint32_t> order(faces), ranks(faces);
+        std::iota(order.begin(), order.end(), 0u);
+        if (pair % 4 != 0) random.shuffle(order);
+        for (std::uint32_t rank = 0; rank < faces; ++rank) ranks[order[rank]] = rank;
         const std::uint32_t first = random.below(faces);
         const std::uint32_t end = first + 1 + random.below(faces - first);
         for (const ShadowForm form : {ShadowForm::general, ShadowForm::single}) {
-            emission.emit_part(first, end, form);
+            emission.emit_part({order, ranks, first, end}, form);
             closed = closed && boundary.is_zero();
         }
         if (caster.closed) {
