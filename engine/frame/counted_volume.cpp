@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,29 +19,58 @@ constexpr std::uint32_t k_distance_classes = 1u << 16;
 // So many times the least number of parts come from halving alone.
 constexpr std::size_t k_few_parts = 2;
 
-std::array<glm::vec3, 3> corners_of(const Mesh& mesh, std::uint32_t face) {
-    std::array<glm::vec3, 3> corners;
-    for (std::size_t c = 0; c < 3; ++c)
-        corners[c] = mesh.positions()[index(mesh.triangles()[face][c])];
-    return corners;
+FaceBox box_of_face(const Mesh& mesh, std::uint32_t face) {
+    FaceBox box;
+    for (const VertexId vertex : mesh.triangles()[face]) {
+        const glm::vec3& place = mesh.positions()[index(vertex)];
+        box.include({place, place});
+    }
+    return box;
 }
 
 Bounds bounds_of(const Mesh& mesh, const FaceRun& run) {
-    const glm::vec3 start = corners_of(mesh, run.faces()[0])[0];
-    Bounds bounds{start, start};
-    for (const std::uint32_t face : run.faces())
-        for (const glm::vec3& corner : corners_of(mesh, face)) {
-            bounds.low = glm::min(bounds.low, corner);
-            bounds.high = glm::max(bounds.high, corner);
-        }
-    return bounds;
+    FaceBox box;
+    for (const std::uint32_t face : run.faces()) box.include(box_of_face(mesh, face));
+    return {box.low, box.high};
+}
+
+// Around the line through a point within `bounds` parallel to an axis, with its roundings.
+FaceBox line_through(const glm::vec3& place, int axis, const Bounds& bounds) {
+    const double slack = 0x1p-20 * glm::distance(glm::dvec3(bounds.low), glm::dvec3(bounds.high));
+    FaceBox line{glm::vec3(glm::dvec3(place) - slack), glm::vec3(glm::dvec3(place) + slack)};
+    line.low[axis] = -std::numeric_limits<float>::infinity();
+    line.high[axis] = std::numeric_limits<float>::infinity();
+    return line;
 }
 
 }  // namespace
 
+// Of sides_. Tries the axes with the fewest faces at their poles first, until the bound is enough.
+template <typename CountFaces>
+std::uint32_t VolumeCounter::bound_from_within(const Bounds& bounds, const HomogeneousPoint& light,
+                                               std::uint32_t enough,
+                                               const CountFaces& faces_on_line) {
+    struct Poles {
+        std::uint32_t faces;
+        int axis;
+        auto operator<=>(const Poles&) const = default;
+    };
+    std::array<Poles, 3> poles;
+    for (int axis = 0; axis < 3; ++axis)
+        poles[static_cast<std::size_t>(axis)] = {
+            faces_on_line(line_through(light.xyz(), axis, bounds)), axis};
+    std::ranges::sort(poles);
+    std::uint32_t least = ~0u;
+    for (const auto& [faces, axis] : poles) {
+        least = std::min(least, rays_.from_within(sides_, light, axis, faces));
+        if (least <= enough) break;
+    }
+    return least;
+}
+
 void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, VolumeCount& count) {
     if (count.light == volume.light && count.form == volume.form) return;
-    const Mesh& mesh = *volume.mesh;
+    const Mesh& mesh = volume.caster->mesh();
     const bool single = volume.form == ShadowForm::single;
     const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
     sides_.clear();
@@ -69,8 +99,14 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
     if (const std::optional<int> outer = outer_axis(mesh.bounds(), volume.light))
         bound = rays_.from_outside(sides_, mesh.bounds(), volume.light, *outer, enough);
     else
-        bound = rays_.from_within(sides_, volume.light, volume.columns->axis(),
-                                  volume.columns->faces_on_line(glm::dvec3(volume.light.xyz())));
+        bound = bound_from_within(mesh.bounds(), volume.light, enough, [&](const FaceBox& line) {
+            std::uint32_t met = 0;
+            volume.caster->faces().any_meeting(line, 0, [&](std::uint32_t) {
+                ++met;
+                return false;
+            });
+            return met;
+        });
     count.light = volume.light;
     count.form = volume.form;
     count.bound = std::min(bound, mesh.face_count());  // A ray meets at most all triangles.
@@ -81,7 +117,7 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
 
 void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, VolumeCount& count) {
     if (!count.parts.empty()) return;
-    const std::uint32_t faces = volume.mesh->face_count();
+    const std::uint32_t faces = volume.caster->mesh().face_count();
     order_.resize(faces);
     ranks_.resize(faces);
     std::iota(order_.begin(), order_.end(), 0u);
@@ -96,13 +132,12 @@ void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, Vol
 
 // By classes of distance: within a class the order does not matter.
 void VolumeCounter::sort_faces(const CountedVolume& volume) {
-    const Mesh& mesh = *volume.mesh;
+    const Mesh& mesh = volume.caster->mesh();
     const glm::dvec3 light(volume.light.xyz());
     const glm::dvec3 towards = light / std::max(glm::length(light), double{k_min_point_component});
     const auto distance = [&](std::uint32_t face) {
-        const std::array<glm::vec3, 3> corners = corners_of(mesh, face);
-        const glm::dvec3 middle =
-            (glm::dvec3(corners[0]) + glm::dvec3(corners[1]) + glm::dvec3(corners[2])) / 3.0;
+        const FaceBox box = box_of_face(mesh, face);
+        const glm::dvec3 middle = 0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high));
         return volume.light.is_direction() ? -glm::dot(middle, towards)
                                            : glm::distance(middle, light);
     };
@@ -150,22 +185,21 @@ std::uint32_t VolumeCounter::bound_of_run(const CountedVolume& volume, std::uint
                                           const FaceRun& run,
                                           std::span<const gpu::EdgeRecord> records) {
     if (run.size() <= enough) return run.size();
-    const Mesh& mesh = *volume.mesh;
+    const Mesh& mesh = volume.caster->mesh();
     const Bounds bounds = bounds_of(mesh, run);
     sides_.clear();
     for (const gpu::EdgeRecord& record : records)
         sides_.push_back({mesh.positions()[record.v0], mesh.positions()[record.v1], 1});
     if (const std::optional<int> outer = outer_axis(bounds, volume.light))
         return rays_.from_outside(sides_, bounds, volume.light, *outer, enough);
-    const int axis = volume.columns->axis();
-    std::uint32_t faces_at_poles = 0;
-    for (const std::uint32_t face : run.faces())
-        faces_at_poles += may_meet_line(volume.light, axis, corners_of(mesh, face), bounds) ? 1 : 0;
-    return rays_.from_within(sides_, volume.light, axis, faces_at_poles);
+    return bound_from_within(bounds, volume.light, enough, [&](const FaceBox& line) {
+        return static_cast<std::uint32_t>(std::ranges::count_if(
+            run.faces(), [&](std::uint32_t face) { return box_of_face(mesh, face).meets(line); }));
+    });
 }
 
 void append_run(const CountedVolume& volume, const FaceRun& run, VolumeCount& count) {
-    const Mesh& mesh = *volume.mesh;
+    const Mesh& mesh = volume.caster->mesh();
     const bool single = volume.form == ShadowForm::single;
     const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
     for (const std::uint32_t f : run.faces()) {

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/frame/face_columns.h"
+#include "engine/frame/caster_mesh.h"
 #include "engine/frame/ray_bound.h"
 #include "engine/shadow_choice.h"
 #include "shaders/layout.h"
@@ -25,8 +25,7 @@ namespace rimline {
 
 /// The data that one volume is counted from: the state of a SilhouetteTracker at `light`.
 struct CountedVolume {
-    const Mesh* mesh = nullptr;
-    const FaceColumns* columns = nullptr;  ///< Of the mesh.
+    CasterMesh* caster = nullptr;
     std::span<const EdgeId> silhouette;
     std::span<const std::uint32_t> face_words;
     HomogeneousPoint light{};
@@ -80,6 +79,10 @@ private:
                 std::uint32_t end, VolumeCount& count);
     std::uint32_t bound_of_run(const CountedVolume& volume, std::uint32_t enough,
                                const FaceRun& run, std::span<const gpu::EdgeRecord> records);
+
+    template <typename CountFaces>
+    std::uint32_t bound_from_within(const Bounds& bounds, const HomogeneousPoint& light,
+                                    std::uint32_t enough, const CountFaces& faces_on_line);
 
     RayBound rays_;
     std::vector<VolumeSide> sides_;

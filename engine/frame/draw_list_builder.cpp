@@ -240,8 +240,7 @@ private:
             }
             const TrackedSilhouette& volume = *state.lights[l];
             shadow.bound = batches.add(shadow.instance,
-                                       {.mesh = &volume.mesh(),
-                                        .columns = &state.caster->columns,
+                                       {.caster = state.caster,
                                         .silhouette = volume.silhouette(),
                                         .face_words = volume.face_words(),
                                         .light = volume.point(),

@@ -26,7 +26,7 @@ struct InstanceState {
     const Mesh* source = nullptr;
     const HoughOctree* octree = nullptr;  ///< Null where the mesh deforms.
     const GpuMesh* mesh = nullptr;
-    const CasterMesh* caster = nullptr;  ///< Null where the mesh deforms.
+    CasterMesh* caster = nullptr;  ///< Null where the mesh deforms.
     bool is_closed_chain = false;
     std::unique_ptr<DeformingInstance> deforming;
     std::unique_ptr<TrackedSilhouette> camera;

@@ -221,18 +221,6 @@ std::optional<int> outer_axis(const Bounds& bounds, const HomogeneousPoint& ligh
     return outer;
 }
 
-bool may_meet_line(const HomogeneousPoint& light, int axis, std::span<const glm::vec3, 3> triangle,
-                   const Bounds& bounds) {
-    const glm::dvec3 place(light.xyz());
-    const double slack = 0x1p-20 * glm::distance(glm::dvec3(bounds.low), glm::dvec3(bounds.high));
-    for (const int across : {(axis + 1) % 3, (axis + 2) % 3}) {
-        const auto [low, high] =
-            std::minmax({triangle[0][across], triangle[1][across], triangle[2][across]});
-        if (low > place[across] + slack || high < place[across] - slack) return false;
-    }
-    return true;
-}
-
 template <typename Meridians>
 std::int64_t RayBound::most_on_meridian(std::span<const VolumeSide> sides,
                                         const Meridians& meridians) {

@@ -38,10 +38,6 @@ struct VolumeSide {
 /// greatest. Empty if a light lies within, or outside by no more than rounding.
 std::optional<int> outer_axis(const Bounds& bounds, const HomogeneousPoint& light);
 
-/// Whether a line through `light` along `axis` may meet a triangle.
-bool may_meet_line(const HomogeneousPoint& light, int axis, std::span<const glm::vec3, 3> triangle,
-                   const Bounds& bounds);
-
 /// Keeps its memory between calls. Not to be used by two threads at once.
 class RayBound {
 public:

@@ -46,7 +46,7 @@ HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance
                                const Light& light, const CasterMeshes& casters) {
     const HomogeneousPoint point = light_point(instance, light);
     if (!casts_shadows(scene, instance) || instance.deforming || point.is_direction()) return point;
-    return light_off_vertices(casters.at(&instance.octree->mesh()).vertices, point);
+    return light_off_vertices(casters.at(&instance.octree->mesh()).vertices(), point);
 }
 
 }  // namespace rimline

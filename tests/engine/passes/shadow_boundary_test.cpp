@@ -88,13 +88,17 @@ private:
 // A mesh, and what of it is uploaded.
 struct Caster {
     explicit Caster(const MeshSource& source)
-        : mesh(source), loose(loose_edge_records(mesh)), closed(is_closed_chain(mesh)) {
+        : mesh(source),
+          places(mesh),
+          loose(loose_edge_records(mesh)),
+          closed(is_closed_chain(mesh)) {
         for (const Triangle& t : mesh.triangles())
             triangles.push_back({index(t[0]), index(t[1]), index(t[2])});
         for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
             edges.push_back(edge_record(mesh, EdgeId{e}));
     }
     Mesh mesh;
+    mutable CasterMesh places;
     std::vector<gpu::TriangleRecord> triangles;
     std::vector<gpu::EdgeRecord> edges;
     std::vector<gpu::EdgeRecord> loose;
@@ -133,7 +137,7 @@ public:
     void emit_part(const FaceRun& run, ShadowForm form) {
         boundary_.clear();
         VolumeCount part;
-        append_run({.mesh = &caster_.mesh, .face_words = words_, .form = form}, run, part);
+        append_run({.caster = &caster_.places, .face_words = words_, .form = form}, run, part);
         for (const std::uint32_t face : part.faces) emit_caps(face);
         for (const gpu::EdgeRecord& side : part.sides) add_side(side, 1);
     }

@@ -11,13 +11,12 @@ namespace rimline::tests {
 class TrackedVolume {
 public:
     TrackedVolume(const Model& model, const HomogeneousPoint& light)
-        : columns_(model.mesh), tracker_(model.octree, light) {}
+        : caster_(model.mesh), tracker_(model.octree, light) {}
 
     const Mesh& mesh() const { return tracker_.mesh(); }
     const HomogeneousPoint& light() const { return tracker_.point(); }
     CountedVolume counted(ShadowForm form) const {
-        return {.mesh = &tracker_.mesh(),
-                .columns = &columns_,
+        return {.caster = &caster_,
                 .silhouette = tracker_.silhouette(),
                 .face_words = tracker_.face_words(),
                 .light = tracker_.point(),
@@ -25,7 +24,7 @@ public:
     }
 
 private:
-    FaceColumns columns_;
+    mutable CasterMesh caster_;
     SilhouetteTracker tracker_;
 };
 
