@@ -32,7 +32,7 @@ void set_counting_bits(VkCommandBuffer commands, std::uint32_t bits) {
     vkCmdSetStencilWriteMask(commands, VK_STENCIL_FACE_FRONT_AND_BACK, bits);
 }
 
-// If any bit but the top one is set, the result is the top bit alone.
+// If any bit but the top one is set, the result is the top bit alone. Else the top bit stays.
 constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
                                   .passOp = VK_STENCIL_OP_REPLACE,
                                   .depthFailOp = VK_STENCIL_OP_KEEP,
@@ -92,21 +92,24 @@ void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, st
     const VkClearRect everywhere{.rect = area, .layerCount = 1};
     vkCmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
 
-    const std::vector<ShadowBatch>& batches = list.shadow_batches[light];
-    for (const ShadowBatch& batch : batches) {
+    std::uint32_t counting_bits = 0xff;
+    for (const ShadowBatch& batch : list.shadow_batches[light]) {
+        if (&batch != &list.shadow_batches[light].front()) {
+            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
+            vkCmdDraw(commands, 3, 1, 0, 0);
+            counting_bits = 0x7f;
+        }
         // One batch after the other, because each fold changes the dynamic state.
-        record_caps(commands, list, light, batch);
-        record_sides(commands, list, light, batch);
-        if (batches.size() == 1) break;
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
-        vkCmdDraw(commands, 3, 1, 0, 0);
+        record_caps(commands, list, light, batch, counting_bits);
+        record_sides(commands, list, light, batch, counting_bits);
     }
 }
 
 void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& list,
-                                   std::size_t light, const ShadowBatch& batch) const {
+                                   std::size_t light, const ShadowBatch& batch,
+                                   std::uint32_t counting_bits) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
-    set_counting_bits(commands, list.shadow_batches[light].size() == 1 ? 0xffu : 0x7fu);
+    set_counting_bits(commands, counting_bits);
     for (const std::uint32_t front_bit : {1u, 0u}) {
         set_counting(commands, ShadowMethod::fail, front_bit == 0);
         for (const ShadowDraw& draw : batch.draws) {
@@ -127,14 +130,15 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
 }
 
 void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& list,
-                                    std::size_t light, const ShadowBatch& batch) const {
+                                    std::size_t light, const ShadowBatch& batch,
+                                    std::uint32_t counting_bits) const {
     const Pipelines& pipelines = pipelines_of(list);
     const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
     VkPipeline bound = VK_NULL_HANDLE;
     const auto bind = [&](VkPipeline pipeline) {
         if (pipeline == bound) return;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-        set_counting_bits(commands, list.shadow_batches[light].size() == 1 ? 0xffu : 0x7fu);
+        set_counting_bits(commands, counting_bits);
         bound = pipeline;
     };
     for (const ShadowDraw& draw : batch.draws) {

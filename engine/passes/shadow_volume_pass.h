@@ -10,8 +10,8 @@
 // the camera may be in shadow and the near plane inside a volume. With depth pass no caps are drawn.
 //
 // Eight bits count to 255. Where a ray may meet more triangles (shadow_batches.h), volumes are drawn in
-// batches that count to 127. After each batch its count is folded into the top bit. Lit samples are still
-// exactly those with a stencil of 0.
+// batches. The first counts to 255. Before each other one, what was counted is folded into the top bit, and
+// seven bits count to 127. Lit samples are still exactly those with a stencil of 0.
 //
 //     stencil   [ t | c c c c c c c ]   c: the batch's count, t: a batch before counted something
 //
@@ -55,9 +55,9 @@ private:
         return list.is_orthographic ? orthographic_ : perspective_;
     }
     void record_caps(VkCommandBuffer commands, const DrawList& list, std::size_t light,
-                     const ShadowBatch& batch) const;
+                     const ShadowBatch& batch, std::uint32_t counting_bits) const;
     void record_sides(VkCommandBuffer commands, const DrawList& list, std::size_t light,
-                      const ShadowBatch& batch) const;
+                      const ShadowBatch& batch, std::uint32_t counting_bits) const;
 
     OwnedPipelineLayout layout_;
     Pipelines perspective_, orthographic_;
