@@ -1,7 +1,6 @@
 #include "engine/frame/shadow_batches.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace rimline {
 
@@ -9,7 +8,8 @@ void ShadowBatches::begin() noexcept { added_.clear(); }
 
 std::uint32_t ShadowBatches::add(std::uint32_t instance, const CountedVolume& volume,
                                  VolumeCount& count) {
-    counter_.update(volume, k_batch_limit, count);
+    // Half of a batch leaves room for other casters.
+    counter_.update(volume, k_batch_limit / 2, count);
     added_.push_back({instance, count.bound, volume, &count});
     return count.bound;
 }
@@ -20,9 +20,8 @@ std::uint32_t ShadowBatches::add_unseen(std::uint32_t instance, std::uint32_t fa
 }
 
 std::vector<ShadowBatch> ShadowBatches::end() {
-    std::ranges::stable_sort(added_, std::ranges::greater{}, &Added::bound);
     std::vector<ShadowBatch> batches(1);
-    std::uint32_t room = k_first_batch_limit;
+    std::uint32_t room = k_batch_limit;
     const auto draw = [&](const ShadowDraw& drawn, std::uint32_t bound) {
         if (bound > room) {
             batches.emplace_back();
@@ -32,7 +31,7 @@ std::vector<ShadowBatch> ShadowBatches::end() {
         batches.back().draws.push_back(drawn);
     };
     for (const Added& added : added_) {
-        if (added.bound <= std::max(room, k_batch_limit)) {
+        if (added.bound <= k_batch_limit) {
             draw({.instance = added.instance}, added.bound);
             continue;
         }

@@ -1,10 +1,10 @@
 #pragma once
 
-// Divides the volumes of one light into batches, so that a stencil of eight bits never wraps from 255 to zero: the
-// first batch counts to at most 255, and each other one to 127 (shadow_volume_pass.h).
+// Divides the volumes of one light into batches, so that a stencil of eight bits never wraps from 255 to zero:
+// each batch counts to at most 254, on top of the 1 that other batches may leave (shadow_volume_pass.h).
 //
-// What volumes count to is bounded (counted_volume.h), and bounds of several volumes add up. The volumes with the
-// largest bounds come first. One whose bound is too large for its batch is divided into parts.
+// What volumes count to is bounded (counted_volume.h), and bounds of several volumes add up. A volume whose bound
+// is too large for a batch is divided into parts.
 
 #include <cstdint>
 #include <vector>
@@ -14,9 +14,8 @@
 
 namespace rimline {
 
-/// The greatest count of the first batch, and of each other one.
-constexpr std::uint32_t k_first_batch_limit = 255;
-constexpr std::uint32_t k_batch_limit = 127;
+/// The greatest count of a batch.
+constexpr std::uint32_t k_batch_limit = 254;
 
 /// Keeps its memory between calls. One thread at a time.
 class ShadowBatches {
@@ -30,8 +29,8 @@ public:
     /// A volume whose silhouette only the GPU knows. It is assumed to count to at most k_batch_limit. That is
     /// proven only for meshes of at most as many faces.
     std::uint32_t add_unseen(std::uint32_t instance, std::uint32_t face_count);
-    /// At least one batch; one alone if the bounds of all added volumes sum up to at most 255. Divides volumes
-    /// whose bounds are above 127, except for the first if it is at most 255 (VolumeCounter::divide()).
+    /// At least one batch; one alone if the bounds of all added volumes sum up to at most k_batch_limit. Divides
+    /// volumes whose bounds are above it (VolumeCounter::divide()).
     std::vector<ShadowBatch> end();
 
 private:

@@ -81,7 +81,7 @@ struct DrawList {
     /// The colors of lines, each once, in linear light. Lines of a later color lie over those of earlier
     /// ones.
     std::vector<glm::vec3> inks;
-    /// The batches of each light. The first counts up to 255, each other one up to 127.
+    /// The batches of each light, each of which counts up to 254.
     std::vector<std::vector<ShadowBatch>> shadow_batches;
 };
 

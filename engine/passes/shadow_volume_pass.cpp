@@ -28,18 +28,14 @@ void set_counting(VkCommandBuffer commands, ShadowMethod method, bool turned_rou
     set(VK_STENCIL_FACE_BACK_BIT, front_counts ? down : up);
 }
 
-void set_counting_bits(VkCommandBuffer commands, std::uint32_t bits) {
-    vkCmdSetStencilWriteMask(commands, VK_STENCIL_FACE_FRONT_AND_BACK, bits);
-}
-
-// If any bit but the top one is set, the result is the top bit alone. Else the top bit stays.
+// Everything that was counted becomes 1.
 constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
                                   .passOp = VK_STENCIL_OP_REPLACE,
                                   .depthFailOp = VK_STENCIL_OP_KEEP,
-                                  .compareOp = VK_COMPARE_OP_NOT_EQUAL,
-                                  .compareMask = 0x7f,
+                                  .compareOp = VK_COMPARE_OP_LESS_OR_EQUAL,
+                                  .compareMask = 0xff,
                                   .writeMask = 0xff,
-                                  .reference = 0x80};
+                                  .reference = 1};
 
 }  // namespace
 
@@ -92,24 +88,20 @@ void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, st
     const VkClearRect everywhere{.rect = area, .layerCount = 1};
     vkCmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
 
-    std::uint32_t counting_bits = 0xff;
     for (const ShadowBatch& batch : list.shadow_batches[light]) {
         if (&batch != &list.shadow_batches[light].front()) {
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
             vkCmdDraw(commands, 3, 1, 0, 0);
-            counting_bits = 0x7f;
         }
         // One batch after the other, because each fold changes the dynamic state.
-        record_caps(commands, list, light, batch, counting_bits);
-        record_sides(commands, list, light, batch, counting_bits);
+        record_caps(commands, list, light, batch);
+        record_sides(commands, list, light, batch);
     }
 }
 
 void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& list,
-                                   std::size_t light, const ShadowBatch& batch,
-                                   std::uint32_t counting_bits) const {
+                                   std::size_t light, const ShadowBatch& batch) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
-    set_counting_bits(commands, counting_bits);
     for (const std::uint32_t front_bit : {1u, 0u}) {
         set_counting(commands, ShadowMethod::fail, front_bit == 0);
         for (const ShadowDraw& draw : batch.draws) {
@@ -130,15 +122,13 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
 }
 
 void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& list,
-                                    std::size_t light, const ShadowBatch& batch,
-                                    std::uint32_t counting_bits) const {
+                                    std::size_t light, const ShadowBatch& batch) const {
     const Pipelines& pipelines = pipelines_of(list);
     const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
     VkPipeline bound = VK_NULL_HANDLE;
     const auto bind = [&](VkPipeline pipeline) {
         if (pipeline == bound) return;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-        set_counting_bits(commands, counting_bits);
         bound = pipeline;
     };
     for (const ShadowDraw& draw : batch.draws) {

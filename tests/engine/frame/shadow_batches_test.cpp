@@ -88,7 +88,7 @@ TEST_CASE("a stack is bounded by what it counts, and drawn in batches beyond tha
     batches.begin();
     CHECK(batches.add(7, of_boxes.counted(ShadowForm::single), single) >= 128);
     const std::vector<ShadowBatch> one = batches.end();
-    CHECK(single.bound <= 255);
+    CHECK(single.bound <= k_batch_limit);
     REQUIRE(one.size() == 1);
     REQUIRE(one[0].draws.size() == 1);
     CHECK_FALSE(one[0].draws[0].part.has_value());
@@ -97,8 +97,8 @@ TEST_CASE("a stack is bounded by what it counts, and drawn in batches beyond tha
     CHECK(batches.add(5, of_boxes.counted(ShadowForm::general), general) >= 256);
     CHECK(batches.add(7, of_stack.counted(ShadowForm::general), count) == 256);
     const std::vector<ShadowBatch> several = batches.end();
-    // Twice 256 triangles in a row, at most 127 a batch after the first, in halves of halves.
-    CHECK(several.size() <= 8);
+    // Twice 256 triangles in a row, at most 254 a batch, in halves of halves.
+    CHECK(several.size() <= 5);
     for (const auto& [instance, faces] : {std::pair{5u, 128u * 12u}, {7u, 256u}}) {
         const VolumeCount& counted = instance == 5 ? general : count;
         std::uint32_t next = 0;
@@ -159,7 +159,7 @@ TEST_CASE("the bounds of each batch add up to at most its limit") {
                 faces[draw.instance] += draw.part->face_count;
                 sum += count.parts[part[draw.instance]++].bound;
             }
-            CHECK(sum <= (&batch == &planned.front() ? k_first_batch_limit : k_batch_limit));
+            CHECK(sum <= k_batch_limit);
         }
         for (std::uint32_t i = 0; i < casters; ++i) {
             CHECK(whole[i] == (part[i] == 0 ? 1 : 0));
@@ -225,7 +225,7 @@ TEST_CASE("a volume in parts gives the picture of its pieces as casters of their
                 Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
                 const Picture in_parts = renderer.render(scene, 128, 128);
                 const ShadowReport& shadow = renderer.report().shadows[0];
-                CHECK((shadow.runs > 0) == (shadow.bound > k_first_batch_limit));
+                CHECK((shadow.runs > 0) == (shadow.bound > k_batch_limit));
                 CHECK(shadow.runs <= 8);
                 forms_in_parts += shadow.runs > 0 && shadow.choice.form == form ? 1 : 0;
                 scene.instances.resize(1);
