@@ -189,8 +189,8 @@ struct LightData {
     RIMLINE_ADDRESS(FaceWords) face_words;
     RIMLINE_ADDRESS(EdgeRecords) part_sides;  // Of all parts of its volume. 0 if it is drawn whole.
     RIMLINE_ADDRESS(FaceList) part_faces;     // The same.
-    vec4 point;  // Homogeneous, in the mesh's coordinates.
-    vec3 color;  // Its share in the light of a fully lit surface.
+    vec4 point;                               // Homogeneous, in the mesh's coordinates.
+    vec3 color;                               // Its share in the light of a fully lit surface.
     // 0: volumes reach infinity. Else their length: a distance for a directional light, a multiple of
     // the distance to the edge for a point light. For orthographic views, which do not contain infinity.
     float extrusion;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t k_prefetched = 16;
 constexpr std::uint32_t k_distance_classes = 1u << 16;
-// So many times the least number of parts come from halving alone.
+// Up to so many times the least number of parts, another order is not tried.
 constexpr std::size_t k_few_parts = 2;
 
 FaceBox box_of_face(const Mesh& mesh, std::uint32_t face) {
@@ -78,8 +78,7 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
         const auto& [a, b] = mesh.edge(edge).vertices;
         sides_.push_back({mesh.positions()[index(a)], mesh.positions()[index(b)], times});
     };
-    // Edges and their vertices lie anywhere in memory. Prefetched, they take a third of the time at ten million
-    // faces.
+    // Edges and their vertices lie anywhere in memory.
     const std::span<const EdgeId> silhouette = volume.silhouette;
     for (std::size_t i = 0; i < silhouette.size(); ++i) {
         if (i + 2 * k_prefetched < silhouette.size())
@@ -122,12 +121,16 @@ void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, Vol
     ranks_.resize(faces);
     std::iota(order_.begin(), order_.end(), 0u);
     std::iota(ranks_.begin(), ranks_.end(), 0u);
-    divide(volume, limit, 0, faces, count);
-    if (count.parts.size() <= k_few_parts * (count.bound / limit + 1)) return;
-    VolumeCount by_distance{.light = count.light, .form = count.form, .bound = count.bound};
-    sort_faces(volume);
-    divide(volume, limit, 0, faces, by_distance);
-    if (by_distance.parts.size() < count.parts.size()) count = std::move(by_distance);
+    // Divided aside: where memory does not suffice, `count` stays without parts.
+    VolumeCount divided{.light = count.light, .form = count.form, .bound = count.bound};
+    divide(volume, limit, 0, faces, divided);
+    if (divided.parts.size() > k_few_parts * (count.bound / limit + 1)) {
+        VolumeCount by_distance{.light = count.light, .form = count.form, .bound = count.bound};
+        sort_faces(volume);
+        divide(volume, limit, 0, faces, by_distance);
+        if (by_distance.parts.size() < divided.parts.size()) divided = std::move(by_distance);
+    }
+    count = std::move(divided);
 }
 
 // By classes of distance: within a class the order does not matter.

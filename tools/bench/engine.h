@@ -49,7 +49,7 @@ struct EngineResult {
         lines;  ///< Frames with lines; the slots by geometry shader or pulling first.
     std::vector<EngineTime> shadows;  ///< Frames with shadows and without lines.
     RecordTimes record;
-    std::vector<EngineTime> ratios;   ///< Ours first, then the baseline.
+    std::vector<EngineTime> ratios;  ///< Ours first, then the baseline.
 
     const EngineTime* find_line_path(const std::string& name) const;
 };
