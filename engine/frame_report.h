@@ -15,10 +15,9 @@ struct ShadowReport {
     std::uint32_t instance = 0;
     std::uint32_t light = 0;
     ShadowChoice choice;
-    /// Upper bound of the triangles that a ray from the light meets (shadow_batches.h).
+    /// Upper bound of the triangles that a ray from the light meets (ray_bound.h).
     std::uint32_t bound = 0;
-    /// Number of runs of faces the volume was divided into, each face casting for itself in the general
-    /// form. 0: the volume was drawn whole.
+    /// Number of parts of the volume that were drawn for themselves (counted_volume.h). 0: it was drawn whole.
     std::uint32_t runs = 0;
     /// The light lay exactly on a vertex and was moved (light_off_vertices()).
     bool light_moved = false;
@@ -42,6 +41,9 @@ struct FrameReport {
     /// Wall-clock time from moving the trackers to the last recorded command. Includes the first
     /// extraction of silhouettes, not the upload of meshes drawn for the first time.
     double record_ms = 0.0;
+    /// The part of record_ms in which change sets were taken from trackers, with the wait for trackers that had
+    /// not finished.
+    double follow_ms = 0.0;
     std::uint32_t meshes_uploaded = 0;  ///< Meshes drawn for the first time.
     std::uint64_t bytes_uploaded = 0;   ///< Bytes of these meshes.
     /// Wall-clock time from the same start to the finished picture; 0 for a frame that a caller submits.

@@ -127,33 +127,6 @@ bool is_closed_chain(const Mesh& mesh) {
     return true;
 }
 
-HomogeneousPoint light_off_vertices(const Mesh& mesh, const HomogeneousPoint& light) {
-    const glm::vec3 low = mesh.bounds().low;
-    const glm::vec3 high = mesh.bounds().high;
-    const glm::vec3 place = light.xyz();
-    if (light.is_direction() || glm::any(glm::lessThan(place, low)) ||
-        glm::any(glm::greaterThan(place, high)))
-        return light;
-    const auto is_vertex = [&](const glm::vec3& p) {
-        return std::ranges::find(mesh.positions(), p) != mesh.positions().end();
-    };
-    if (!is_vertex(place)) return light;
-    const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
-    const float greatest = std::max({reach.x, reach.y, reach.z});
-    const float step = std::max(0x1p-16f * greatest, k_min_point_component);
-    const glm::vec3 center(mesh.center());
-    for (float steps = 1.0f;; steps += 1.0f) {
-        glm::vec3 beside;
-        for (int axis = 0; axis < 3; ++axis) {
-            const float away = place[axis] < center[axis] ? -steps * step : steps * step;
-            beside[axis] = place[axis] + away;
-            // Beyond the range of coordinates, the other direction is taken.
-            if (std::abs(beside[axis]) > k_max_coordinate) beside[axis] = place[axis] - away;
-        }
-        if (!is_vertex(beside)) return HomogeneousPoint::viewpoint(beside);
-    }
-}
-
 ShadowChoice choose_shadow(ShadowMethod wanted_method, ShadowForm wanted_form,
                            const ShadowView& view, const ShadowCaster& caster) {
     const Box exact{caster.low, caster.high};

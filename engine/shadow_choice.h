@@ -70,13 +70,6 @@ struct ShadowChoice {
 /// directions. O(edges that are not regular).
 bool is_closed_chain(const Mesh& mesh);
 
-/// A light, in the mesh's own coordinates, that lies on no vertex: `light` itself, or, if it lies exactly on
-/// a vertex, a point beside it. That point is moved away from the mesh's center by 2^-16 of the greatest
-/// coordinate, a hundred roundings, so that it lies on a definite side of the planes around the vertex.
-/// Silhouettes and volumes must use the same point. O(vertices) if the light is within the mesh's bounds,
-/// else O(1).
-HomogeneousPoint light_off_vertices(const Mesh& mesh, const HomogeneousPoint& light);
-
 /// The camera for choose_shadow(), in the mesh's own coordinates.
 struct ShadowView {
     bool orthographic = false;

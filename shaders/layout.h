@@ -113,6 +113,9 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Slo
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceWords {
     uint at[];
 };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceList {
+    uint at[];
+};
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LineList {
     LineEnds at[];
 };
@@ -184,8 +187,10 @@ struct InstanceData {
 struct LightData {
     RIMLINE_ADDRESS(Slots) slots;
     RIMLINE_ADDRESS(FaceWords) face_words;
-    vec4 point;  // Homogeneous, in the mesh's coordinates.
-    vec3 color;  // Its share in the light of a fully lit surface.
+    RIMLINE_ADDRESS(EdgeRecords) part_sides;  // Of all parts of its volume. 0 if it is drawn whole.
+    RIMLINE_ADDRESS(FaceList) part_faces;     // The same.
+    vec4 point;                               // Homogeneous, in the mesh's coordinates.
+    vec3 color;                               // Its share in the light of a fully lit surface.
     // 0: volumes reach infinity. Else their length: a distance for a directional light, a multiple of
     // the distance to the edge for a point light. For orthographic views, which do not contain infinity.
     float extrusion;
@@ -215,7 +220,7 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 25);
 static_assert(sizeof(InstanceData) == 11 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
-static_assert(sizeof(LightData) == 2 * 8 + 4 * 8);
+static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 4);
 }  // namespace rimline::gpu
 #endif

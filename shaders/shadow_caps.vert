@@ -4,7 +4,7 @@
 #include "project.glsl"
 #include "shadow_emission.h"
 
-// The light cap (instance 0) and the dark cap (instance 1) of each face whose bit is draw.choice. Other
+// The light cap (instance 0) and the dark cap (instance 1) of each face whose bit is bit 0 of draw.choice. Other
 // faces become a point. The caps of faces that the light sees from behind are reversed. They are drawn
 // in their original order, and the pass swaps front and back in the stencil state instead.
 //
@@ -15,8 +15,9 @@
 precise gl_Position;
 
 void main() {
-    const uint face = gl_VertexIndex / 3u;
-    if ((light.face_words.at[face / 32u] >> (face % 32u) & 1u) != draw.choice) {
+    const uint place = gl_VertexIndex / 3u;
+    const uint face = (draw.choice & RIMLINE_CAPS_PART) != 0u ? light.part_faces.at[place] : place;
+    if ((light.face_words.at[face / 32u] >> (face % 32u) & 1u) != (draw.choice & 1u)) {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
         return;
     }

@@ -48,22 +48,16 @@ RIMLINE_SHARED VolumeCorner side_corner(EdgeRecord edge, bool is_front, uint cor
     return result;
 }
 
-// The record of a face's edge from corner `corner` to the next.
-RIMLINE_SHARED EdgeRecord edge_of_face(TriangleRecord triangle, uint face, uint corner) {
-    EdgeRecord edge;
-    edge.v0 = corner == 0u ? triangle.v0 : corner == 1u ? triangle.v1 : triangle.v2;
-    edge.v1 = corner == 0u ? triangle.v1 : corner == 1u ? triangle.v2 : triangle.v0;
-    edge.f0 = face;
-    edge.f1 = 0xffffffffu;
-    return edge;
-}
-
 // The lists of sides to draw (DrawConstants.choice).
 #define RIMLINE_SIDES_SLOTS 0u  // Silhouette slots: regular edges whose faces' bits differ.
 #define RIMLINE_SIDES_LOOSE 1u  // The loose list: one record per face of every other edge.
-#define RIMLINE_SIDES_FACES 2u  // All three edges of each face, in face order.
+#define RIMLINE_SIDES_PARTS 2u  // Sides of parts of the volume, one record each.
 // Flag: only faces that the light sees from the front cast.
 #define RIMLINE_SIDES_SINGLE 4u
+
+// The caps to draw: those of faces whose bit is bit 0 of DrawConstants.choice. Flag: of the faces listed for
+// parts of the volume, else of all.
+#define RIMLINE_CAPS_PART 2u
 
 #ifdef __cplusplus
 }  // namespace rimline::gpu

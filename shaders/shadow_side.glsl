@@ -27,10 +27,9 @@ Side side_of_record(uint record) {
     else if (list == RIMLINE_SIDES_LOOSE)
         side.edge = instance.loose_edges.at[record];
     else
-        side.edge =
-            edge_of_face(instance.triangles.at[record / 3u], record / 3u, record % 3u);
+        side.edge = light.part_sides.at[record];
     side.is_front = shadow_face_bit(side.edge.f0);
-    // All regular edges in slots cast. Other edges cast through the loose list.
+    // All regular edges in slots cast. Other records are one for each face.
     side.is_cast = list == RIMLINE_SIDES_SLOTS
                        ? side.edge.f1 != k_no_face
                        : side.is_front || (draw.choice & RIMLINE_SIDES_SINGLE) == 0u;

@@ -29,7 +29,8 @@ DrawData::DrawData(const DeviceContext& context, std::uint32_t frames_in_flight)
     : context_(context),
       sets_(context, k_bindings, frames_in_flight),
       buffers_(frames_in_flight),
-      segments_(frames_in_flight) {}
+      segments_(frames_in_flight),
+      parts_(frames_in_flight) {}
 
 std::uint32_t DrawData::padded(std::size_t size_bytes) const noexcept {
     return static_cast<std::uint32_t>(
@@ -76,6 +77,19 @@ VkDeviceAddress DrawData::put_segments(std::span<const gpu::LineSegment> segment
         buffer = Buffer(context_, segments.size_bytes(), BufferPlace::upload, "lines");
     std::memcpy(buffer.mapped(), segments.data(), segments.size_bytes());
     return buffer.address();
+}
+
+DrawData::PartLists DrawData::make_part_lists(std::size_t sides, std::size_t faces) {
+    if (faces == 0) return {};
+    Buffer& buffer = parts_[slot_];
+    const VkDeviceSize sides_size = VkDeviceSize{sides} * sizeof(gpu::EdgeRecord);
+    const VkDeviceSize size = sides_size + VkDeviceSize{faces} * sizeof(std::uint32_t);
+    if (buffer.size() < size)
+        buffer = Buffer(context_, size, BufferPlace::upload, "parts of shadow volumes");
+    return {{reinterpret_cast<gpu::EdgeRecord*>(buffer.mapped()), sides},
+            {reinterpret_cast<std::uint32_t*>(buffer.mapped() + sides_size), faces},
+            buffer.address(),
+            buffer.address() + sides_size};
 }
 
 }  // namespace rimline

@@ -37,6 +37,15 @@ public:
     /// At most one call for each begin_frame(). Throws as begin_frame().
     VkDeviceAddress put_segments(std::span<const gpu::LineSegment> segments);
 
+    /// Memory for the lists of all parts of shadow volumes of the frame.
+    struct PartLists {
+        std::span<gpu::EdgeRecord> sides;
+        std::span<std::uint32_t> faces;
+        VkDeviceAddress sides_address = 0, faces_address = 0;
+    };
+    /// At most one call for each begin_frame(). Throws as begin_frame().
+    PartLists make_part_lists(std::size_t sides, std::size_t faces);
+
 private:
     template <typename T>
     std::uint32_t put_bytes(const T& value) {
@@ -51,7 +60,8 @@ private:
     DeviceContext context_;
     DescriptorSets sets_;
     std::vector<Buffer> buffers_;
-    std::vector<Buffer> segments_;  // Of each frame in flight; empty where a frame never had any.
+    // Of each frame in flight; empty where a frame never had any.
+    std::vector<Buffer> segments_, parts_;
     std::uint32_t slot_ = 0;
     std::uint32_t end_ = 0;  // Bytes used in the slot's buffer.
 };

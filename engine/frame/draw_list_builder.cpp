@@ -46,6 +46,8 @@ public:
         if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
         list_.shadow_batches.resize(light_count);
         for (std::size_t l = 0; l < light_count; ++l) plan_shadows(l);
+        put_parts();
+        put_lights();
         return std::move(list_);
     }
 
@@ -142,6 +144,7 @@ private:
         silhouette.follow(point, ring_slot_);
         const ChangeStream& stream = silhouette.stream();
         frame_.silhouettes.push_back(&silhouette);
+        frame_.report.follow_ms += 1e-3 * silhouette.changes().update_us;
         frame_.report.bytes_streamed += stream.bytes_streamed();
         frame_.report.bytes_full += stream.bytes_full();
         return stream;
@@ -158,12 +161,15 @@ private:
         return parts_.draw_data.put(data);
     }
 
+    // Its data is put by put_lights().
     DrawnLight add_light(std::size_t i, std::size_t l, const Caster& caster,
                          const DrawnInstance& drawn) {
         const SceneInstance& instance = scene_.instances[i];
         const HomogeneousPoint& point = view_.instances[i].lights[l].point;
         gpu::LightData data{.slots = 0,
                             .face_words = 0,
+                            .part_sides = 0,
+                            .part_faces = 0,
                             .point = {point.x, point.y, point.z, point.w},
                             .color = glm::vec3(1.0f / float(scene_.lights.size())),
                             .extrusion = 0.0f};
@@ -175,7 +181,7 @@ private:
             choose_volume(i, l, caster, data, light);
             add_volume(i, l, drawn, data, light);
         }
-        light.data = parts_.draw_data.put(data);
+        lights_.push_back(data);
         return light;
     }
 
@@ -222,34 +228,65 @@ private:
 
     // Divides the casters of light `l` into batches that the stencil can count.
     void plan_shadows(std::size_t l) {
-        ShadowCounter& counter = parts_.shadow_counter;
+        ShadowBatches& batches = parts_.shadow_batches;
         std::vector<ShadowReport>& shadows = frame_.report.shadows;
-        counter.begin();
+        batches.begin();
         for (ShadowReport& shadow : shadows) {
             if (shadow.light != l) continue;
-            const InstanceState& state = state_of(shadow.instance);
+            InstanceState& state = state_of(shadow.instance);
             if (state.deforming) {
-                shadow.bound = counter.add_unseen(shadow.instance, state.mesh->face_count());
+                shadow.bound = batches.add_unseen(shadow.instance, state.mesh->face_count());
                 continue;
             }
             const TrackedSilhouette& volume = *state.lights[l];
-            shadow.bound = counter.add(shadow.instance, {.mesh = &volume.mesh(),
-                                                         .silhouette = volume.silhouette(),
-                                                         .face_words = volume.face_words(),
-                                                         .light = volume.point(),
-                                                         .form = shadow.choice.form});
+            shadow.bound = batches.add(shadow.instance,
+                                       {.caster = state.caster,
+                                        .silhouette = volume.silhouette(),
+                                        .face_words = volume.face_words(),
+                                        .light = volume.point(),
+                                        .form = shadow.choice.form},
+                                       state.volumes[l]);
         }
-        list_.shadow_batches[l] = counter.end();
+        list_.shadow_batches[l] = batches.end();
         for (const ShadowBatch& batch : list_.shadow_batches[l])
             for (const ShadowDraw& draw : batch.draws) {
-                if (!draw.face_by_face) continue;
-                const auto shadow = std::ranges::find_if(shadows, [&](const ShadowReport& s) {
-                    return s.light == l && s.instance == draw.instance;
-                });
-                ++shadow->runs;
-                shadow->choice.form = ShadowForm::general;
-                shadow->choice.form_reason = "more triangles may be in a row than a batch counts";
+                if (!draw.part) continue;
+                ++std::ranges::find_if(shadows, [&](const ShadowReport& shadow) {
+                      return shadow.light == l && shadow.instance == draw.instance;
+                  })->runs;
             }
+    }
+
+    // Copies the lists of all volumes that are drawn in parts.
+    void put_parts() {
+        const auto count_of = [&](const ShadowReport& shadow) -> const VolumeCount& {
+            return state_of(shadow.instance).volumes[shadow.light];
+        };
+        std::size_t sides = 0, faces = 0;
+        for (const ShadowReport& shadow : frame_.report.shadows) {
+            if (shadow.runs == 0) continue;
+            sides += count_of(shadow).sides.size();
+            faces += count_of(shadow).faces.size();
+        }
+        const DrawData::PartLists lists = parts_.draw_data.make_part_lists(sides, faces);
+        sides = faces = 0;
+        for (const ShadowReport& shadow : frame_.report.shadows) {
+            if (shadow.runs == 0) continue;
+            const VolumeCount& count = count_of(shadow);
+            std::ranges::copy(count.sides, lists.sides.subspan(sides).begin());
+            std::ranges::copy(count.faces, lists.faces.subspan(faces).begin());
+            gpu::LightData& light = lights_[shadow.instance * scene_.lights.size() + shadow.light];
+            light.part_sides = lists.sides_address + sides * sizeof(gpu::EdgeRecord);
+            light.part_faces = lists.faces_address + faces * sizeof(std::uint32_t);
+            sides += count.sides.size();
+            faces += count.faces.size();
+        }
+    }
+
+    void put_lights() {
+        auto data = lights_.begin();
+        for (DrawnInstance& instance : list_.instances)
+            for (DrawnLight& light : instance.lights) light.data = parts_.draw_data.put(*data++);
     }
 
     const FrameView& view_;
@@ -257,7 +294,8 @@ private:
     std::uint32_t ring_slot_;
     const DrawListParts& parts_;
     RecordedFrame& frame_;
-    std::vector<Segments> segments_;  // Of each instance.
+    std::vector<Segments> segments_;      // Of each instance.
+    std::vector<gpu::LightData> lights_;  // Of each instance, and of each of its lights.
     DrawList list_;
 };
 

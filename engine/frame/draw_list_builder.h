@@ -19,7 +19,7 @@ namespace rimline {
 struct DrawListParts {
     InstanceStates& instances;  ///< Prepared for the scene, with its silhouettes.
     DrawData& draw_data;
-    ShadowCounter& shadow_counter;
+    ShadowBatches& shadow_batches;
     LinePath line_path;  ///< As LinePass::path().
 };
 

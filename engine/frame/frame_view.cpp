@@ -6,13 +6,14 @@ namespace rimline {
 
 namespace {
 
-InstanceView view_of(const Scene& scene, const SceneInstance& instance) {
+InstanceView view_of(const Scene& scene, const SceneInstance& instance,
+                     const CasterMeshes& casters) {
     InstanceView view{.camera = camera_point(instance, scene.camera), .lines = {}, .lights = {}};
     if (has_silhouette_lines(scene, instance))
         view.lines = camera_point(instance, lines_camera(scene));
     view.lights.reserve(scene.lights.size());
     for (const Light& light : scene.lights) {
-        const HomogeneousPoint point = casting_point(scene, instance, light);
+        const HomogeneousPoint point = casting_point(scene, instance, light, casters);
         view.lights.push_back(
             {.point = point, .is_moved = !(point == light_point(instance, light))});
     }
@@ -21,7 +22,7 @@ InstanceView view_of(const Scene& scene, const SceneInstance& instance) {
 
 }  // namespace
 
-FrameView::FrameView(const Scene& seen, VkExtent2D picture)
+FrameView::FrameView(const Scene& seen, VkExtent2D picture, const CasterMeshes& casters)
     : scene(seen),
       size(picture),
       bounds(bounds_of(seen)),
@@ -30,7 +31,7 @@ FrameView::FrameView(const Scene& seen, VkExtent2D picture)
       eye_from_world(camera_from_world(seen.camera)) {
     instances.reserve(seen.instances.size());
     for (const SceneInstance& instance : seen.instances)
-        instances.push_back(view_of(seen, instance));
+        instances.push_back(view_of(seen, instance, casters));
 }
 
 }  // namespace rimline

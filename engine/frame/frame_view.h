@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/camera.h"
+#include "engine/frame/caster_mesh.h"
 #include "engine/scene.h"
 #include "silhouette/mesh/homogeneous_point.h"
 
@@ -29,9 +30,9 @@ struct InstanceView {
 };
 
 struct FrameView {
-    /// For a picture of `size`. Holds a reference: `scene` must outlive it. O(instances * lights), and
-    /// O(vertices) for each light within the bounds of a caster (light_off_vertices()).
-    FrameView(const Scene& scene, VkExtent2D size);
+    /// For a picture of `size`. Holds a reference: `scene` must outlive it. `casters` is only for lights, as
+    /// casting_point() needs it. O(instances * lights).
+    FrameView(const Scene& scene, VkExtent2D size, const CasterMeshes& casters);
 
     const Scene& scene;
     VkExtent2D size;

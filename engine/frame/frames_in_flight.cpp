@@ -127,11 +127,11 @@ FrameReport FramesInFlight::record_frame(VkCommandBuffer commands, const Scene& 
     recorded.deformed.clear();
     FrameReport report;
     try {
-        const FrameView view(scene, target.extent);
+        const FrameView view(scene, target.extent, instances_.casters());
         instances_.prepare_silhouettes(view);
         const DrawList list = build_draw_list(
             view, frame_data(view, *passes_.targets()), slot,
-            {instances_, draw_data_, shadow_counter_, passes_.line_path()}, recorded);
+            {instances_, draw_data_, shadow_batches_, passes_.line_path()}, recorded);
         record_silhouettes(commands, recorded);
         passes_.record(commands, view, list, target);
         if (checks_silhouettes_) check_.record(commands, slot, recorded.silhouettes);

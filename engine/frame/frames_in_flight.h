@@ -98,7 +98,7 @@ private:
     std::deque<std::uint32_t> queued_;  // Ring slots of those submitted and not finished.
     Image picture_;                     // The target of submit().
     InstanceStates instances_;
-    ShadowCounter shadow_counter_;
+    ShadowBatches shadow_batches_;
     std::uint64_t differences_ = 0;
     FrameReport report_;
 };

@@ -44,6 +44,10 @@ void InstanceStates::retire_unused_meshes() {
             }))
             next_retired().mesh = std::move(uploaded);
     std::erase_if(meshes_, [](const auto& entry) { return !entry.second; });
+    std::erase_if(casters_, [&](const auto& caster) {
+        return std::ranges::none_of(
+            instances_, [&](const InstanceState& state) { return state.caster == &caster.second; });
+    });
     unused_meshes_ = false;
 }
 
@@ -74,6 +78,7 @@ void InstanceStates::make(InstanceState& state, const SceneInstance& instance, U
     state.source = &source;
     state.octree = instance.deforming ? nullptr : instance.octree;
     state.mesh = &mesh;
+    if (state.octree) state.caster = &casters_.try_emplace(&source, source).first->second;
     state.is_closed_chain = is_closed_chain(source);
 }
 
@@ -97,6 +102,7 @@ InstanceStates::Uploaded InstanceStates::prepare(const Scene& scene, const Frame
         for (std::size_t l = scene.lights.size(); l < state.lights.size(); ++l)
             retire(state.lights[l]);
         state.lights.resize(scene.lights.size());
+        state.volumes.resize(scene.lights.size());
         while (state.deforming && state.deforming->light_count() > scene.lights.size())
             next_retired().gpu_silhouette = state.deforming->take_last_light();
     }
@@ -137,7 +143,8 @@ void InstanceStates::announce(const Scene& scene) noexcept {
         if (!casts_shadows(scene, instance)) continue;
         for (std::size_t l = 0; l < std::min(scene.lights.size(), state.lights.size()); ++l)
             if (state.lights[l])
-                state.lights[l]->announce(casting_point(scene, instance, scene.lights[l]));
+                state.lights[l]->announce(
+                    casting_point(scene, instance, scene.lights[l], casters_));
     }
 }
 

@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "engine/frame/caster_mesh.h"
+#include "engine/frame/counted_volume.h"
 #include "engine/frame/frame_view.h"
 #include "engine/line_path.h"
 #include "engine/scene.h"
@@ -24,10 +26,12 @@ struct InstanceState {
     const Mesh* source = nullptr;
     const HoughOctree* octree = nullptr;  ///< Null where the mesh deforms.
     const GpuMesh* mesh = nullptr;
+    CasterMesh* caster = nullptr;  ///< Null where the mesh deforms.
     bool is_closed_chain = false;
     std::unique_ptr<DeformingInstance> deforming;
     std::unique_ptr<TrackedSilhouette> camera;
     std::vector<std::unique_ptr<TrackedSilhouette>> lights;
+    std::vector<VolumeCount> volumes;  ///< Of each light.
 };
 
 class InstanceStates {
@@ -68,6 +72,8 @@ public:
 
     std::vector<InstanceState>& all() noexcept { return instances_; }
     const std::vector<InstanceState>& all() const noexcept { return instances_; }
+    /// Of all meshes of the scene prepared last that do not deform.
+    const CasterMeshes& casters() const noexcept { return casters_; }
     Uploads& uploads() noexcept { return uploads_; }
     /// Exists only if an instance deforms.
     const DeformPasses& deform_passes() const noexcept { return *deform_passes_; }
@@ -97,6 +103,7 @@ private:
     MemoryBudget stream_budget_;
     MemoryBudget tracker_budget_;
     std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
+    CasterMeshes casters_;
     std::unique_ptr<DeformPasses> deform_passes_;  // Made for the first instance that deforms.
     std::vector<InstanceState> instances_;
     std::vector<Retired> retired_;

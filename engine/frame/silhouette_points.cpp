@@ -43,10 +43,10 @@ HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) 
 }
 
 HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance,
-                               const Light& light) {
+                               const Light& light, const CasterMeshes& casters) {
     const HomogeneousPoint point = light_point(instance, light);
-    if (!casts_shadows(scene, instance) || !instance.octree) return point;
-    return light_off_vertices(instance.octree->mesh(), point);
+    if (!casts_shadows(scene, instance) || instance.deforming || point.is_direction()) return point;
+    return light_off_vertices(casters.at(&instance.octree->mesh()).vertices(), point);
 }
 
 }  // namespace rimline

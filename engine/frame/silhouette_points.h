@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/camera.h"
+#include "engine/frame/caster_mesh.h"
 #include "engine/scene.h"
 #include "silhouette/mesh/homogeneous_point.h"
 
@@ -31,8 +32,9 @@ const Camera& lines_camera(const Scene& scene);
 /// Silhouette points in the instance's coordinates.
 HomogeneousPoint camera_point(const SceneInstance& instance, const Camera& camera);
 HomogeneousPoint light_point(const SceneInstance& instance, const Light& light);
-/// light_point(), moved off the vertices (light_off_vertices()) where the instance casts shadows.
+/// light_point(), moved off the vertices (light_off_vertices()) where the instance casts shadows. `casters` must
+/// have its mesh if that does not deform.
 HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance,
-                               const Light& light);
+                               const Light& light, const CasterMeshes& casters);
 
 }  // namespace rimline

@@ -55,13 +55,15 @@ struct DrawnInstance {
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
 };
 
-/// The volume of a caster, or of some of its faces.
+/// The volume of a caster, or of a part of its faces.
 struct ShadowDraw {
+    /// Places in the lists of the caster's gpu::LightData.
+    struct Part {
+        std::uint32_t first_face, face_count;
+        std::uint32_t first_side, side_count;
+    };
     std::uint32_t instance = 0;
-    std::uint32_t first_face = 0;
-    std::uint32_t face_count = 0;
-    /// Each face casts its own volume, in the general form. If false, all faces of the caster are drawn.
-    bool face_by_face = false;
+    std::optional<Part> part;
 };
 
 /// The volumes counted between two folds of the stencil (shadow_volume_pass.h).
@@ -79,7 +81,7 @@ struct DrawList {
     /// The colors of lines, each once, in linear light. Lines of a later color lie over those of earlier
     /// ones.
     std::vector<glm::vec3> inks;
-    /// The batches of each light. A single batch counts up to 255, each of several up to 127.
+    /// The batches of each light, each of which counts up to 254.
     std::vector<std::vector<ShadowBatch>> shadow_batches;
 };
 

@@ -28,18 +28,14 @@ void set_counting(VkCommandBuffer commands, ShadowMethod method, bool turned_rou
     set(VK_STENCIL_FACE_BACK_BIT, front_counts ? down : up);
 }
 
-void set_counting_bits(VkCommandBuffer commands, std::uint32_t bits) {
-    vkCmdSetStencilWriteMask(commands, VK_STENCIL_FACE_FRONT_AND_BACK, bits);
-}
-
-// If any bit but the top one is set, the result is the top bit alone.
+// Everything that was counted becomes 1.
 constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
                                   .passOp = VK_STENCIL_OP_REPLACE,
                                   .depthFailOp = VK_STENCIL_OP_KEEP,
-                                  .compareOp = VK_COMPARE_OP_NOT_EQUAL,
-                                  .compareMask = 0x7f,
+                                  .compareOp = VK_COMPARE_OP_LESS_OR_EQUAL,
+                                  .compareMask = 0xff,
                                   .writeMask = 0xff,
-                                  .reference = 0x80};
+                                  .reference = 1};
 
 }  // namespace
 
@@ -92,33 +88,35 @@ void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, st
     const VkClearRect everywhere{.rect = area, .layerCount = 1};
     vkCmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
 
-    const std::vector<ShadowBatch>& batches = list.shadow_batches[light];
-    for (const ShadowBatch& batch : batches) {
+    for (const ShadowBatch& batch : list.shadow_batches[light]) {
+        if (&batch != &list.shadow_batches[light].front()) {
+            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
+            vkCmdDraw(commands, 3, 1, 0, 0);
+        }
         // One batch after the other, because each fold changes the dynamic state.
         record_caps(commands, list, light, batch);
         record_sides(commands, list, light, batch);
-        if (batches.size() == 1) break;
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
-        vkCmdDraw(commands, 3, 1, 0, 0);
     }
 }
 
 void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& list,
                                    std::size_t light, const ShadowBatch& batch) const {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
-    set_counting_bits(commands, list.shadow_batches[light].size() == 1 ? 0xffu : 0x7fu);
     for (const std::uint32_t front_bit : {1u, 0u}) {
         set_counting(commands, ShadowMethod::fail, front_bit == 0);
         for (const ShadowDraw& draw : batch.draws) {
             const DrawnInstance& instance = list.instances[draw.instance];
             const DrawnLight& drawn = instance.lights[light];
             if (drawn.method == ShadowMethod::pass) continue;
-            const bool single = drawn.form == ShadowForm::single && !draw.face_by_face;
+            const bool single = drawn.form == ShadowForm::single;
             if (single && front_bit == 0) continue;
-            set_draw(commands, layout_, list, instance, &drawn, front_bit);
+            const std::uint32_t flag = draw.part ? RIMLINE_CAPS_PART : 0;
+            set_draw(commands, layout_, list, instance, &drawn, front_bit | flag);
             // If all light rays end in one point, there is no dark cap.
             const std::uint32_t caps = drawn.ends_in_one_point ? 1 : 2;
-            vkCmdDraw(commands, 3 * draw.face_count, caps, 3 * draw.first_face, 0);
+            const std::uint32_t first = draw.part ? draw.part->first_face : 0;
+            const std::uint32_t count = draw.part ? draw.part->face_count : instance.face_count;
+            vkCmdDraw(commands, 3 * count, caps, 3 * first, 0);
         }
     }
 }
@@ -131,24 +129,25 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
     const auto bind = [&](VkPipeline pipeline) {
         if (pipeline == bound) return;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-        set_counting_bits(commands, list.shadow_batches[light].size() == 1 ? 0xffu : 0x7fu);
         bound = pipeline;
     };
     for (const ShadowDraw& draw : batch.draws) {
         const DrawnInstance& instance = list.instances[draw.instance];
         const DrawnLight& drawn = instance.lights[light];
         const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
-        if (draw.face_by_face) {
+        const bool single = drawn.form == ShadowForm::single;
+        const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
+        if (draw.part) {
+            // Geometry shaders number points from 0, wherever a draw begins.
             bind(pipelines.pulled_sides);
             set_counting(commands, drawn.method, false);
-            set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_FACES);
-            vkCmdDraw(commands, 3 * corners * draw.face_count, 1, 3 * corners * draw.first_face, 0);
+            set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_PARTS | flag);
+            vkCmdDraw(commands, corners * draw.part->side_count, 1, corners * draw.part->first_side,
+                      0);
             continue;
         }
         bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);
         set_counting(commands, drawn.method, false);
-        const bool single = drawn.form == ShadowForm::single;
-        const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
         set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_SLOTS | flag);
         const VkDeviceSize offset = !pulled        ? IndirectDraw::k_points
                                     : corners == 3 ? IndirectDraw::k_pointed_sides

@@ -10,10 +10,8 @@
 // the camera may be in shadow and the near plane inside a volume. With depth pass no caps are drawn.
 //
 // Eight bits count to 255. Where a ray may meet more triangles (shadow_batches.h), volumes are drawn in
-// batches that count to 127. After each batch its count is folded into the top bit. Lit samples are still
-// exactly those with a stencil of 0.
-//
-//     stencil   [ t | c c c c c c c ]   c: the batch's count, t: a batch before counted something
+// batches that count to 254. Between two batches the stencil is folded: everything that was counted becomes
+// 1. Lit samples are still exactly those with a stencil of 0.
 //
 // Caps lie on their own surfaces. Depth is compared strictly, so that a surface does not shade itself. Caps
 // and surfaces must be clipped at the same planes, because a new corner from clipping changes the depths of

@@ -163,7 +163,6 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
     std::vector<VkDynamicState> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     if (description.stencil == StencilUse::count) {
         dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_OP);
-        dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_WRITE_MASK);
     }
     if (description.sets_cull) dynamic_states.push_back(VK_DYNAMIC_STATE_CULL_MODE);
     const VkPipelineDynamicStateCreateInfo dynamic{

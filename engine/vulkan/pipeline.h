@@ -38,7 +38,7 @@ constexpr std::uint32_t k_max_indexed_vertices = 1u << 24;
 
 enum class StencilUse {
     off,
-    count,  ///< Always passes. Operations and write mask are dynamic state.
+    count,  ///< Always passes. Operations are dynamic state.
     zero,   ///< Passes if the stencil is zero. Writes nothing.
     given,  ///< GraphicsPipelineDescription::stencil_state, for both faces.
 };

@@ -216,32 +216,6 @@ TEST_CASE("depth pass in an orthographic view needs the volume's end behind the 
     CHECK(method({0, 0, -1}, ShadowMethod::pass) == ShadowMethod::fail);
 }
 
-TEST_CASE("a light on a vertex is moved a little outwards, any other stays") {
-    const Mesh box(make_built_in_shape("box", 12));
-    for (const glm::vec3& vertex : box.positions()) {
-        const HomogeneousPoint beside =
-            light_off_vertices(box, HomogeneousPoint::viewpoint(vertex));
-        CHECK(beside.xyz() != vertex);
-        CHECK(glm::distance(beside.xyz(), vertex) < 3e-5f);
-        CHECK(glm::length(beside.xyz()) > glm::length(vertex));  // Outwards.
-    }
-    for (const HomogeneousPoint& other :
-         {HomogeneousPoint::viewpoint({0.25f, 1.0f, 0.5f}), HomogeneousPoint::viewpoint({0, 0, 0}),
-          HomogeneousPoint::viewpoint({5, 1, 1}), HomogeneousPoint::direction({1, 1, 1})})
-        CHECK(light_off_vertices(box, other) == other);
-    // At the end of coordinates it can only go inwards, and where its neighbor is a vertex too, on.
-    const float end = k_max_coordinate;
-    const float next = 1.0f + 0x1p-16f;
-    const Mesh vast(MeshSource{{{end, end, end}, {0, 0, 0}, {end, 0, 0}}, {{0, 1, 2}}});
-    const HomogeneousPoint inwards =
-        light_off_vertices(vast, HomogeneousPoint::viewpoint({end, end, end}));
-    CHECK(inwards.is_valid());
-    CHECK(inwards.xyz() != glm::vec3(end));
-    const Mesh twins(MeshSource{{{1, 1, 1}, {next, next, next}, {0, 0, 1}}, {{0, 1, 2}}});
-    const HomogeneousPoint past = light_off_vertices(twins, HomogeneousPoint::viewpoint({1, 1, 1}));
-    for (const glm::vec3& vertex : twins.positions()) CHECK(past.xyz() != vertex);
-}
-
 TEST_CASE("random scenes are the same picture by every method, form and stage") {
     RIMLINE_OPEN_GPU(gpu);
     constexpr std::uint64_t k_seed = 7;

@@ -269,6 +269,7 @@ EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Devi
                                     with_sun, result.shadows, "drawing shadows", context);
     if (!result.difference.empty()) return result;
 
+    result.record = time_recording(octree, device, options.frames, context);
     result.difference = time_ratios(octree, device, options, result.ratios, context);
     return result;
 }

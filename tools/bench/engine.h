@@ -13,6 +13,7 @@
 
 #include "engine/vulkan/device.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/bench/record_time.h"
 #include "tools/bench/targets.h"
 #include "tools/command.h"
 
@@ -47,7 +48,8 @@ struct EngineResult {
     std::vector<EngineTime>
         lines;  ///< Frames with lines; the slots by geometry shader or pulling first.
     std::vector<EngineTime> shadows;  ///< Frames with shadows and without lines.
-    std::vector<EngineTime> ratios;   ///< Ours first, then the baseline.
+    RecordTimes record;
+    std::vector<EngineTime> ratios;  ///< Ours first, then the baseline.
 
     const EngineTime* find_line_path(const std::string& name) const;
 };

@@ -117,6 +117,8 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
     step.compute_gpu_ms = computed.device();
     step.lines_ms = quantile(frames_ms[0], 0.5);
     if (renderers.size() > 1) step.adjacency_ms = quantile(frames_ms[1], 0.5);
+    renderers.clear();
+    step.record = time_recording(octree, device, frames, context);
     return step;
 }
 

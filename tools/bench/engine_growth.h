@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/vulkan/device.h"
+#include "tools/bench/record_time.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
@@ -34,6 +35,7 @@ struct EngineGrowthStep {
     std::optional<double> compute_gpu_ms;
     double lines_ms = 0.0;      ///< A frame with lines from slots, tracker and stream included.
     double adjacency_ms = 0.0;  ///< 0 without geometry shaders.
+    RecordTimes record;
 };
 
 /// Measures knots of 10,000, 30,000, 100,000 ... faces and calls `on_step` after each.

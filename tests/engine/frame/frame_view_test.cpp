@@ -20,7 +20,9 @@ TEST_CASE("a frame view holds the bounds, the projection and the points of its s
     scene.lights.push_back({.vector = {1, 2, 1}});
     scene.lights.push_back({.vector = vertex, .directional = false});
 
-    const FrameView view(scene, {300, 200});
+    CasterMeshes casters;
+    casters.try_emplace(&mesh, mesh);
+    const FrameView view(scene, {300, 200}, casters);
     const SceneBounds bounds = bounds_of(scene);
     CHECK(view.bounds.center == bounds.center);
     CHECK(view.bounds.radius == bounds.radius);
@@ -37,7 +39,7 @@ TEST_CASE("a frame view holds the bounds, the projection and the points of its s
         REQUIRE(view.instances[i].lights.size() == 2);
         for (std::size_t l = 0; l < 2; ++l)
             CHECK(view.instances[i].lights[l].point ==
-                  casting_point(scene, instance, scene.lights[l]));
+                  casting_point(scene, instance, scene.lights[l], casters));
     }
     CHECK(view.instances[0].lines == camera_point(scene.instances[0], *scene.silhouette_camera));
     CHECK_FALSE(view.instances[1].lines.has_value());

@@ -11,40 +11,14 @@
 
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
-#include "silhouette/hough/silhouette_tracker.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/shadow_scenes.h"
+#include "tests/engine/support/tracked_volume.h"
 
 using namespace rimline;
 using namespace rimline::tests;
 
 namespace {
-
-// How many triangles a ray from the light meets, in double.
-std::uint32_t triangles_on_ray(const Mesh& mesh, const glm::dvec3& from,
-                               const glm::dvec3& direction) {
-    std::uint32_t count = 0;
-    for (const Triangle& triangle : mesh.triangles()) {
-        glm::dvec3 v[3];
-        for (std::size_t i = 0; i < 3; ++i)
-            v[i] = glm::dvec3(mesh.positions()[index(triangle[i])]) - from;
-        const double a = glm::dot(direction, glm::cross(v[0], v[1]));
-        const double b = glm::dot(direction, glm::cross(v[1], v[2]));
-        const double c = glm::dot(direction, glm::cross(v[2], v[0]));
-        const bool crosses = (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
-        const glm::dvec3 n = glm::cross(v[1] - v[0], v[2] - v[0]);
-        count += crosses && glm::dot(n, v[0]) / glm::dot(n, direction) > 0.0 ? 1 : 0;
-    }
-    return count;
-}
-
-CountedVolume volume_of(const SilhouetteTracker& tracker, ShadowForm form) {
-    return {.mesh = &tracker.mesh(),
-            .silhouette = tracker.silhouette(),
-            .face_words = tracker.face_words(),
-            .light = tracker.point(),
-            .form = form};
-}
 
 // A stack of copies, each a step above the one before.
 MeshSource stacked(const MeshSource& layer, std::uint32_t count, float step) {
@@ -102,91 +76,98 @@ struct StackScene {
 
 }  // namespace
 
-TEST_CASE("no ray meets more triangles than the silhouette's bound") {
-    constexpr std::uint64_t k_seed = 3;
-    CAPTURE(k_seed);
-    Random random(k_seed);
-    std::deque<Model> models;
-    for (const char* name : {"box", "torus", "knot", "spring", "terrain", "scene"})
-        models.emplace_back(make_built_in_shape(name, 600));
-    models.emplace_back(moebius_strip(40));
-    models.emplace_back(triangle_soup(60, k_seed));
-    models.emplace_back(figure_eight(24, 12));
-    models.emplace_back(boxes_on_an_edge());
-    ShadowCounter counter;
-    double tightness = 0.0;
-    int cases = 0;
-    for (const Model& model : models)
-        for (int i = 0; i < 40; ++i) {
-            const Mesh& mesh = model.mesh;
-            // Outside, inside the bounds, far away, on the axes' planes, and directions.
-            glm::vec3 place = random.in_cube() * (i % 4 == 0 ? 20.0f : i % 4 == 1 ? 0.8f : 2.5f);
-            if (i % 5 == 0) place[static_cast<int>(random.below(3))] = 0.0f;
-            const HomogeneousPoint light = i % 3 == 0 ? HomogeneousPoint::direction(place)
-                                                      : HomogeneousPoint::viewpoint(place);
-            const SilhouetteTracker tracker(model.octree, light);
-            const std::uint32_t bound = counter.bound(volume_of(tracker, ShadowForm::general));
-            const std::uint32_t single = counter.bound(volume_of(tracker, ShadowForm::single));
-            std::uint32_t most = 0;
-            for (int ray = 0; ray < 60; ++ray) {
-                const Triangle& t = mesh.triangles()[random.below(mesh.face_count())];
-                glm::dvec3 target(0.0);
-                double sum = 0.0;
-                for (const VertexId vertex : t) {
-                    const double weight = 1.01 + random.signed_unit();
-                    target += weight * glm::dvec3(mesh.positions()[index(vertex)]);
-                    sum += weight;
-                }
-                target /= sum;
-                const glm::dvec3 from = light.is_direction()
-                                            ? target + 10.0 * glm::dvec3(light.xyz())
-                                            : glm::dvec3(light.xyz());
-                most = std::max(most, triangles_on_ray(mesh, from, target - from));
-            }
-            INFO("light ", place.x, ", ", place.y, ", ", place.z, ", w ", light.w);
-            CHECK(most <= bound);
-            // Half of the triangles on a ray are front where it comes from outside and leaves.
-            if (is_closed_chain(mesh) && (light.is_direction() || glm::length(place) > 4.0f))
-                CHECK((most + 1) / 2 <= single);
-            tightness += double(bound) / std::max(1u, most);
-            ++cases;
-        }
-    std::printf("the bound is %.2f times what was met, on average\n", tightness / cases);
-    CHECK(tightness / cases < 8.0);
-}
-
 TEST_CASE("a stack is bounded by what it counts, and drawn in batches beyond that") {
     const Model stack(stacked(one_triangle(), 256, 0.002f));
     const Model boxes(stacked(thin_box(), 128, 0.002f));
-    ShadowCounter counter;
-    const HomogeneousPoint sun = HomogeneousPoint::direction({0.05f, 1.0f, 0.02f});
-    const SilhouetteTracker of_stack(stack.octree, sun);
-    const SilhouetteTracker of_boxes(boxes.octree, sun);
-    CHECK(counter.bound(volume_of(of_stack, ShadowForm::general)) == 256);
-    CHECK(counter.bound(volume_of(of_boxes, ShadowForm::general)) >= 256);
-    CHECK(counter.bound(volume_of(of_boxes, ShadowForm::single)) >= 128);
-    CHECK(counter.bound(volume_of(of_boxes, ShadowForm::single)) <= 255);
+    const HomogeneousPoint light = HomogeneousPoint::direction({0.05f, 1.0f, 0.02f});
+    const TrackedVolume of_stack(stack, light);
+    const TrackedVolume of_boxes(boxes, light);
+    ShadowBatches batches;
+    VolumeCount count, single, general;
 
-    counter.begin();
-    counter.add(7, volume_of(of_boxes, ShadowForm::single));
-    const std::vector<ShadowBatch> one = counter.end();
+    batches.begin();
+    CHECK(batches.add(7, of_boxes.counted(ShadowForm::single), single) >= 128);
+    const std::vector<ShadowBatch> one = batches.end();
+    CHECK(single.bound <= k_batch_limit);
     REQUIRE(one.size() == 1);
-    CHECK(one[0].draws.size() == 1);
+    REQUIRE(one[0].draws.size() == 1);
+    CHECK_FALSE(one[0].draws[0].part.has_value());
 
-    counter.begin();
-    counter.add(7, volume_of(of_stack, ShadowForm::general));
-    const std::vector<ShadowBatch> several = counter.end();
-    REQUIRE(several.size() == 3);
-    std::uint32_t next = 0;
-    for (const ShadowBatch& batch : several)
-        for (const ShadowDraw& draw : batch.draws) {
-            CHECK(draw.face_by_face);
-            CHECK(draw.instance == 7);
-            CHECK(draw.first_face == next);
-            CHECK(draw.face_count <= k_batch_limit);
-            next += draw.face_count;
+    batches.begin();
+    CHECK(batches.add(5, of_boxes.counted(ShadowForm::general), general) >= 256);
+    CHECK(batches.add(7, of_stack.counted(ShadowForm::general), count) == 256);
+    const std::vector<ShadowBatch> several = batches.end();
+    // Twice 256 triangles in a row, at most 254 a batch, in halves of halves.
+    CHECK(several.size() <= 5);
+    for (const auto& [instance, faces] : {std::pair{5u, 128u * 12u}, {7u, 256u}}) {
+        const VolumeCount& counted = instance == 5 ? general : count;
+        std::uint32_t next = 0;
+        std::size_t part = 0;
+        for (const ShadowBatch& batch : several)
+            for (const ShadowDraw& draw : batch.draws) {
+                if (draw.instance != instance) continue;
+                REQUIRE(draw.part.has_value());
+                CHECK(draw.part->first_face == next);
+                CHECK(draw.part->face_count == counted.parts[part].face_count);
+                CHECK(draw.part->first_side == counted.parts[part].first_side);
+                CHECK(draw.part->side_count == counted.parts[part].side_count);
+                next += draw.part->face_count;
+                ++part;
+            }
+        CHECK(next == faces);
+        CHECK(part == counted.parts.size());
+        CHECK(part < 10);  // Of many faces each.
+    }
+}
+
+TEST_CASE("the bounds of each batch add up to at most its limit") {
+    constexpr std::uint64_t k_seed = 12;
+    CAPTURE(k_seed);
+    Random random(k_seed);
+    std::deque<Model> models;
+    models.emplace_back(triangle_soup(3000, k_seed));
+    models.emplace_back(stacked(thin_box(), 200, 0.002f));
+    models.emplace_back(make_built_in_shape("knot", 3000));
+    std::size_t parts = 0;
+    for (int round = 0; round < 40; ++round) {
+        const HomogeneousPoint light = round % 2 == 0
+                                           ? HomogeneousPoint::direction(random.in_cube())
+                                           : HomogeneousPoint::viewpoint(4.0f * random.in_cube());
+        std::deque<TrackedVolume> volumes;
+        std::deque<VolumeCount> counts;
+        ShadowBatches batches;
+        batches.begin();
+        const std::uint32_t casters = 1 + random.below(4);
+        for (std::uint32_t i = 0; i < casters; ++i) {
+            const TrackedVolume& volume = volumes.emplace_back(models[random.below(3)], light);
+            const ShadowForm form = random.below(2) == 0 ? ShadowForm::general : ShadowForm::single;
+            batches.add(i, volume.counted(form), counts.emplace_back());
         }
-    CHECK(next == 256);
+        const std::vector<ShadowBatch> planned = batches.end();
+        std::vector<std::uint32_t> faces(casters, 0), whole(casters, 0);
+        std::vector<std::size_t> part(casters, 0);
+        for (const ShadowBatch& batch : planned) {
+            std::uint32_t sum = 0;
+            for (const ShadowDraw& draw : batch.draws) {
+                const VolumeCount& count = counts[draw.instance];
+                if (!draw.part) {
+                    CHECK(++whole[draw.instance] == 1);
+                    sum += count.bound;
+                    continue;
+                }
+                CHECK(draw.part->first_face == faces[draw.instance]);
+                faces[draw.instance] += draw.part->face_count;
+                sum += count.parts[part[draw.instance]++].bound;
+            }
+            CHECK(sum <= k_batch_limit);
+        }
+        for (std::uint32_t i = 0; i < casters; ++i) {
+            CHECK(whole[i] == (part[i] == 0 ? 1 : 0));
+            if (part[i] > 0) CHECK(faces[i] == counts[i].faces.size());
+            parts += part[i];
+        }
+    }
+    CHECK(parts > 100);
 }
 
 TEST_CASE("nothing shines through 256 triangles, 128 closed casters, or 256 in the single form") {
@@ -210,4 +191,49 @@ TEST_CASE("nothing shines through 256 triangles, 128 closed casters, or 256 in t
                 stacked.scene.shadows = false;
                 CHECK(lit_pixels(renderer.render(stacked.scene, 128, 128)) > 1000);
             }
+}
+
+TEST_CASE("a volume in parts gives the picture of its pieces as casters of their own") {
+    RIMLINE_OPEN_GPU(gpu);
+    // Layers of a sphere's shells, so that parts end within surfaces: 2 * 140 triangles are in a row.
+    const MeshSource shell = make_built_in_shape("sphere", 80);
+    MeshSource shells;
+    std::deque<Model> pieces;
+    for (std::uint32_t i = 0; i < 140; ++i) {
+        MeshSource scaled = shell;
+        for (glm::vec3& p : scaled.positions) p *= 0.3f + 0.002f * static_cast<float>(i);
+        const auto first = static_cast<std::uint32_t>(shells.positions.size());
+        shells.positions.insert(shells.positions.end(), scaled.positions.begin(),
+                                scaled.positions.end());
+        for (const auto& t : scaled.triangles)
+            shells.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        pieces.emplace_back(scaled);
+    }
+    const Model whole(shells);
+    const Model ground(square(3.0, -0.8));
+    int forms_in_parts = 0;
+    for (const Light& light :
+         {lamp({0.0, 0.0, 0.0}), lamp({1.2, 2.0, 0.7}), lamp({40, 50, -30}), sun({0.3, 1.0, 0.2})})
+        for (const ShadowForm form : {ShadowForm::general, ShadowForm::single})
+            for (const ShadowMethod method : {ShadowMethod::fail, ShadowMethod::automatic}) {
+                Scene scene{.instances = {ground_of(ground), instance_of(whole)},
+                            .lights = {light},
+                            .camera = looking({2.5, 2.2, 3.1}, {0.0, -0.3, 0.0}),
+                            .lines = false};
+                scene.shadow_form = form;
+                scene.shadow_method = method;
+                Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+                const Picture in_parts = renderer.render(scene, 128, 128);
+                const ShadowReport& shadow = renderer.report().shadows[0];
+                CHECK((shadow.runs > 0) == (shadow.bound > k_batch_limit));
+                CHECK(shadow.runs <= 8);
+                forms_in_parts += shadow.runs > 0 && shadow.choice.form == form ? 1 : 0;
+                scene.instances.resize(1);
+                for (const Model& piece : pieces) scene.instances.push_back(instance_of(piece));
+                const Picture expected = renderer.render(scene, 128, 128);
+                for (const ShadowReport& report : renderer.report().shadows)
+                    CHECK(report.runs == 0);
+                CHECK(in_parts.rgba == expected.rgba);
+            }
+    CHECK(forms_in_parts > 8);  // The single form too, at one light.
 }

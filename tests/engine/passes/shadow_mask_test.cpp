@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/frame/vertex_places.h"
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
@@ -432,7 +433,7 @@ TEST_CASE("a light on a vertex shades as one beside it") {
         for (const std::uint32_t which : {0u, 3u, 7u}) {
             const glm::vec3 vertex = model.mesh.positions()[which];
             const HomogeneousPoint beside =
-                light_off_vertices(model.mesh, HomogeneousPoint::viewpoint(vertex));
+                light_off_vertices(VertexPlaces(model.mesh), HomogeneousPoint::viewpoint(vertex));
             REQUIRE(beside.xyz() != vertex);
             CHECK(glm::distance(beside.xyz(), vertex) < 1e-4f);
             // Rays go to where the light is moved; what is drawn begins on the vertex.

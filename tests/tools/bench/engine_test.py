@@ -13,6 +13,8 @@ def test_bench_engine_compares_and_then_measures():
     for table in ("lines", "visible_ratios"):
         assert len(model[table]) >= 2 and model[table][0]["ratio"] == 1
         assert all(way["median_ms"] > 0 for way in model[table])
+    for lamp in ("resting_lamp_ms", "moving_lamp_ms"):
+        assert 0 < model["record"][lamp] < 1000, model["record"]
     growth = succeed("bench", "engine", "--growth", *few[:2], "--least-faces", "1000", "--most-faces", "3000")
     assert [step["verified"] for step in growth["growth"]] == [True, True]
     assert all(0 < step["move_ms"] <= step["stream_ms"] for step in growth["growth"])

@@ -1,0 +1,228 @@
+#include "engine/frame/counted_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "silhouette/mesh/face_bits.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr std::size_t k_prefetched = 16;
+constexpr std::uint32_t k_distance_classes = 1u << 16;
+// Up to so many times the least number of parts, another order is not tried.
+constexpr std::size_t k_few_parts = 2;
+
+FaceBox box_of_face(const Mesh& mesh, std::uint32_t face) {
+    FaceBox box;
+    for (const VertexId vertex : mesh.triangles()[face]) {
+        const glm::vec3& place = mesh.positions()[index(vertex)];
+        box.include({place, place});
+    }
+    return box;
+}
+
+Bounds bounds_of(const Mesh& mesh, const FaceRun& run) {
+    FaceBox box;
+    for (const std::uint32_t face : run.faces()) box.include(box_of_face(mesh, face));
+    return {box.low, box.high};
+}
+
+// Around the line through a point within `bounds` parallel to an axis, with its roundings.
+FaceBox line_through(const glm::vec3& place, int axis, const Bounds& bounds) {
+    const double slack = 0x1p-20 * glm::distance(glm::dvec3(bounds.low), glm::dvec3(bounds.high));
+    FaceBox line{glm::vec3(glm::dvec3(place) - slack), glm::vec3(glm::dvec3(place) + slack)};
+    line.low[axis] = -std::numeric_limits<float>::infinity();
+    line.high[axis] = std::numeric_limits<float>::infinity();
+    return line;
+}
+
+}  // namespace
+
+// Of sides_. Tries the axes with the fewest faces at their poles first, until the bound is enough.
+template <typename CountFaces>
+std::uint32_t VolumeCounter::bound_from_within(const Bounds& bounds, const HomogeneousPoint& light,
+                                               std::uint32_t enough,
+                                               const CountFaces& faces_on_line) {
+    struct Poles {
+        std::uint32_t faces;
+        int axis;
+        auto operator<=>(const Poles&) const = default;
+    };
+    std::array<Poles, 3> poles;
+    for (int axis = 0; axis < 3; ++axis)
+        poles[static_cast<std::size_t>(axis)] = {
+            faces_on_line(line_through(light.xyz(), axis, bounds)), axis};
+    std::ranges::sort(poles);
+    std::uint32_t least = ~0u;
+    for (const auto& [faces, axis] : poles) {
+        least = std::min(least, rays_.from_within(sides_, light, axis, faces));
+        if (least <= enough) break;
+    }
+    return least;
+}
+
+void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, VolumeCount& count) {
+    if (count.light == volume.light && count.form == volume.form) return;
+    const Mesh& mesh = volume.caster->mesh();
+    const bool single = volume.form == ShadowForm::single;
+    const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
+    sides_.clear();
+    const auto add = [&](EdgeId edge, std::int32_t times) {
+        const auto& [a, b] = mesh.edge(edge).vertices;
+        sides_.push_back({mesh.positions()[index(a)], mesh.positions()[index(b)], times});
+    };
+    // Edges and their vertices lie anywhere in memory.
+    const std::span<const EdgeId> silhouette = volume.silhouette;
+    for (std::size_t i = 0; i < silhouette.size(); ++i) {
+        if (i + 2 * k_prefetched < silhouette.size())
+            __builtin_prefetch(&mesh.edge(silhouette[i + 2 * k_prefetched]));
+        if (i + k_prefetched < silhouette.size())
+            for (const VertexId vertex : mesh.edge(silhouette[i + k_prefetched]).vertices)
+                __builtin_prefetch(&mesh.positions()[index(vertex)]);
+        if (index(silhouette[i]) < regular_end) add(silhouette[i], single ? 1 : 2);
+    }
+    for (std::uint32_t e = regular_end; e < mesh.edge_count(); ++e) {
+        std::int32_t times = 0;
+        for (const FaceId face : mesh.faces_of(EdgeId{e}))
+            times += !single || face_bit(volume.face_words, face) ? 1 : 0;
+        if (times > 0) add(EdgeId{e}, times);
+    }
+    std::uint32_t bound = 0;
+    if (const std::optional<int> outer = outer_axis(mesh.bounds(), volume.light))
+        bound = rays_.from_outside(sides_, mesh.bounds(), volume.light, *outer, enough);
+    else
+        bound = bound_from_within(mesh.bounds(), volume.light, enough, [&](const FaceBox& line) {
+            std::uint32_t met = 0;
+            volume.caster->faces().any_meeting(line, 0, [&](std::uint32_t) {
+                ++met;
+                return false;
+            });
+            return met;
+        });
+    count.light = volume.light;
+    count.form = volume.form;
+    count.bound = std::min(bound, mesh.face_count());  // A ray meets at most all triangles.
+    count.parts.clear();
+    count.faces.clear();
+    count.sides.clear();
+}
+
+void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, VolumeCount& count) {
+    if (!count.parts.empty()) return;
+    const std::uint32_t faces = volume.caster->mesh().face_count();
+    order_.resize(faces);
+    ranks_.resize(faces);
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::iota(ranks_.begin(), ranks_.end(), 0u);
+    // Divided aside: where memory does not suffice, `count` stays without parts.
+    VolumeCount divided{.light = count.light, .form = count.form, .bound = count.bound};
+    divide(volume, limit, 0, faces, divided);
+    if (divided.parts.size() > k_few_parts * (count.bound / limit + 1)) {
+        VolumeCount by_distance{.light = count.light, .form = count.form, .bound = count.bound};
+        sort_faces(volume);
+        divide(volume, limit, 0, faces, by_distance);
+        if (by_distance.parts.size() < divided.parts.size()) divided = std::move(by_distance);
+    }
+    count = std::move(divided);
+}
+
+// By classes of distance: within a class the order does not matter.
+void VolumeCounter::sort_faces(const CountedVolume& volume) {
+    const Mesh& mesh = volume.caster->mesh();
+    const glm::dvec3 light(volume.light.xyz());
+    const glm::dvec3 towards = light / std::max(glm::length(light), double{k_min_point_component});
+    const auto distance = [&](std::uint32_t face) {
+        const FaceBox box = box_of_face(mesh, face);
+        const glm::dvec3 middle = 0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high));
+        return volume.light.is_direction() ? -glm::dot(middle, towards)
+                                           : glm::distance(middle, light);
+    };
+    const double center = volume.light.is_direction() ? -glm::dot(mesh.center(), towards)
+                                                      : glm::distance(mesh.center(), light);
+    const double nearest = center - mesh.radius();
+    const double classes_per_length =
+        mesh.radius() > 0.0 ? k_distance_classes / (2.0 * mesh.radius()) : 0.0;
+    std::vector<std::uint32_t> begins(k_distance_classes + 1, 0);
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        ranks_[f] = static_cast<std::uint32_t>(std::clamp(
+            (distance(f) - nearest) * classes_per_length, 0.0, k_distance_classes - 1.0));
+        ++begins[ranks_[f] + 1];
+    }
+    for (std::size_t c = 0; c < k_distance_classes; ++c) begins[c + 1] += begins[c];
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        ranks_[f] = begins[ranks_[f]]++;
+        order_[ranks_[f]] = f;
+    }
+}
+
+void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, std::uint32_t first,
+                           std::uint32_t end, VolumeCount& count) {
+    const FaceRun run{order_, ranks_, first, end};
+    VolumePart part{.first_face = static_cast<std::uint32_t>(count.faces.size()),
+                    .first_side = static_cast<std::uint32_t>(count.sides.size())};
+    append_run(volume, run, count);
+    part.face_count = static_cast<std::uint32_t>(count.faces.size()) - part.first_face;
+    part.side_count = static_cast<std::uint32_t>(count.sides.size()) - part.first_side;
+    part.bound =
+        std::min(part.face_count,
+                 bound_of_run(volume, limit, run, std::span(count.sides).subspan(part.first_side)));
+    if (part.bound <= limit) {
+        if (part.face_count > 0) count.parts.push_back(part);
+        return;
+    }
+    count.faces.resize(part.first_face);
+    count.sides.resize(part.first_side);
+    const std::uint32_t middle = first + run.size() / 2;
+    divide(volume, limit, first, middle, count);
+    divide(volume, limit, middle, end, count);
+}
+
+std::uint32_t VolumeCounter::bound_of_run(const CountedVolume& volume, std::uint32_t enough,
+                                          const FaceRun& run,
+                                          std::span<const gpu::EdgeRecord> records) {
+    if (run.size() <= enough) return run.size();
+    const Mesh& mesh = volume.caster->mesh();
+    const Bounds bounds = bounds_of(mesh, run);
+    sides_.clear();
+    for (const gpu::EdgeRecord& record : records)
+        sides_.push_back({mesh.positions()[record.v0], mesh.positions()[record.v1], 1});
+    if (const std::optional<int> outer = outer_axis(bounds, volume.light))
+        return rays_.from_outside(sides_, bounds, volume.light, *outer, enough);
+    return bound_from_within(bounds, volume.light, enough, [&](const FaceBox& line) {
+        return static_cast<std::uint32_t>(std::ranges::count_if(
+            run.faces(), [&](std::uint32_t face) { return box_of_face(mesh, face).meets(line); }));
+    });
+}
+
+void append_run(const CountedVolume& volume, const FaceRun& run, VolumeCount& count) {
+    const Mesh& mesh = volume.caster->mesh();
+    const bool single = volume.form == ShadowForm::single;
+    const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
+    for (const std::uint32_t f : run.faces()) {
+        const bool front = face_bit(volume.face_words, FaceId{f});
+        if (single && !front) continue;
+        count.faces.push_back(f);
+        const Triangle& triangle = mesh.triangles()[f];
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const EdgeId edge = mesh.edges_of(FaceId{f})[corner];
+            if (edge == k_no_edge) continue;  // The sides of a face with two equal corners cancel.
+            if (index(edge) < regular_end) {
+                const auto& [f0, f1] = mesh.edge(edge).faces;
+                const FaceId other = index(f0) == f ? f1 : f0;
+                // Two faces with equal bits traverse the side in opposite directions.
+                if (run.has(other) && face_bit(volume.face_words, other) == front) continue;
+            }
+            count.sides.push_back(
+                {index(triangle[corner]), index(triangle[(corner + 1) % 3]), f, index(k_no_face)});
+        }
+    }
+}
+
+}  // namespace rimline
