@@ -108,6 +108,30 @@ TEST_CASE("smooth contours leave chains and visibility as they are and move no p
     CHECK(limited > 100);
 }
 
+TEST_CASE("visible lines have the same shape where hidden ones have none") {
+    std::size_t seen = 0, unshaped = 0;
+    each_smooth_view([&](const Mesh& mesh, const LineView& view, double size) {
+        const LineSurface surface(mesh);
+        const std::vector<EdgeId> silhouette = brute_force_silhouette(mesh, view.point());
+        LineOptions options = smooth_by(0.004 * size);
+        LineDrawer drawer(surface), other_drawer(surface);
+        const LineDrawing& all = drawer.draw(view, silhouette, options);
+        options.shapes_hidden = false;
+        const LineDrawing& visible = other_drawer.draw(view, silhouette, options);
+        REQUIRE(all.runs.size() == visible.runs.size());
+        REQUIRE(all.points.size() == visible.points.size());
+        for (const LineRun& run : all.runs)
+            for (std::uint32_t i = run.first_point; i < run.last_point; ++i) {
+                const bool is_same = all.points[i].position == visible.points[i].position;
+                if (run.is_visible()) REQUIRE(is_same);
+                seen += run.is_visible();
+                unshaped += !is_same;
+            }
+    });
+    CHECK(seen > 1000);
+    CHECK(unshaped > 1000);
+}
+
 TEST_CASE("points where visibility changes and ends of lines stay") {
     std::size_t changes = 0, moved_neighbors = 0;
     each_smooth_view([&](const Mesh& mesh, const LineView& view, double size) {

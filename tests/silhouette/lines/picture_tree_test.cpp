@@ -1,0 +1,105 @@
+#include "silhouette/lines/picture_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "tests/silhouette/mesh/random.h"
+
+namespace rimline {
+namespace {
+
+struct Line {
+    glm::dvec3 a, b;  // Places in the picture and depths.
+    bool may_be_before;
+};
+
+// As those of a chain: each begins where the one before ends, or sometimes anywhere.
+std::vector<Line> random_lines(std::size_t count, tests::Random& random) {
+    std::vector<Line> lines;
+    glm::dvec3 at(0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (random.below(20) == 0) at = 3.0 * glm::dvec3(random.in_cube());
+        const glm::dvec3 next = at + 0.3 * glm::dvec3(random.in_cube());
+        lines.push_back({at, next, random.below(4) != 0});
+        at = next;
+    }
+    return lines;
+}
+
+// Whether the boxes of two lines meet that are wider by `slack`, and `other` is nowhere behind `line`.
+bool may_lie_before(const Line& line, const Line& other, double slack) {
+    bool does = other.may_be_before;
+    for (int i = 0; i < 3; ++i) {
+        does = does && std::min(other.a[i], other.b[i]) <= std::max(line.a[i], line.b[i]) + slack;
+        if (i < 2)
+            does =
+                does && std::max(other.a[i], other.b[i]) >= std::min(line.a[i], line.b[i]) - slack;
+    }
+    return does;
+}
+
+TEST_CASE("the tree finds each pair of lines whose boxes meet once and in order") {
+    constexpr std::uint64_t k_seed = 21;
+    CAPTURE(k_seed);
+    tests::Random random(k_seed);
+    PictureTree tree;
+    std::size_t pairs = 0;
+    for (const std::size_t count : {0, 1, 2, 7, 8, 9, 63, 64, 65, 512, 513, 1000, 3}) {
+        CAPTURE(count);
+        const std::vector<Line> lines = random_lines(count, random);
+        glm::dvec3 low(1e9), high(-1e9);
+        for (const Line& line : lines) {
+            low = glm::min(low, glm::min(line.a, line.b));
+            high = glm::max(high, glm::max(line.a, line.b));
+        }
+        const PictureSteps steps(low, high);
+        tree.clear();
+        for (const Line& line : lines) {
+            const PictureBox box = steps.box(line.a, line.b);
+            tree.add(box, line.may_be_before ? box : k_empty_picture_box);
+        }
+        tree.finish();
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+        tree.each_pair(
+            [&](std::uint32_t line, std::uint32_t other) { found.emplace_back(line, other); });
+        CHECK(std::ranges::is_sorted(found));
+        CHECK(std::ranges::adjacent_find(found) == found.end());
+        // Boxes are rounded outwards by at most a step on each side.
+        const double step = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) / 32'767.0;
+        for (std::uint32_t i = 0; i < count; ++i)
+            for (std::uint32_t j = 0; j < count; ++j) {
+                const bool is_found = std::ranges::binary_search(found, std::pair(i, j));
+                if (may_lie_before(lines[i], lines[j], 0.0)) REQUIRE(is_found);
+                if (is_found) REQUIRE(may_lie_before(lines[i], lines[j], 2.001 * step));
+            }
+        pairs += found.size();
+    }
+    CHECK(pairs > 5000);
+}
+
+TEST_CASE("a box that includes others meets what they meet, and an empty one nothing") {
+    PictureBox all = k_empty_picture_box;
+    const PictureSteps steps({0, 0, 0}, {1, 1, 1});
+    const PictureBox whole = steps.box({0, 0, 0}, {1, 1, 1});
+    EightPictureBoxes eight{};
+    for (std::size_t k = 0; k < 8; ++k) eight.set(k, k_empty_picture_box);
+    CHECK(may_lie_before(eight, whole) == 0);
+    const PictureBox a = steps.box({0.1, 0.2, 0.3}, {0.2, 0.1, 0.4});
+    const PictureBox b = steps.box({0.6, 0.9, 0.1}, {0.7, 0.8, 0.2});
+    all.include(a);
+    all.include(b);
+    eight.set(1, a);
+    eight.set(4, b);
+    eight.set(7, all);
+    CHECK(may_lie_before(eight, whole) == 0b1001'0010);
+    CHECK(may_lie_before(eight, a) == 0b1000'0010);
+    // Nearer than the first, and as far as the second.
+    CHECK(may_lie_before(eight, steps.box({0.1, 0.1, 0.1}, {0.9, 0.9, 0.25})) == 0b1001'0000);
+    CHECK(may_lie_before(eight, steps.box({0.65, 0.85, 0.0}, {0.65, 0.85, 0.05})) == 0);
+}
+
+}  // namespace
+}  // namespace rimline
