@@ -8,8 +8,7 @@ void ShadowBatches::begin() noexcept { added_.clear(); }
 
 std::uint32_t ShadowBatches::add(std::uint32_t instance, const CountedVolume& volume,
                                  VolumeCount& count) {
-    // Half of a batch leaves room for other casters.
-    counter_.update(volume, k_batch_limit / 2, count);
+    counter_.update(volume, k_batch_limit, count);
     added_.push_back({instance, count.bound, volume, &count});
     return count.bound;
 }
