@@ -127,11 +127,14 @@ public:
     }
 
 private:
-    LineOptions line_options(const BenchView& view) const {
-        return options_.lines.line_options(view.mm_per_unit);
+    LineOptions line_options(const BenchView& view, bool has_shape = false) const {
+        LineOptions options = options_.lines.line_options(view.mm_per_unit);
+        if (!has_shape) options.smooth = options.stubble = 0.0;
+        return options;
     }
-    const LineDrawing& draw(LineDrawer& drawer, std::size_t view) const {
-        return drawer.draw(views_[view].view, silhouettes_[view], line_options(views_[view]));
+    const LineDrawing& draw(LineDrawer& drawer, std::size_t view, bool has_shape = false) const {
+        return drawer.draw(views_[view].view, silhouettes_[view],
+                           line_options(views_[view], has_shape));
     }
 
     void time_drawings(std::uint32_t round) {
@@ -141,9 +144,11 @@ private:
             const double us =
                 time_step_us([&] { brute_force_silhouette(mesh_, views_[v].view.point()); });
             const LineDrawing* drawing = nullptr;
-            double drawing_us = 0.0;
-            one_thread.execute(
-                [&] { drawing_us = time_step_us([&] { drawing = &draw(drawer_, v); }); });
+            double drawing_us = 0.0, shaped_us = 0.0;
+            one_thread.execute([&] {
+                drawing_us = time_step_us([&] { draw(drawer_, v); });
+                shaped_us = time_step_us([&] { drawing = &draw(drawer_, v, true); });
+            });
             if (round == 0) {
                 result_.chains += drawing->chains.size();
                 result_.strokes += drawing->strokes.size();
@@ -151,6 +156,7 @@ private:
             }
             keep_least(result_.extraction, v, 1e-3 * us);
             keep_least(result_.drawing, v, 1e-3 * drawing_us);
+            keep_least(result_.shaped, v, 1e-3 * shaped_us);
         }
     }
 

@@ -3,9 +3,9 @@
 // `rimline bench lines`: line drawings with exact visibility, against a ray for each piece of a line.
 //
 // Every view is drawn in full first and checked by the oracle (line_oracle.h); nothing is timed where it finds an
-// error. Then the views are timed, with the options of `draw`: chains, coincident lines and strokes included, the
-// silhouette given. The rays (piece_rays.h) decide the pieces of the same drawing, and no more: they find neither
-// the pieces nor chains.
+// error. Then the views are timed: chains, coincident lines and strokes included, the silhouette given. Smooth
+// contours and the removal of stubble are timed apart, with the options of `draw`. The rays (piece_rays.h) decide the
+// pieces of the same drawing, and no more: they find neither the pieces nor chains.
 //
 // Times are of one thread, the least of all rounds for each view. Rounds of drawings and rays alternate.
 
@@ -80,6 +80,7 @@ struct LinesResult {
 
     ViewTimes extraction;  ///< Of the silhouette, by brute force. Not a part of the drawing.
     ViewTimes drawing;
+    ViewTimes shaped;             ///< With smooth contours and without stubble.
     std::vector<RayResult> rays;  ///< By RayWay; empty where missing.
     std::vector<OtherResult> others;
     std::optional<ThreadsResult> threads;

@@ -88,6 +88,8 @@ void print_result(const LinesResult& result) {
                 "wrong length");
     print_view_times("drawing, with chains", result.drawing, result);
     std::printf(" %13.3f%%\n", 100.0 * result.wrong_share());
+    print_view_times("drawing with shape, without stubble", result.shaped, result);
+    std::printf("\n");
     for (const RayResult& rays : result.rays) {
         print_view_times(("a ray a piece, " + rays.name).c_str(), rays.times, result);
         std::printf(" %13.3f%%\n", 100.0 * rays.wrong_share);
@@ -134,6 +136,7 @@ nlohmann::ordered_json to_json(const LinesResult& result) {
     object["extraction"] = to_json(result.extraction);
     object["drawing"] = to_json(result.drawing);
     object["drawing"]["wrong_share"] = result.wrong_share();
+    object["shaped"] = to_json(result.shaped);
     nlohmann::ordered_json rays = nlohmann::ordered_json::array();
     for (const RayResult& way : result.rays) {
         nlohmann::ordered_json row{{"name", way.name}};

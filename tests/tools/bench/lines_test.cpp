@@ -23,6 +23,7 @@ TEST_CASE("drawings of a shape are checked and then timed") {
     CHECK(result.drawing.ms.size() == 3);
     CHECK(result.drawing.median_ms() > 0.0);
     CHECK(result.drawing.worst_ms() >= result.drawing.median_ms());
+    CHECK(result.shaped.ms.size() == 3);
     CHECK(result.extraction.ms.size() == 3);
     CHECK(result.pieces >= result.work.lines);
     CHECK(result.rays.size() == (PieceRays::missing().empty() ? 3 : 0));

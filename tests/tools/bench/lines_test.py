@@ -24,7 +24,7 @@ def test_bench_lines_checks_and_then_measures():
         oracle, counters = model["oracle"], model["counters"]
         assert oracle["samples"] > 0 and oracle["wrong"] == oracle["missing_edges"] == 0
         assert counters["pieces"] >= counters["lines"] > 0 and counters["chains"] >= 3
-        for times in (model["extraction"], model["drawing"]):
+        for times in (model["extraction"], model["drawing"], model["shaped"]):
             check_view_times(times)
         if "skipped" not in model["rays"]:
             assert [rays["name"] for rays in model["rays"]] == RAYS
