@@ -44,7 +44,7 @@ CrossingPlace crossing_of(const FlatLine& a, const FlatLine& b) {
 
 }  // namespace
 
-void LineEvents::fill_tree(const LineFrame& frame) {
+void LineEvents::fill_tree(const LineFrame& frame, double margin) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
     for (const FlatLine& flat : frame.flats)
         for (const std::size_t k : {0, 1}) {
@@ -57,9 +57,10 @@ void LineEvents::fill_tree(const LineFrame& frame) {
     const auto add = [&](std::uint32_t i) {
         const auto& [ends, depths, shares] = frame.flats[i];
         const bool is_drawn = frame.lines[i].is_drawn, hides = frame.lines[i].balance != 0;
-        const PictureBox box = steps.box({ends[0], depths[0]}, {ends[1], depths[1]});
+        const glm::dvec3 a(ends[0], depths[0]), b(ends[1], depths[1]);
         placed_.push_back({frame.flats[i], i, is_drawn, hides});
-        tree_.add(box, is_drawn || hides ? box : k_empty_picture_box);
+        tree_.add(steps.box(a, b),
+                  is_drawn || hides ? steps.box(a, b, margin) : k_empty_picture_box);
     };
     for (const std::uint32_t i : frame.walk) add(i);
     for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i) add(i);
@@ -67,7 +68,9 @@ void LineEvents::fill_tree(const LineFrame& frame) {
 }
 
 void LineEvents::find_crossings(LineFrame& frame, bool finds_parallels) {
+    // Lines that coincide lie beside each other by up to the tolerance, and so may their boxes.
     const double tolerance = coincidence_tolerance(frame);
+    fill_tree(frame, finds_parallels ? tolerance : 0.0);
     tree_.each_pair([&](std::uint32_t place, std::uint32_t other) {
         const Placed &own = placed_[place], &before = placed_[other];
         if (place == other) return;
@@ -290,7 +293,6 @@ void LineEvents::find(LineFrame& frame, bool finds_parallels) {
     found_.clear();
     frame.parallels.clear();
     if (!frame.lines.empty()) {
-        fill_tree(frame);
         find_crossings(frame, finds_parallels);
         find_contacts(frame);
         add_passages(frame);

@@ -28,7 +28,7 @@ private:
         bool hides;  // Its balance is not 0.
     };
 
-    void fill_tree(const LineFrame& frame);
+    void fill_tree(const LineFrame& frame, double margin);
     void find_crossings(LineFrame& frame, bool finds_parallels);
     void cross(LineFrame& frame, std::uint32_t line, const Placed& occluder);
     void find_contacts(LineFrame& frame);

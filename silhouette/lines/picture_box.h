@@ -72,15 +72,18 @@ public:
             steps_a_unit_[i] = k_last_step / std::max(high[i] - low[i], 1e-300);
     }
 
-    /// Of a segment.
-    PictureBox box(const glm::dvec3& a, const glm::dvec3& b) const noexcept {
+    /// Of all places that are within `margin` of a segment along x and y.
+    PictureBox box(const glm::dvec3& a, const glm::dvec3& b, double margin = 0.0) const noexcept {
         const auto step = [&](double value, int axis, double slack) {
             return static_cast<std::int16_t>(
                 std::clamp((value - low_[axis]) * steps_a_unit_[axis] + slack, 0.0, k_last_step));
         };
-        return {step(std::min(a.x, b.x), 0, -k_slack), step(std::min(a.y, b.y), 1, -k_slack),
-                step(std::max(a.x, b.x), 0, k_slack),  step(std::max(a.y, b.y), 1, k_slack),
-                step(std::min(a.z, b.z), 2, -k_slack), step(std::max(a.z, b.z), 2, k_slack)};
+        return {step(std::min(a.x, b.x) - margin, 0, -k_slack),
+                step(std::min(a.y, b.y) - margin, 1, -k_slack),
+                step(std::max(a.x, b.x) + margin, 0, k_slack),
+                step(std::max(a.y, b.y) + margin, 1, k_slack),
+                step(std::min(a.z, b.z), 2, -k_slack),
+                step(std::max(a.z, b.z), 2, k_slack)};
     }
 
 private:

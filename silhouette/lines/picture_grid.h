@@ -30,9 +30,6 @@ public:
     std::span<const std::uint32_t> segments_in(std::uint32_t cell) const noexcept {
         return {segments_.data() + begin_[cell], segments_.data() + begin_[cell + 1]};
     }
-    /// The place of the first segment of a cell among those of all cells.
-    std::uint32_t begin_of(std::uint32_t cell) const noexcept { return begin_[cell]; }
-    std::span<const std::uint32_t> all_segments() const noexcept { return segments_; }
 
 private:
     static constexpr double k_max_cells_a_side = 2000.0;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "silhouette/mesh/brute_force.h"
@@ -139,6 +140,30 @@ TEST_CASE("a box from the front has four visible edges and no hidden line") {
     LineOptions all;
     all.keeps_coincident = true;
     CHECK(length_of(draw(mesh, view, all), false) > 0.4 * outline);
+}
+
+// Seen from the point beside the eye, the edges of the back lie a little beside those of the front.
+TEST_CASE("lines that coincide are drawn once wherever they lie in the picture") {
+    constexpr std::uint64_t k_seed = 31;
+    CAPTURE(k_seed);
+    tests::Random random(k_seed);
+    for (int i = 0; i < 1000; ++i) {
+        CAPTURE(i);
+        MeshSource source = make_built_in_shape("box", 12);
+        const glm::vec3 size = 1.0f + 0.5f * random.in_cube();
+        const glm::vec3 place = random.in_cube();
+        for (glm::vec3& p : source.positions) p = size * p + place;
+        // Far away, something that makes the picture large.
+        const auto first = static_cast<std::uint32_t>(source.positions.size());
+        for (const glm::vec3& p : {glm::vec3(4, 4, 0), glm::vec3(4, 5, 0), glm::vec3(5, 4, 0)})
+            source.positions.push_back(p + 0.3f * place);
+        source.triangles.push_back({first, first + 1, first + 2});
+        const Mesh mesh(source);
+        const LineDrawing drawing = draw(mesh, tests::view_of(mesh, {0, 0, 1}, true));
+        CHECK(length_of(drawing, false) == 0.0);
+        const double outline = 4.0 * double{size.x} + 4.0 * double{size.y} + 2.0 + std::sqrt(2.0);
+        CHECK(length_of(drawing, true) == doctest::Approx(outline).epsilon(1e-5));
+    }
 }
 
 TEST_CASE("a mesh without faces has no lines") {
