@@ -32,12 +32,11 @@ Buffer make_picture_buffer(const DeviceContext& context, VkExtent2D size) {
     return {context, VkDeviceSize{4} * size.width * size.height, BufferPlace::readback, k_name};
 }
 
-void record_read_back(VkCommandBuffer commands, VkImage image, VkExtent2D size,
-                      const Buffer& pixels) {
+void record_read_back(Commands commands, VkImage image, VkExtent2D size, const Buffer& pixels) {
     const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                    .imageExtent = {size.width, size.height, 1}};
-    vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(),
-                           1, &region);
+    commands->CmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                   pixels.handle(), 1, &region);
     record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                    {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }

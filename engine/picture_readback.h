@@ -2,6 +2,7 @@
 
 // Reading a picture back to the host: an image to draw into, a buffer to copy it to, and the pixels.
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/picture_target.h"
 #include "silhouette/picture.h"
@@ -19,8 +20,7 @@ PictureTarget picture_target(const Image& image) noexcept;
 /// A buffer for a picture of this size, 4 bytes a pixel.
 Buffer make_picture_buffer(const DeviceContext& context, VkExtent2D size);
 /// Copies an image in TRANSFER_SRC_OPTIMAL to such a buffer. The host may read it when the commands are done.
-void record_read_back(VkCommandBuffer commands, VkImage image, VkExtent2D size,
-                      const Buffer& pixels);
+void record_read_back(Commands commands, VkImage image, VkExtent2D size, const Buffer& pixels);
 /// The picture copied there. `format` is that of the image: k_picture_format or B8G8R8A8_UNORM.
 Picture read_picture(const Buffer& pixels, VkExtent2D size, VkFormat format = k_picture_format);
 

@@ -15,7 +15,7 @@ cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libtinygltf-dev libst
 engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libpng-dev libglfw3-dev libimgui-dev
     fonts-dejavu-core libmeshoptimizer-dev libqhull-dev)
 cpu_tests=(ccache doctest-dev python3 librsvg2-bin poppler-utils python3-ezdxf)
-engine_tests=(libembree-dev vulkan-validationlayers spirv-tools xvfb)
+engine_tests=(libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb)
 
 case "${1:-}" in
     cpu) wanted=("${cpu[@]}") ;;

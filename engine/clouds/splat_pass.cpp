@@ -28,17 +28,17 @@ SplatPass::SplatPass(const DeviceContext& context, const AttachmentFormats& form
       splats_(make_pipeline(context, splat_vert, splat_frag, formats, layout_)),
       strokes_(make_pipeline(context, stroke_vert, stroke_frag, formats, layout_)) {}
 
-void SplatPass::record(VkCommandBuffer commands, const gpu::SplatConstants& constants,
+void SplatPass::record(Commands commands, const gpu::SplatConstants& constants,
                        std::uint32_t splat_count, std::uint32_t stroke_count) const {
-    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
-                       &constants);
+    commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
+                               &constants);
     if (splat_count > 0) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, splats_);
-        vkCmdDraw(commands, 6, splat_count, 0, 0);
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, splats_);
+        commands->CmdDraw(commands, 6, splat_count, 0, 0);
     }
     if (stroke_count > 0) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, strokes_);
-        vkCmdDraw(commands, 6, stroke_count, 0, 0);
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, strokes_);
+        commands->CmdDraw(commands, 6, stroke_count, 0, 0);
     }
 }
 

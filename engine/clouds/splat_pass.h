@@ -8,6 +8,7 @@
 // ends lie on the surface, which discs only approximate, so lines are moved towards the camera by the
 // distance that discs may protrude (splat_layout.h).
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/pipeline.h"
 #include "shaders/splat_layout.h"
 
@@ -19,8 +20,8 @@ public:
 
     /// Draws so many records of each kind, at the addresses in `constants`. Inside a rendering scope with
     /// cleared attachments. Writes color and depth.
-    void record(VkCommandBuffer commands, const gpu::SplatConstants& constants,
-                std::uint32_t splat_count, std::uint32_t stroke_count) const;
+    void record(Commands commands, const gpu::SplatConstants& constants, std::uint32_t splat_count,
+                std::uint32_t stroke_count) const;
 
 private:
     OwnedPipelineLayout layout_;

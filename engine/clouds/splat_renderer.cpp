@@ -107,9 +107,10 @@ void SplatRenderer::State::prepare_cloud(const SplatCloud* cloud, Frame& frame) 
     uploaded = std::move(made);
 }
 
-void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
+void SplatRenderer::record(VkCommandBuffer buffer, const SplatScene& scene,
                            const PictureTarget& target) {
     State& state = *state_;
+    const Commands commands(*state.context.vk, buffer);
     state.prepare_targets(target.extent);
     const CompositeKind kind{target.format, state.targets->scale()};
     state.composite_pass.prepare(state.context, kind);
@@ -137,11 +138,11 @@ void SplatRenderer::record(VkCommandBuffer commands, const SplatScene& scene,
     constants.strokes = frame.strokes.address();
     state.splat_pass.record(commands, constants, 0,
                             static_cast<std::uint32_t>(scene.strokes.size()));
-    vkCmdEndRendering(commands);
+    commands->CmdEndRendering(commands);
     state.targets->record_before_picture(commands);
     RenderTargets::begin_picture(commands, target, area);
     state.composite_pass.record(commands, kind, glm::vec3(0.0f));
-    vkCmdEndRendering(commands);
+    commands->CmdEndRendering(commands);
     RenderTargets::record_after_picture(commands, target);
 }
 
@@ -151,7 +152,7 @@ Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std:
     const Image image = make_picture_image(state.context, size);
     const Buffer pixels = make_picture_buffer(state.context, size);
     state.uploaded.reset();  // Another cloud may be at the same address now.
-    run_commands(state.context, [&](VkCommandBuffer commands) {
+    run_commands(state.context, [&](Commands commands) {
         record(commands, scene, picture_target(image));
         record_read_back(commands, image.handle(), size, pixels);
     });

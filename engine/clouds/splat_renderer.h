@@ -64,7 +64,7 @@ public:
     /// after set_scale(), only when it is done with all. A cloud is identified by its address and revision:
     /// it must not be replaced by another at the same address. Waits if the cloud is a new one. Throws as
     /// render(); `commands` must then not be submitted.
-    void record(VkCommandBuffer commands, const SplatScene& scene, const PictureTarget& target);
+    void record(VkCommandBuffer buffer, const SplatScene& scene, const PictureTarget& target);
     void set_scale(std::uint32_t scale) noexcept;
 
 private:

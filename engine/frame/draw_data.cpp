@@ -65,7 +65,8 @@ void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std:
                          .descriptorType = k_bindings[i].descriptorType,
                          .pBufferInfo = &infos[i]};
         }
-        vkUpdateDescriptorSets(context_.device, writes.size(), writes.data(), 0, nullptr);
+        context_.vk->UpdateDescriptorSets(context_.device, writes.size(), writes.data(), 0,
+                                          nullptr);
     }
     std::memcpy(buffer.mapped(), &frame, sizeof frame);
 }

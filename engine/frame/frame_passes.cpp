@@ -57,7 +57,7 @@ void FramePasses::prepare(const Scene& scene, VkFormat format) {
     surface_pass_.prepare(context_, scene.style);
 }
 
-void FramePasses::record(VkCommandBuffer commands, const FrameView& view, const DrawList& list,
+void FramePasses::record(Commands commands, const FrameView& view, const DrawList& list,
                          const PictureTarget& target) const {
     const DrawnArea area = drawn_area(view, target);
     targets_->record_before_surfaces(commands, target);
@@ -69,8 +69,8 @@ void FramePasses::record(VkCommandBuffer commands, const FrameView& view, const 
     RenderTargets::record_after_picture(commands, target);
 }
 
-void FramePasses::record_surfaces(VkCommandBuffer commands, const Scene& scene,
-                                  const DrawList& list, const DrawnArea& area) const {
+void FramePasses::record_surfaces(Commands commands, const Scene& scene, const DrawList& list,
+                                  const DrawnArea& area) const {
     targets_->begin_surfaces(commands, scene.palette.background, area);
     if (!list.shadows && list.light_count == 1) {
         surface_pass_.record_shadowless(commands, list);
@@ -82,10 +82,10 @@ void FramePasses::record_surfaces(VkCommandBuffer commands, const Scene& scene,
             surface_pass_.record_lit(commands, list, light);
         }
     }
-    vkCmdEndRendering(commands);
+    commands->CmdEndRendering(commands);
 }
 
-void FramePasses::record_lines(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+void FramePasses::record_lines(Commands commands, const Scene& scene, const DrawList& list,
                                const DrawnArea& area) const {
     const Palette& palette = scene.palette;
     targets_->begin_lines(commands, area);
@@ -96,14 +96,14 @@ void FramePasses::record_lines(VkCommandBuffer commands, const Scene& scene, con
         if (ink > 0) ink_pass_.record_ink(commands, list.inks[ink - 1]);
         line_pass_.record(commands, list, ink);
     }
-    vkCmdEndRendering(commands);
+    commands->CmdEndRendering(commands);
 }
 
-void FramePasses::record_picture(VkCommandBuffer commands, const DrawList& list,
+void FramePasses::record_picture(Commands commands, const DrawList& list,
                                  const PictureTarget& target, const DrawnArea& area) const {
     RenderTargets::begin_picture(commands, target, area);
     composite_pass_.record(commands, {target.format, targets_->scale()}, list.inks.back());
-    vkCmdEndRendering(commands);
+    commands->CmdEndRendering(commands);
 }
 
 }  // namespace rimline

@@ -16,6 +16,7 @@
 #include "engine/passes/shadow_volume_pass.h"
 #include "engine/passes/surface_pass.h"
 #include "engine/renderer_options.h"
+#include "engine/vulkan/functions.h"
 
 namespace rimline {
 
@@ -43,16 +44,16 @@ public:
 
     /// Records all passes. Face bits, slots and draw arguments must be complete for all stages. There
     /// must be targets for `target`, and everything must be prepared.
-    void record(VkCommandBuffer commands, const FrameView& view, const DrawList& list,
+    void record(Commands commands, const FrameView& view, const DrawList& list,
                 const PictureTarget& target) const;
 
 private:
     std::uint32_t scale_for(VkExtent2D size) const;
-    void record_surfaces(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+    void record_surfaces(Commands commands, const Scene& scene, const DrawList& list,
                          const DrawnArea& area) const;
-    void record_lines(VkCommandBuffer commands, const Scene& scene, const DrawList& list,
+    void record_lines(Commands commands, const Scene& scene, const DrawList& list,
                       const DrawnArea& area) const;
-    void record_picture(VkCommandBuffer commands, const DrawList& list, const PictureTarget& target,
+    void record_picture(Commands commands, const DrawList& list, const PictureTarget& target,
                         const DrawnArea& area) const;
 
     DeviceContext context_;

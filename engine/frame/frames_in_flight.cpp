@@ -52,15 +52,7 @@ FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptio
                   .ring_slots = ring_slots,
                   .stream_memory_bytes = options.stream_memory_bytes,
                   .tracker_memory_bytes = options.tracker_memory_bytes}) {
-    for (Frame& frame : frames_) {
-        const VkCommandBufferAllocateInfo info{
-            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-            .commandPool = command_pool_,
-            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-            .commandBufferCount = 1};
-        vk_check(vkAllocateCommandBuffers(context.device, &info, &frame.commands),
-                 "vkAllocateCommandBuffers");
-    }
+    for (Frame& frame : frames_) frame.commands = make_commands(context, command_pool_);
 }
 
 FramesInFlight::~FramesInFlight() {
@@ -118,7 +110,7 @@ void FramesInFlight::prepare(const Scene& scene, const PictureTarget& target, Fr
 }
 
 // The part that submit() and record() share. When it returns, `frame` counts as recorded.
-FrameReport FramesInFlight::record_frame(VkCommandBuffer commands, const Scene& scene,
+FrameReport FramesInFlight::record_frame(Commands commands, const Scene& scene,
                                          const PictureTarget& target, Frame& frame) {
     const std::uint32_t slot = ring_slot();
     RecordedFrame& recorded = frame.recorded;
@@ -148,7 +140,7 @@ FrameReport FramesInFlight::record_frame(VkCommandBuffer commands, const Scene& 
 }
 
 // Makes slots, face bits and draw arguments of all silhouettes complete on the GPU.
-void FramesInFlight::record_silhouettes(VkCommandBuffer commands, RecordedFrame& frame) const {
+void FramesInFlight::record_silhouettes(Commands commands, RecordedFrame& frame) const {
     if (!frame.deformed.is_empty())
         frame.deformed.record(context_, commands, instances_.deform_passes());
     ChangeStream::record_before(commands);
@@ -162,7 +154,7 @@ FrameReport FramesInFlight::record(VkCommandBuffer commands, const Scene& scene,
     Frame& frame = free_frame(ring_slot());
     prepare(scene, target, frame);
     instances_.uploads().wait();  // The caller's submission does not wait for uploads.
-    FrameReport report = record_frame(commands, scene, target, frame);
+    FrameReport report = record_frame({*context_.vk, commands}, scene, target, frame);
     frame.timeline_value = 0;
     return report;
 }
@@ -188,8 +180,8 @@ void FramesInFlight::submit(const Scene& scene, VkExtent2D size) {
         frame.picture = make_picture_buffer(context_, size);
     record_submission(scene, frame);
     try {
-        record_read_back(frame.commands, picture_.handle(), size, frame.picture);
-        vk_check(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
+        record_read_back({*context_.vk, frame.commands}, picture_.handle(), size, frame.picture);
+        vk_check(context_.vk->EndCommandBuffer(frame.commands), "vkEndCommandBuffer");
         queued_.push_back(slot);  // May throw, so before the submission, which cannot be undone.
         enqueue(frame);
     } catch (...) {
@@ -202,34 +194,18 @@ void FramesInFlight::submit(const Scene& scene, VkExtent2D size) {
 void FramesInFlight::record_submission(const Scene& scene, Frame& frame) {
     const PictureTarget target = picture_target(picture_);
     prepare(scene, target, frame);
-    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    vk_check(vkResetCommandBuffer(frame.commands, 0), "vkResetCommandBuffer");
-    vk_check(vkBeginCommandBuffer(frame.commands, &begin), "vkBeginCommandBuffer");
-    record_frame(frame.commands, scene, target, frame);
+    record_frame(begin_commands(context_, frame.commands), scene, target, frame);
 }
 
 // Submits the frame's commands. They wait for uploads in progress and signal the next timeline value.
 void FramesInFlight::enqueue(Frame& frame) {
-    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-                                             .commandBuffer = frame.commands};
-    const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                       .semaphore = timeline_,
-                                       .value = submitted_ + 1,
-                                       .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     Uploads& uploads = instances_.uploads();
-    const VkSemaphoreSubmitInfo uploaded{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                         .semaphore = uploads.timeline(),
-                                         .value = uploads.sent_value(),
-                                         .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
-    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                               .waitSemaphoreInfoCount = uploads.is_done() ? 0u : 1u,
-                               .pWaitSemaphoreInfos = &uploaded,
-                               .commandBufferInfoCount = 1,
-                               .pCommandBufferInfos = &commands,
-                               .signalSemaphoreInfoCount = 1,
-                               .pSignalSemaphoreInfos = &signal};
-    vk_check(vkQueueSubmit2(context_.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
+    Submission submission{.queue = context_.queue,
+                          .commands = frame.commands,
+                          .signal = SemaphorePoint{timeline_, submitted_ + 1}};
+    if (!uploads.is_done())
+        submission.wait = SemaphorePoint{uploads.timeline(), uploads.sent_value()};
+    submit_commands(context_, submission);
     frame.timeline_value = ++submitted_;
 }
 

@@ -24,6 +24,7 @@
 #include "engine/scene.h"
 #include "engine/stream/consistency_check.h"
 #include "engine/vulkan/frame_marks.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/picture_target.h"
 #include "silhouette/picture.h"
 
@@ -74,9 +75,9 @@ private:
     void prepare(const Scene& scene, const PictureTarget& target, Frame& frame);
     void prepare_targets(VkExtent2D size);
     void prepare_picture(VkExtent2D size);
-    FrameReport record_frame(VkCommandBuffer commands, const Scene& scene,
-                             const PictureTarget& target, Frame& frame);
-    void record_silhouettes(VkCommandBuffer commands, RecordedFrame& frame) const;
+    FrameReport record_frame(Commands commands, const Scene& scene, const PictureTarget& target,
+                             Frame& frame);
+    void record_silhouettes(Commands commands, RecordedFrame& frame) const;
     void record_submission(const Scene& scene, Frame& frame);
     void enqueue(Frame& frame);
     void take_back(std::uint32_t slot) noexcept;

@@ -39,7 +39,7 @@ constexpr StageAccess k_drawing{
 constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 
-void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, const VkRect2D& area, float guard,
+void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area, float guard,
                      const VkRenderingAttachmentInfo& color,
                      const VkRenderingAttachmentInfo* depth_stencil = nullptr) {
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
@@ -49,7 +49,7 @@ void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, const VkRect2D
                                .pColorAttachments = &color,
                                .pDepthAttachment = depth_stencil,
                                .pStencilAttachment = depth_stencil};
-    vkCmdBeginRendering(commands, &info);
+    commands->CmdBeginRendering(commands, &info);
     const float width = static_cast<float>(extent.width);
     const float height = static_cast<float>(extent.height);
     const VkViewport viewport{.x = 0.5f * (1.0f - guard) * width,
@@ -58,8 +58,8 @@ void begin_rendering(VkCommandBuffer commands, VkExtent2D extent, const VkRect2D
                               .height = guard * height,
                               .minDepth = 0.0f,
                               .maxDepth = 1.0f};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &area);
+    commands->CmdSetViewport(commands, 0, 1, &viewport);
+    commands->CmdSetScissor(commands, 0, 1, &area);
 }
 
 VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp load) {
@@ -127,7 +127,7 @@ VkRect2D RenderTargets::in_pass(const VkRect2D& rect) const noexcept {
             {rect.extent.width * scale_, rect.extent.height * scale_}};
 }
 
-void RenderTargets::begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
+void RenderTargets::begin_surfaces(Commands commands, const glm::vec3& background,
                                    const DrawnArea& area) const {
     VkRenderingAttachmentInfo color =
         color_attachment((is_multisampled() ? multisampled_surfaces_ : surfaces_).attachment_view(),
@@ -151,12 +151,12 @@ void RenderTargets::begin_surfaces(VkCommandBuffer commands, const glm::vec3& ba
     begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_, color, &depth);
 }
 
-void RenderTargets::begin_lines(VkCommandBuffer commands, const DrawnArea& area) const {
+void RenderTargets::begin_lines(Commands commands, const DrawnArea& area) const {
     begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_,
                     color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD));
 }
 
-void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget& target,
+void RenderTargets::begin_picture(Commands commands, const PictureTarget& target,
                                   const DrawnArea& area) {
     const bool is_whole = area.rect.extent.width == target.extent.width &&
                           area.rect.extent.height == target.extent.height;
@@ -164,11 +164,10 @@ void RenderTargets::begin_picture(VkCommandBuffer commands, const PictureTarget&
         target.view, is_whole ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = area.around;
     begin_rendering(commands, target.extent, {{0, 0}, target.extent}, 1.0f, color);
-    vkCmdSetScissor(commands, 0, 1, &area.rect);
+    commands->CmdSetScissor(commands, 0, 1, &area.rect);
 }
 
-void RenderTargets::record_before_surfaces(VkCommandBuffer commands,
-                                           const PictureTarget& target) const {
+void RenderTargets::record_before_surfaces(Commands commands, const PictureTarget& target) const {
     constexpr VkImageLayout k_fresh = VK_IMAGE_LAYOUT_UNDEFINED;
     constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_depth = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
@@ -186,7 +185,7 @@ void RenderTargets::record_before_surfaces(VkCommandBuffer commands,
                         {target, target.initial_layout, k_color}});
 }
 
-void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
+void RenderTargets::record_before_lines(Commands commands) const {
     constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     record_barrier(commands, k_drawing,
                    {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
@@ -195,13 +194,13 @@ void RenderTargets::record_before_lines(VkCommandBuffer commands) const {
                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
 }
 
-void RenderTargets::record_before_picture(VkCommandBuffer commands) const {
+void RenderTargets::record_before_picture(Commands commands) const {
     record_barrier(commands, k_drawing, k_sampling,
                    {{surfaces_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
 }
 
-void RenderTargets::record_after_picture(VkCommandBuffer commands, const PictureTarget& target) {
+void RenderTargets::record_after_picture(Commands commands, const PictureTarget& target) {
     record_barrier(commands, k_drawing, k_after,
                    {{target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, target.final_layout}});
 }

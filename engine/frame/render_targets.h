@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/picture_target.h"
 #include "engine/vulkan/pipeline.h"
@@ -56,20 +57,20 @@ public:
 
     /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area.
     /// It is cleared to linear `background` and alpha 0: no line covers it.
-    void begin_surfaces(VkCommandBuffer commands, const glm::vec3& background,
+    void begin_surfaces(Commands commands, const glm::vec3& background,
                         const DrawnArea& area) const;
     /// For drawing over the finished surfaces and into their alpha.
-    void begin_lines(VkCommandBuffer commands, const DrawnArea& area) const;
+    void begin_lines(Commands commands, const DrawnArea& area) const;
     /// Clears the target around the area; the caller must draw every pixel of the area.
-    static void begin_picture(VkCommandBuffer commands, const PictureTarget& target,
+    static void begin_picture(Commands commands, const PictureTarget& target,
                               const DrawnArea& area);
 
     /// Layout changes between the scopes, for all images at once, including the target.
-    void record_before_surfaces(VkCommandBuffer commands, const PictureTarget& target) const;
-    void record_before_lines(VkCommandBuffer commands) const;
-    void record_before_picture(VkCommandBuffer commands) const;
+    void record_before_surfaces(Commands commands, const PictureTarget& target) const;
+    void record_before_lines(Commands commands) const;
+    void record_before_picture(Commands commands) const;
     /// Moves the target to its final layout. All later commands wait for it.
-    static void record_after_picture(VkCommandBuffer commands, const PictureTarget& target);
+    static void record_after_picture(Commands commands, const PictureTarget& target);
 
 private:
     bool is_multisampled() const noexcept { return samples_ > 1; }

@@ -80,7 +80,7 @@ Buffer upload_line_triangles(const DeviceContext& context) {
 }
 
 // Moves all targets to `new_layout`: to be drawn into, with undefined content, or to be copied from.
-void record_target_barrier(VkCommandBuffer commands, std::span<const Image> targets,
+void record_target_barrier(Commands commands, std::span<const Image> targets,
                            VkImageLayout new_layout) {
     const bool begins = new_layout == VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     constexpr VkPipelineStageFlags2 k_tests =
@@ -106,7 +106,7 @@ void record_target_barrier(VkCommandBuffer commands, std::span<const Image> targ
         .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
         .imageMemoryBarrierCount = static_cast<std::uint32_t>(barriers.size()),
         .pImageMemoryBarriers = barriers.data()};
-    vkCmdPipelineBarrier2(commands, &dependency);
+    commands->CmdPipelineBarrier2(commands, &dependency);
 }
 
 }  // namespace
@@ -178,7 +178,7 @@ void RatioDrawing::prepare(RatioTargets& targets, std::span<const RatioView> vie
     }
 }
 
-void RatioDrawing::record(VkCommandBuffer commands, const RatioTargets& targets,
+void RatioDrawing::record(Commands commands, const RatioTargets& targets,
                           std::span<const RatioView> views, bool keeps_stencil) const {
     if (options_.has_queries) targets.queries.record_reset(commands);
     const bool is_shared = !options_.has_separate_targets;
@@ -188,8 +188,8 @@ void RatioDrawing::record(VkCommandBuffer commands, const RatioTargets& targets,
     const float side = float(options_.side_px);
     const VkViewport viewport{0.0f, 0.0f, side, side, 0.0f, 1.0f};
     const VkRect2D scissor{{0, 0}, {options_.side_px, options_.side_px}};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &scissor);
+    commands->CmdSetViewport(commands, 0, 1, &viewport);
+    commands->CmdSetScissor(commands, 0, 1, &scissor);
     std::uint64_t offset = 0;
     for (std::size_t v = 0; v < views.size(); ++v) {
         if (is_shared) record_target_barrier(commands, images, k_attachment);
@@ -206,21 +206,21 @@ void RatioDrawing::record(VkCommandBuffer commands, const RatioTargets& targets,
     record_stencil_copies(commands, targets, views.size());
 }
 
-void RatioDrawing::record_stencil_copies(VkCommandBuffer commands, const RatioTargets& targets,
+void RatioDrawing::record_stencil_copies(Commands commands, const RatioTargets& targets,
                                          std::size_t view_count) const {
     for (std::size_t v = 0; v < view_count; ++v) {
         const VkBufferImageCopy region{.bufferOffset = v * stencil_stride(),
                                        .imageSubresource = {VK_IMAGE_ASPECT_STENCIL_BIT, 0, 0, 1},
                                        .imageExtent = {options_.side_px, options_.side_px, 1}};
-        vkCmdCopyImageToBuffer(commands, targets.images[v].handle(),
-                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, targets.stencils.handle(), 1,
-                               &region);
+        commands->CmdCopyImageToBuffer(commands, targets.images[v].handle(),
+                                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                       targets.stencils.handle(), 1, &region);
     }
     record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                    {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }
 
-void RatioDrawing::record_view(VkCommandBuffer commands, const RatioTargets& targets,
+void RatioDrawing::record_view(Commands commands, const RatioTargets& targets,
                                const RatioView& view, const Places& places,
                                bool keeps_stencil) const {
     // Depth 0 is infinitely far.
@@ -241,18 +241,18 @@ void RatioDrawing::record_view(VkCommandBuffer commands, const RatioTargets& tar
     gpu::RatioConstants constants = view.constants;
     constants.positions = positions_.address();
     constants.lines = places.lines;
-    vkCmdBeginRendering(commands, &rendering);
-    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
-                       &constants);
+    commands->CmdBeginRendering(commands, &rendering);
+    commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
+                               &constants);
     record_faces(commands, targets, view, places);
 
-    vkCmdBindIndexBuffer(commands, line_triangles_.handle(), 0, VK_INDEX_TYPE_UINT32);
+    commands->CmdBindIndexBuffer(commands, line_triangles_.handle(), 0, VK_INDEX_TYPE_UINT32);
     const auto counted = [&](std::uint32_t query, const auto& draw) {
         if (options_.has_queries)
-            vkCmdBeginQuery(commands, targets.queries.handle(), query,
-                            VK_QUERY_CONTROL_PRECISE_BIT);
+            commands->CmdBeginQuery(commands, targets.queries.handle(), query,
+                                    VK_QUERY_CONTROL_PRECISE_BIT);
         draw();
-        if (options_.has_queries) vkCmdEndQuery(commands, targets.queries.handle(), query);
+        if (options_.has_queries) commands->CmdEndQuery(commands, targets.queries.handle(), query);
     };
     counted(places.first_query,
             [&] { record_lines(commands, tested_lines_, 0, view.tested_lines); });
@@ -261,35 +261,35 @@ void RatioDrawing::record_view(VkCommandBuffer commands, const RatioTargets& tar
         record_lines(commands, hidden_lines_, view.tested_lines, line_count);
     if (options_.has_queries)
         counted(places.first_query + 1, [&] {
-            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, count_);
-            vkCmdDraw(commands, 3, 1, 0, 0);
+            commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, count_);
+            commands->CmdDraw(commands, 3, 1, 0, 0);
         });
-    vkCmdEndRendering(commands);
+    commands->CmdEndRendering(commands);
 }
 
-void RatioDrawing::record_faces(VkCommandBuffer commands, const RatioTargets& targets,
+void RatioDrawing::record_faces(Commands commands, const RatioTargets& targets,
                                 const RatioView& view, const Places& places) const {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      view.culls_backs ? front_faces_ : all_faces_);
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                              view.culls_backs ? front_faces_ : all_faces_);
     if (!view.copied_faces.empty()) {
-        vkCmdBindIndexBuffer(commands, targets.upload.handle(), places.copied_faces,
-                             VK_INDEX_TYPE_UINT32);
-        vkCmdDrawIndexed(commands, 3 * static_cast<std::uint32_t>(view.copied_faces.size()), 1, 0,
-                         0, 0);
+        commands->CmdBindIndexBuffer(commands, targets.upload.handle(), places.copied_faces,
+                                     VK_INDEX_TYPE_UINT32);
+        commands->CmdDrawIndexed(commands, 3 * static_cast<std::uint32_t>(view.copied_faces.size()),
+                                 1, 0, 0, 0);
         return;
     }
-    vkCmdBindIndexBuffer(commands, triangles_.handle(), 0, VK_INDEX_TYPE_UINT32);
+    commands->CmdBindIndexBuffer(commands, triangles_.handle(), 0, VK_INDEX_TYPE_UINT32);
     for (const IndexRun& run : view.faces)
-        vkCmdDrawIndexed(commands, run.count, 1, run.first, 0, 0);
+        commands->CmdDrawIndexed(commands, run.count, 1, run.first, 0, 0);
 }
 
-void RatioDrawing::record_lines(VkCommandBuffer commands, VkPipeline pipeline, std::uint32_t first,
+void RatioDrawing::record_lines(Commands commands, VkPipeline pipeline, std::uint32_t first,
                                 std::uint32_t end) const {
     constexpr auto k_indices_a_line = static_cast<std::uint32_t>(k_line_triangles.size());
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     for (; first < end; first += k_lines_a_draw)
-        vkCmdDrawIndexed(commands, k_indices_a_line * std::min(end - first, k_lines_a_draw), 1, 0,
-                         static_cast<std::int32_t>(k_line_corners * first), 0);
+        commands->CmdDrawIndexed(commands, k_indices_a_line * std::min(end - first, k_lines_a_draw),
+                                 1, 0, static_cast<std::int32_t>(k_line_corners * first), 0);
 }
 
 }  // namespace rimline

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/measure/ratio_view.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/pipeline.h"
 #include "engine/vulkan/query_pool.h"
@@ -56,8 +57,8 @@ public:
 
     /// Records everything of prepared views into `commands`, which have begun. Results are in the queries
     /// (visible pixels and all pixels of lines, for each view in turn) and the stencils.
-    void record(VkCommandBuffer commands, const RatioTargets& targets,
-                std::span<const RatioView> views, bool keeps_stencil) const;
+    void record(Commands commands, const RatioTargets& targets, std::span<const RatioView> views,
+                bool keeps_stencil) const;
 
     /// Bytes from one view's stencil to the next: side_px * side_px, rounded up to a multiple of 4.
     VkDeviceSize stencil_stride() const noexcept;
@@ -65,13 +66,13 @@ public:
 private:
     struct Places;
 
-    void record_view(VkCommandBuffer commands, const RatioTargets& targets, const RatioView& view,
+    void record_view(Commands commands, const RatioTargets& targets, const RatioView& view,
                      const Places& places, bool keeps_stencil) const;
-    void record_faces(VkCommandBuffer commands, const RatioTargets& targets, const RatioView& view,
+    void record_faces(Commands commands, const RatioTargets& targets, const RatioView& view,
                       const Places& places) const;
-    void record_lines(VkCommandBuffer commands, VkPipeline pipeline, std::uint32_t first,
+    void record_lines(Commands commands, VkPipeline pipeline, std::uint32_t first,
                       std::uint32_t end) const;
-    void record_stencil_copies(VkCommandBuffer commands, const RatioTargets& targets,
+    void record_stencil_copies(Commands commands, const RatioTargets& targets,
                                std::size_t view_count) const;
 
     DeviceContext context_;

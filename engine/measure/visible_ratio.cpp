@@ -19,7 +19,7 @@ constexpr std::uint64_t k_upload_share = 3;
 Occluders chosen(Occluders occluders, const DeviceContext& context) {
     if (occluders != Occluders::automatic) return occluders;
     VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(context.physical_device, &properties);
+    context.vk->GetPhysicalDeviceProperties(context.physical_device, &properties);
     return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? Occluders::faces
                                                                 : Occluders::clusters;
 }
@@ -45,15 +45,7 @@ VisibleRatioPass::VisibleRatioPass(const DeviceContext& context, const HoughOctr
       command_pool_(make_command_pool(context, context.queue_family)) {
     RIMLINE_CHECK(options.side_px > 0 && options.fov_deg > 0.0 && options.fov_deg < 180.0);
     RIMLINE_CHECK(options.method.has_separate_targets || counts_by_query());
-    std::array<VkCommandBuffer, 2> commands{};
-    const VkCommandBufferAllocateInfo allocate{
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-        .commandPool = command_pool_,
-        .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-        .commandBufferCount = static_cast<std::uint32_t>(commands.size())};
-    vk_check(vkAllocateCommandBuffers(context.device, &allocate, commands.data()),
-             "vkAllocateCommandBuffers");
-    for (std::size_t b = 0; b < commands.size(); ++b) batches_[b].commands = commands[b];
+    for (Batch& batch : batches_) batch.commands = make_commands(context, command_pool_);
 }
 
 bool VisibleRatioPass::counts_by_query() const noexcept {
@@ -94,30 +86,18 @@ std::size_t VisibleRatioPass::submit(Batch& batch, std::span<const glm::dvec3> e
             for (const IndexRun& run : view.faces) work_.faces += run.count / 3;
         work_.faces += view.copied_faces.size();
     }
-    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    vk_check(vkResetCommandBuffer(batch.commands, 0), "vkResetCommandBuffer");
-    vk_check(vkBeginCommandBuffer(batch.commands, &begin), "vkBeginCommandBuffer");
-    drawing_.record(batch.commands, batch.targets, views, keeps_stencil);
-    vk_check(vkEndCommandBuffer(batch.commands), "vkEndCommandBuffer");
+    const Commands commands = begin_commands(context_, batch.commands);
+    drawing_.record(commands, batch.targets, views, keeps_stencil);
+    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
     enqueue(batch);
     batch.view_count = views.size();
     return views.size();
 }
 
 void VisibleRatioPass::enqueue(Batch& batch) {
-    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-                                             .commandBuffer = batch.commands};
-    const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                       .semaphore = timeline_,
-                                       .value = submitted_ + 1,
-                                       .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
-    const VkSubmitInfo2 info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                             .commandBufferInfoCount = 1,
-                             .pCommandBufferInfos = &commands,
-                             .signalSemaphoreInfoCount = 1,
-                             .pSignalSemaphoreInfos = &signal};
-    vk_check(vkQueueSubmit2(context_.queue, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
+    submit_commands(context_, {.queue = context_.queue,
+                               .commands = batch.commands,
+                               .signal = SemaphorePoint{timeline_, submitted_ + 1}});
     batch.end = ++submitted_;
 }
 

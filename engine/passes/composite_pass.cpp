@@ -35,7 +35,8 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
     if (pipelines_.contains(kind)) return;
     const PictureEncoding encoding = encoding_of(kind.format);
     VkFormatProperties properties;
-    vkGetPhysicalDeviceFormatProperties(context.physical_device, kind.format, &properties);
+    context.vk->GetPhysicalDeviceFormatProperties(context.physical_device, kind.format,
+                                                  &properties);
     if (encoding == PictureEncoding::impossible ||
         (properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) == 0)
         throw Error(ErrorCode::bad_input,
@@ -49,14 +50,15 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
                                                               .layout = layout_}));
 }
 
-void CompositePass::record(VkCommandBuffer commands, const CompositeKind& kind,
+void CompositePass::record(Commands commands, const CompositeKind& kind,
                            const glm::vec3& ink) const {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.at(kind));
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.at(kind));
     const VkDescriptorSet set = surfaces_.get();
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 0,
-                            nullptr);
-    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof ink, &ink);
-    vkCmdDraw(commands, 3, 1, 0, 0);
+    commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set,
+                                    0, nullptr);
+    commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof ink,
+                               &ink);
+    commands->CmdDraw(commands, 3, 1, 0, 0);
 }
 
 }  // namespace rimline

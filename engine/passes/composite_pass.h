@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/picture_target.h"
 #include "engine/vulkan/pipeline.h"
 #include "engine/vulkan/sampled_images.h"
@@ -39,7 +40,7 @@ public:
     void set_surfaces(const Image& surfaces) { surfaces_.set({&surfaces}); }
 
     /// Inside a rendering scope of a target of a prepared kind. `ink` is linear.
-    void record(VkCommandBuffer commands, const CompositeKind& kind, const glm::vec3& ink) const;
+    void record(Commands commands, const CompositeKind& kind, const glm::vec3& ink) const;
 
 private:
     SampledImages surfaces_;

@@ -13,6 +13,7 @@
 
 #include "engine/shadow_choice.h"
 #include "engine/stream/every_edge_draw.h"
+#include "engine/vulkan/functions.h"
 #include "shaders/layout.h"
 
 namespace rimline {
@@ -89,13 +90,13 @@ constexpr VkShaderStageFlags k_draw_stages =
     VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_GEOMETRY_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 /// Selects the instance and the light of the next draws: binds set 0, and pushes the constants.
-inline void set_draw(VkCommandBuffer commands, VkPipelineLayout layout, const DrawList& list,
+inline void set_draw(Commands commands, VkPipelineLayout layout, const DrawList& list,
                      const DrawnInstance& instance, const DrawnLight* light, std::uint32_t choice) {
     const std::array<std::uint32_t, 2> offsets{instance.data, light ? light->data : 0};
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &list.data,
-                            offsets.size(), offsets.data());
+    commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1,
+                                    &list.data, offsets.size(), offsets.data());
     const gpu::DrawConstants constants{choice};
-    vkCmdPushConstants(commands, layout, k_draw_stages, 0, sizeof constants, &constants);
+    commands->CmdPushConstants(commands, layout, k_draw_stages, 0, sizeof constants, &constants);
 }
 
 }  // namespace rimline

@@ -54,12 +54,12 @@ std::vector<std::uint32_t> FaceBitsPass::compute(std::span<const Plane> planes,
     const Buffer plane_buffer = upload_buffer(context_, planes, "planes");
     const Buffer word_buffer(context_, words.size() * 4, BufferPlace::device, "face bits");
     const Constants constants{plane_buffer.address(), word_buffer.address(), point, face_count, 0};
-    run_commands(context_, [&](VkCommandBuffer commands) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
-        vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
-                           &constants);
-        vkCmdDispatch(commands, units_of(static_cast<std::uint32_t>(words.size()), k_group_size), 1,
-                      1);
+    run_commands(context_, [&](Commands commands) {
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+        commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                   sizeof constants, &constants);
+        commands->CmdDispatch(
+            commands, units_of(static_cast<std::uint32_t>(words.size()), k_group_size), 1, 1);
     });
     read_buffer(context_, word_buffer, std::as_writable_bytes(std::span(words)));
     return words;

@@ -24,12 +24,12 @@ OwnedPipeline make_pipeline(const DeviceContext& context, SpirvCode fragment, Vk
 }
 
 template <typename Constants>
-void record(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout,
+void record(Commands commands, VkPipeline pipeline, VkPipelineLayout layout,
             const Constants& constants) {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-    vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
-                       &constants);
-    vkCmdDraw(commands, 3, 1, 0, 0);
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    commands->CmdPushConstants(commands, layout, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
+                               &constants);
+    commands->CmdDraw(commands, 3, 1, 0, 0);
 }
 
 }  // namespace
@@ -39,14 +39,14 @@ InkPass::InkPass(const DeviceContext& context, VkFormat surface_format)
       grid_(make_pipeline(context, grid_frag, surface_format, Blend::over, layout_)),
       ink_(make_pipeline(context, ink_frag, surface_format, Blend::over_by_target, layout_)) {}
 
-void InkPass::record_grid(VkCommandBuffer commands, const glm::vec4& color, VkExtent2D size,
+void InkPass::record_grid(Commands commands, const glm::vec4& color, VkExtent2D size,
                           std::uint32_t scale) const {
     record(commands, grid_, layout_,
            GridConstants{color, static_cast<std::int32_t>(size.width),
                          static_cast<std::int32_t>(size.height), static_cast<std::int32_t>(scale)});
 }
 
-void InkPass::record_ink(VkCommandBuffer commands, const glm::vec3& ink) const {
+void InkPass::record_ink(Commands commands, const glm::vec3& ink) const {
     record(commands, ink_, layout_, ink);
 }
 

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/pipeline.h"
 
 namespace rimline {
@@ -19,11 +20,11 @@ public:
 
     /// The paper's grid in linear `color`, whose alpha is the opacity of its lines. `size` is in pixels of
     /// the picture; each has `scale` x `scale` pixels of the surfaces.
-    void record_grid(VkCommandBuffer commands, const glm::vec4& color, VkExtent2D size,
+    void record_grid(Commands commands, const glm::vec4& color, VkExtent2D size,
                      std::uint32_t scale) const;
 
     /// Blends linear `ink` by the coverage, and resets the coverage to zero for the next color.
-    void record_ink(VkCommandBuffer commands, const glm::vec3& ink) const;
+    void record_ink(Commands commands, const glm::vec3& ink) const;
 
 private:
     OwnedPipelineLayout layout_;

@@ -64,24 +64,24 @@ LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data
                   .layout = layout_});
 }
 
-void LinePass::record_list(VkCommandBuffer commands, std::uint32_t edge_count) const {
+void LinePass::record_list(Commands commands, std::uint32_t edge_count) const {
     if (edge_count == 0) return;
     if (needs_geometry_shader(path_))
-        vkCmdDraw(commands, edge_count, 1, 0, 0);
+        commands->CmdDraw(commands, edge_count, 1, 0, 0);
     else
-        vkCmdDraw(commands, 4, edge_count, 0, 0);
+        commands->CmdDraw(commands, 4, edge_count, 0, 0);
 }
 
-void LinePass::record_every_edge(VkCommandBuffer commands, const DrawList& list,
+void LinePass::record_every_edge(Commands commands, const DrawList& list,
                                  const DrawnInstance& instance) const {
     const EveryEdgeDraw& every = instance.every_edge;
     if (path_ == LinePath::adjacency) {
         if (every.adjacency_index_count > 0) {
-            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, adjacency_);
+            commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, adjacency_);
             set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
-            vkCmdBindIndexBuffer(commands, every.adjacency, 0, VK_INDEX_TYPE_UINT32);
-            vkCmdDrawIndexed(commands, every.adjacency_index_count, 1, 0, 0, 0);
-            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+            commands->CmdBindIndexBuffer(commands, every.adjacency, 0, VK_INDEX_TYPE_UINT32);
+            commands->CmdDrawIndexed(commands, every.adjacency_index_count, 1, 0, 0, 0);
+            commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
         }
     } else {
         set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
@@ -91,27 +91,26 @@ void LinePass::record_every_edge(VkCommandBuffer commands, const DrawList& list,
     record_list(commands, every.irregular_pair_count);
 }
 
-void LinePass::record_segments(VkCommandBuffer commands, const DrawList& list,
-                               std::size_t ink) const {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, segments_);
+void LinePass::record_segments(Commands commands, const DrawList& list, std::size_t ink) const {
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, segments_);
     for (const DrawnInstance& instance : list.instances) {
         if (!instance.has_lines || instance.ink != ink || instance.segment_count.value_or(0) == 0)
             continue;
         set_draw(commands, layout_, list, instance, nullptr, 0);
-        vkCmdDraw(commands, 4, *instance.segment_count, 0, 0);
+        commands->CmdDraw(commands, 4, *instance.segment_count, 0, 0);
     }
 }
 
-void LinePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+void LinePass::record(Commands commands, const DrawList& list, std::size_t ink) const {
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
     const VkDescriptorSet set = depth_.get();
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set, 0,
-                            nullptr);
+    commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set,
+                                    0, nullptr);
     for (const DrawnInstance& instance : list.instances) {
         if (!instance.has_lines || instance.ink != ink || instance.segment_count) continue;
         if (draws_slots(path_)) {
             set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_SILHOUETTE);
-            vkCmdDrawIndirect(
+            commands->CmdDrawIndirect(
                 commands, instance.silhouette.arguments,
                 path_ == LinePath::geometry ? IndirectDraw::k_points : IndirectDraw::k_strips, 1,
                 sizeof(VkDrawIndirectCommand));

@@ -5,6 +5,7 @@
 
 #include "engine/line_path.h"
 #include "engine/passes/draw_list.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/pipeline.h"
 #include "engine/vulkan/sampled_images.h"
 
@@ -25,12 +26,12 @@ public:
 
     /// Draws the lines of one color. Inside a rendering scope whose alpha is zero, or holds lines of this
     /// color.
-    void record(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const;
+    void record(Commands commands, const DrawList& list, std::size_t ink) const;
 
 private:
-    void record_list(VkCommandBuffer commands, std::uint32_t edge_count) const;
-    void record_segments(VkCommandBuffer commands, const DrawList& list, std::size_t ink) const;
-    void record_every_edge(VkCommandBuffer commands, const DrawList& list,
+    void record_list(Commands commands, std::uint32_t edge_count) const;
+    void record_segments(Commands commands, const DrawList& list, std::size_t ink) const;
+    void record_every_edge(Commands commands, const DrawList& list,
                            const DrawnInstance& instance) const;
 
     LinePath path_;

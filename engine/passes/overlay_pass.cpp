@@ -56,7 +56,7 @@ void OverlayPass::set_texture(std::uint32_t width, std::uint32_t height,
                   "the letters of the panel");
     const Buffer staging(context_, opacity.size(), BufferPlace::upload, "the letters of the panel");
     std::memcpy(staging.mapped(), opacity.data(), opacity.size());
-    run_commands(context_, [&](VkCommandBuffer commands) {
+    run_commands(context_, [&](Commands commands) {
         constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT,
                                         VK_ACCESS_2_TRANSFER_WRITE_BIT};
         record_barrier(
@@ -64,8 +64,8 @@ void OverlayPass::set_texture(std::uint32_t width, std::uint32_t height,
             {{texture, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL}});
         const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                        .imageExtent = {width, height, 1}};
-        vkCmdCopyBufferToImage(commands, staging.handle(), texture.handle(),
-                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+        commands->CmdCopyBufferToImage(commands, staging.handle(), texture.handle(),
+                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
         record_barrier(
             commands, k_copying,
             {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT},
@@ -76,8 +76,8 @@ void OverlayPass::set_texture(std::uint32_t width, std::uint32_t height,
     images_.set({&texture_});
 }
 
-void OverlayPass::record(VkCommandBuffer commands, std::uint32_t ring_slot,
-                         const OverlayDrawing& drawing, VkExtent2D extent) {
+void OverlayPass::record(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing,
+                         VkExtent2D extent) {
     if (drawing.parts.empty()) return;
     const std::uint64_t vertex_bytes = drawing.vertices.size() * sizeof(gpu::OverlayVertex);
     const std::uint64_t index_bytes = drawing.indices.size() * sizeof(std::uint32_t);
@@ -89,27 +89,27 @@ void OverlayPass::record(VkCommandBuffer commands, std::uint32_t ring_slot,
     std::memcpy(buffer.mapped(), drawing.vertices.data(), vertex_bytes);
     std::memcpy(buffer.mapped() + vertex_bytes, drawing.indices.data(), index_bytes);
 
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
     const VkDescriptorSet set = images_.get();
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 0,
-                            nullptr);
+    commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set,
+                                    0, nullptr);
     const VkViewport viewport{.width = static_cast<float>(extent.width),
                               .height = static_cast<float>(extent.height),
                               .minDepth = 0.0f,
                               .maxDepth = 1.0f};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
+    commands->CmdSetViewport(commands, 0, 1, &viewport);
     const gpu::OverlayConstants constants{.vertices = buffer.address(),
                                           .indices = buffer.address() + vertex_bytes,
                                           .origin = drawing.origin,
                                           .unit_size = drawing.unit_size};
-    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
-                       &constants);
+    commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof constants,
+                               &constants);
     for (const OverlayDrawing::Part& part : drawing.parts) {
         RIMLINE_CHECK(std::uint64_t{part.first_index} + part.index_count <= drawing.indices.size());
         const VkRect2D scissor = cut(part.scissor, extent);
         if (scissor.extent.width == 0 || scissor.extent.height == 0) continue;
-        vkCmdSetScissor(commands, 0, 1, &scissor);
-        vkCmdDraw(commands, part.index_count, 1, part.first_index, 0);
+        commands->CmdSetScissor(commands, 0, 1, &scissor);
+        commands->CmdDraw(commands, part.index_count, 1, part.first_index, 0);
     }
 }
 

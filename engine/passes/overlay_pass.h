@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/pipeline.h"
 #include "engine/vulkan/sampled_images.h"
 #include "shaders/overlay_layout.h"
@@ -58,7 +59,7 @@ public:
 
     /// Inside a rendering scope over the picture of size `extent`. Scissors are cut to it. The frame
     /// that used `ring_slot` last must be done.
-    void record(VkCommandBuffer commands, std::uint32_t ring_slot, const OverlayDrawing& drawing,
+    void record(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing,
                 VkExtent2D extent);
 
 private:

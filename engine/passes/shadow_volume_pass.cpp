@@ -14,15 +14,15 @@ namespace {
 // A ray from the surface away from the viewer crosses as many back faces of a volume as front faces, and one
 // back face more if it starts inside. A ray from outside of all volumes to a surface inside one crosses one
 // front face more.
-void set_counting(VkCommandBuffer commands, ShadowMethod method, bool turned_round) {
+void set_counting(Commands commands, ShadowMethod method, bool turned_round) {
     const bool passes = method == ShadowMethod::pass;
     const bool front_counts = passes != turned_round;
     const VkStencilOp up = VK_STENCIL_OP_INCREMENT_AND_WRAP;
     const VkStencilOp down = VK_STENCIL_OP_DECREMENT_AND_WRAP;
     const auto set = [&](VkStencilFaceFlags face, VkStencilOp operation) {
-        vkCmdSetStencilOp(commands, face, VK_STENCIL_OP_KEEP,
-                          passes ? operation : VK_STENCIL_OP_KEEP,
-                          passes ? VK_STENCIL_OP_KEEP : operation, VK_COMPARE_OP_ALWAYS);
+        commands->CmdSetStencilOp(commands, face, VK_STENCIL_OP_KEEP,
+                                  passes ? operation : VK_STENCIL_OP_KEEP,
+                                  passes ? VK_STENCIL_OP_KEEP : operation, VK_COMPARE_OP_ALWAYS);
     };
     set(VK_STENCIL_FACE_FRONT_BIT, front_counts ? up : down);
     set(VK_STENCIL_FACE_BACK_BIT, front_counts ? down : up);
@@ -81,17 +81,17 @@ ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSet
                                              .layout = layout_});
 }
 
-void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
+void ShadowVolumePass::record(Commands commands, const DrawList& list, std::size_t light,
                               const VkRect2D& area) const {
     const VkClearAttachment stencil{.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT,
                                     .clearValue = {.depthStencil = {0.0f, 0}}};
     const VkClearRect everywhere{.rect = area, .layerCount = 1};
-    vkCmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
+    commands->CmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
 
     for (const ShadowBatch& batch : list.shadow_batches[light]) {
         if (&batch != &list.shadow_batches[light].front()) {
-            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
-            vkCmdDraw(commands, 3, 1, 0, 0);
+            commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
+            commands->CmdDraw(commands, 3, 1, 0, 0);
         }
         // One batch after the other, because each fold changes the dynamic state.
         record_caps(commands, list, light, batch);
@@ -99,9 +99,9 @@ void ShadowVolumePass::record(VkCommandBuffer commands, const DrawList& list, st
     }
 }
 
-void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& list,
-                                   std::size_t light, const ShadowBatch& batch) const {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
+void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std::size_t light,
+                                   const ShadowBatch& batch) const {
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
     for (const std::uint32_t front_bit : {1u, 0u}) {
         set_counting(commands, ShadowMethod::fail, front_bit == 0);
         for (const ShadowDraw& draw : batch.draws) {
@@ -116,19 +116,19 @@ void ShadowVolumePass::record_caps(VkCommandBuffer commands, const DrawList& lis
             const std::uint32_t caps = drawn.ends_in_one_point ? 1 : 2;
             const std::uint32_t first = draw.part ? draw.part->first_face : 0;
             const std::uint32_t count = draw.part ? draw.part->face_count : instance.face_count;
-            vkCmdDraw(commands, 3 * count, caps, 3 * first, 0);
+            commands->CmdDraw(commands, 3 * count, caps, 3 * first, 0);
         }
     }
 }
 
-void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& list,
-                                    std::size_t light, const ShadowBatch& batch) const {
+void ShadowVolumePass::record_sides(Commands commands, const DrawList& list, std::size_t light,
+                                    const ShadowBatch& batch) const {
     const Pipelines& pipelines = pipelines_of(list);
     const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
     VkPipeline bound = VK_NULL_HANDLE;
     const auto bind = [&](VkPipeline pipeline) {
         if (pipeline == bound) return;
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
         bound = pipeline;
     };
     for (const ShadowDraw& draw : batch.draws) {
@@ -142,8 +142,8 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
             bind(pipelines.pulled_sides);
             set_counting(commands, drawn.method, false);
             set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_PARTS | flag);
-            vkCmdDraw(commands, corners * draw.part->side_count, 1, corners * draw.part->first_side,
-                      0);
+            commands->CmdDraw(commands, corners * draw.part->side_count, 1,
+                              corners * draw.part->first_side, 0);
             continue;
         }
         bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);
@@ -154,11 +154,11 @@ void ShadowVolumePass::record_sides(VkCommandBuffer commands, const DrawList& li
                                                    : IndirectDraw::k_sides;
         // In the general form, if the bits of two faces differ, both cast the edge, in the same direction.
         for (int times = single ? 1 : 2; times > 0; --times)
-            vkCmdDrawIndirect(commands, drawn.sides.arguments, offset, 1,
-                              sizeof(VkDrawIndirectCommand));
+            commands->CmdDrawIndirect(commands, drawn.sides.arguments, offset, 1,
+                                      sizeof(VkDrawIndirectCommand));
         if (instance.loose_count == 0) continue;
         set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_LOOSE | flag);
-        vkCmdDraw(commands, instance.loose_count * (pulled ? corners : 1), 1, 0, 0);
+        commands->CmdDraw(commands, instance.loose_count * (pulled ? corners : 1), 1, 0, 0);
     }
 }
 

@@ -25,6 +25,7 @@
 
 #include "engine/passes/draw_list.h"
 #include "engine/shadow_choice.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/pipeline.h"
 
 namespace rimline {
@@ -37,7 +38,7 @@ public:
 
     /// Clears the stencil within `area`, the render area of the scope, and counts into it. Depth must be
     /// complete. Writes no color.
-    void record(VkCommandBuffer commands, const DrawList& list, std::size_t light,
+    void record(Commands commands, const DrawList& list, std::size_t light,
                 const VkRect2D& area) const;
 
 private:
@@ -52,9 +53,9 @@ private:
     const Pipelines& pipelines_of(const DrawList& list) const noexcept {
         return list.is_orthographic ? orthographic_ : perspective_;
     }
-    void record_caps(VkCommandBuffer commands, const DrawList& list, std::size_t light,
+    void record_caps(Commands commands, const DrawList& list, std::size_t light,
                      const ShadowBatch& batch) const;
-    void record_sides(VkCommandBuffer commands, const DrawList& list, std::size_t light,
+    void record_sides(Commands commands, const DrawList& list, std::size_t light,
                       const ShadowBatch& batch) const;
 
     OwnedPipelineLayout layout_;

@@ -14,9 +14,10 @@ bool can_draw_by_vertices(const DrawnInstance& instance) {
     return instance.vertex_count <= k_max_indexed_vertices;
 }
 
-void bind(VkCommandBuffer commands, VkPipeline pipeline, const DrawnInstance& instance) {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-    vkCmdSetCullMode(commands, instance.shows_backs ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+void bind(Commands commands, VkPipeline pipeline, const DrawnInstance& instance) {
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    commands->CmdSetCullMode(commands,
+                             instance.shows_backs ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
 }
 
 }  // namespace
@@ -57,17 +58,17 @@ void SurfacePass::prepare(const DeviceContext& context, Style style) {
                           .unlit_by_vertices = {make_by_vertices(false), make_by_vertices(true)}});
 }
 
-void SurfacePass::record(VkCommandBuffer commands, const DrawList& list,
+void SurfacePass::record(Commands commands, const DrawList& list,
                          const OwnedPipeline (&pipelines)[2], std::size_t light) const {
     for (const DrawnInstance& instance : list.instances) {
         bind(commands, pipelines[instance.fades], instance);
         const DrawnLight& drawn = instance.lights[light];
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 2);
-        vkCmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
+        commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
     }
 }
 
-void SurfacePass::record_unlit(VkCommandBuffer commands, const DrawList& list) const {
+void SurfacePass::record_unlit(Commands commands, const DrawList& list) const {
     const Pipelines& pipelines = pipelines_.at(list.style);
     for (const DrawnInstance& instance : list.instances) {
         const VkPipeline by_vertices = pipelines.unlit_by_vertices[instance.fades];
@@ -76,20 +77,19 @@ void SurfacePass::record_unlit(VkCommandBuffer commands, const DrawList& list) c
              instance);
         set_draw(commands, layout_, list, instance, nullptr, 0);
         if (indexed) {
-            vkCmdBindIndexBuffer(commands, instance.indices, 0, VK_INDEX_TYPE_UINT32);
-            vkCmdDrawIndexed(commands, 3 * instance.face_count, 1, 0, 0, 0);
+            commands->CmdBindIndexBuffer(commands, instance.indices, 0, VK_INDEX_TYPE_UINT32);
+            commands->CmdDrawIndexed(commands, 3 * instance.face_count, 1, 0, 0, 0);
         } else {
-            vkCmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
+            commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
         }
     }
 }
 
-void SurfacePass::record_lit(VkCommandBuffer commands, const DrawList& list,
-                             std::size_t light) const {
+void SurfacePass::record_lit(Commands commands, const DrawList& list, std::size_t light) const {
     record(commands, list, pipelines_.at(list.style).lit, light);
 }
 
-void SurfacePass::record_shadowless(VkCommandBuffer commands, const DrawList& list) const {
+void SurfacePass::record_shadowless(Commands commands, const DrawList& list) const {
     record(commands, list, pipelines_.at(list.style).shadowless, 0);
 }
 

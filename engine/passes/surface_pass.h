@@ -10,6 +10,7 @@
 
 #include "engine/passes/draw_list.h"
 #include "engine/scene.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/pipeline.h"
 
 namespace rimline {
@@ -23,11 +24,11 @@ public:
     void prepare(const DeviceContext& context, Style style);
 
     /// Writes color and depth. Inside a rendering scope with cleared attachments.
-    void record_unlit(VkCommandBuffer commands, const DrawList& list) const;
+    void record_unlit(Commands commands, const DrawList& list) const;
     /// Equals record_unlit() and record_lit() of the only light with a stencil of zero everywhere.
-    void record_shadowless(VkCommandBuffer commands, const DrawList& list) const;
+    void record_shadowless(Commands commands, const DrawList& list) const;
     /// Adds light `light` where the depth equals that of record_unlit() and the stencil is zero.
-    void record_lit(VkCommandBuffer commands, const DrawList& list, std::size_t light) const;
+    void record_lit(Commands commands, const DrawList& list, std::size_t light) const;
 
 private:
     // Of one style. Index 1 is for instances that fade.
@@ -36,7 +37,7 @@ private:
         OwnedPipeline unlit_by_vertices[2];  // Null if the style shades with strokes.
     };
 
-    void record(VkCommandBuffer commands, const DrawList& list, const OwnedPipeline (&pipelines)[2],
+    void record(Commands commands, const DrawList& list, const OwnedPipeline (&pipelines)[2],
                 std::size_t light) const;
 
     AttachmentFormats formats_;

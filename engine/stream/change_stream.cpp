@@ -165,7 +165,7 @@ void ChangeStream::resend(std::uint64_t sequence, std::span<const EdgeId> silhou
     has_state_ = true;
 }
 
-void ChangeStream::record(VkCommandBuffer commands, const ScatterPass& pass) const {
+void ChangeStream::record(Commands commands, const ScatterPass& pass) const {
     for (std::size_t i = 0; i < batches_.size(); ++i) {
         const Batch& batch = batches_[i];
         // A later batch may write to the same place as an earlier one.
@@ -174,7 +174,7 @@ void ChangeStream::record(VkCommandBuffer commands, const ScatterPass& pass) con
             const auto copy = [&](std::uint64_t offset, std::uint32_t count, const Buffer& target) {
                 if (count == 0) return;
                 const VkBufferCopy region{.srcOffset = offset, .size = std::uint64_t{4} * count};
-                vkCmdCopyBuffer(commands, ring().handle(), target.handle(), 1, &region);
+                commands->CmdCopyBuffer(commands, ring().handle(), target.handle(), 1, &region);
             };
             copy(batch.slot_offset, batch.slot_count, slots_);
             copy(batch.word_offset, batch.word_count, face_words_);
@@ -191,20 +191,20 @@ void ChangeStream::record(VkCommandBuffer commands, const ScatterPass& pass) con
                                          word_writes,
                                          batch.silhouette_size,
                                          0};
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass.pipeline_);
-        vkCmdPushConstants(commands, pass.layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
-                           &constants);
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass.pipeline_);
+        commands->CmdPushConstants(commands, pass.layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                   sizeof constants, &constants);
         // The shader loops with a stride, so any number of groups is right.
         const std::uint32_t groups = units_of(std::max(slot_writes, word_writes), k_group_size);
-        vkCmdDispatch(commands, std::clamp(groups, 1u, k_min_group_limit), 1, 1);
+        commands->CmdDispatch(commands, std::clamp(groups, 1u, k_min_group_limit), 1, 1);
     }
 }
 
-void ChangeStream::record_before(VkCommandBuffer commands) {
+void ChangeStream::record_before(Commands commands) {
     record_barrier(commands, k_readers, k_writers);
 }
 
-void ChangeStream::record_after(VkCommandBuffer commands) {
+void ChangeStream::record_after(Commands commands) {
     record_barrier(commands, k_writers, k_readers);
 }
 

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/memory_budget.h"
 #include "engine/vulkan/pipeline.h"
@@ -85,9 +86,9 @@ public:
 
     /// Records copies and scatters of the queued changes. Call record_before() before it and record_after()
     /// after it, once for all streams of a frame.
-    void record(VkCommandBuffer commands, const ScatterPass& pass) const;
-    static void record_before(VkCommandBuffer commands);
-    static void record_after(VkCommandBuffer commands);
+    void record(Commands commands, const ScatterPass& pass) const;
+    static void record_before(Commands commands);
+    static void record_after(Commands commands);
 
     /// Bytes of buffers.
     std::uint64_t size_bytes() const noexcept;

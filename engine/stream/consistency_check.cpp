@@ -36,7 +36,7 @@ std::uint64_t count_differences(const std::byte*& first, std::span<const Word> e
 
 }  // namespace
 
-void ConsistencyCheck::record(VkCommandBuffer commands, std::uint32_t ring_slot,
+void ConsistencyCheck::record(Commands commands, std::uint32_t ring_slot,
                               std::span<TrackedSilhouette* const> silhouettes) {
     Frame& frame = frames_[ring_slot];
     frame.expected.resize(silhouettes.size());
@@ -53,7 +53,7 @@ void ConsistencyCheck::record(VkCommandBuffer commands, std::uint32_t ring_slot,
     const auto copy = [&](const Buffer& from, VkDeviceSize bytes) {
         if (bytes == 0) return;
         const VkBufferCopy region{.dstOffset = offset, .size = bytes};
-        vkCmdCopyBuffer(commands, from.handle(), frame.copies.handle(), 1, &region);
+        commands->CmdCopyBuffer(commands, from.handle(), frame.copies.handle(), 1, &region);
         offset += bytes;
     };
     for (std::size_t i = 0; i < silhouettes.size(); ++i) {

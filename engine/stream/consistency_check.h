@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/stream/tracked_silhouette.h"
+#include "engine/vulkan/functions.h"
 
 namespace rimline {
 
@@ -23,7 +24,7 @@ public:
     /// Records the copies, at the end of the frame, and keeps copies of the trackers' states. Nothing may
     /// have been announced since the silhouettes were followed, and the GPU must be done with the frame that
     /// used `ring_slot` before. Throws what Buffer does.
-    void record(VkCommandBuffer commands, std::uint32_t ring_slot,
+    void record(Commands commands, std::uint32_t ring_slot,
                 std::span<TrackedSilhouette* const> silhouettes);
 
     /// The number of words that differ in the frame of `ring_slot`, which the GPU is done with. Forgets the

@@ -17,7 +17,7 @@ void DeformedFrame::add(const SilhouetteRun& run, Purpose purpose, bool is_first
     uses_.push_back({purpose, is_first});
 }
 
-void DeformedFrame::record(const DeviceContext& context, VkCommandBuffer commands,
+void DeformedFrame::record(const DeviceContext& context, Commands commands,
                            const DeformPasses& passes) {
     if (is_empty()) return;
     const VkDeviceSize size_bytes = sizeof(GpuSilhouetteCounts) * runs_.size();
@@ -28,8 +28,8 @@ void DeformedFrame::record(const DeviceContext& context, VkCommandBuffer command
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const VkBufferCopy region{.dstOffset = sizeof(GpuSilhouetteCounts) * i,
                                   .size = sizeof(GpuSilhouetteCounts)};
-        vkCmdCopyBuffer(commands, runs_[i].silhouette->counts().handle(), counts_.handle(), 1,
-                        &region);
+        commands->CmdCopyBuffer(commands, runs_[i].silhouette->counts().handle(), counts_.handle(),
+                                1, &region);
     }
     if (runs_.empty()) return;
     record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},

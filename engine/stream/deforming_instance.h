@@ -17,6 +17,7 @@
 
 #include "engine/stream/deforming_mesh.h"
 #include "engine/stream/gpu_silhouette.h"
+#include "engine/vulkan/functions.h"
 
 namespace rimline {
 
@@ -50,7 +51,7 @@ public:
     bool is_empty() const noexcept { return meshes_.empty(); }
 
     /// Records everything that was added. Throws Error{too_large} if there is no memory for counts.
-    void record(const DeviceContext& context, VkCommandBuffer commands, const DeformPasses& passes);
+    void record(const DeviceContext& context, Commands commands, const DeformPasses& passes);
 
     /// Sums over the runs of one purpose. The GPU must be done with the frame.
     DeformedCounts counts(Purpose purpose) const;

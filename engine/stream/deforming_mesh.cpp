@@ -126,8 +126,7 @@ DeformPass::DeformPass(const DeviceContext& context)
       wave_(make_compute_pipeline(context, deform_wave_comp, layout_)),
       normals_(make_compute_pipeline(context, deform_normals_comp, layout_)) {}
 
-void DeformPass::record(VkCommandBuffer commands,
-                        std::span<const DeformingMesh* const> meshes) const {
+void DeformPass::record(Commands commands, std::span<const DeformingMesh* const> meshes) const {
     if (meshes.empty()) return;
     const auto dispatch = [&](std::uint32_t count) {
         record_dispatch(commands, units_of<std::uint32_t>(count, RIMLINE_DEFORM_GROUP),
@@ -135,25 +134,26 @@ void DeformPass::record(VkCommandBuffer commands,
     };
     const auto push = [&](const DeformingMesh& mesh, const gpu::WaveConstants& wave) {
         const Constants constants{mesh.job_.address(), wave};
-        vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
-                           &constants);
+        commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                   sizeof constants, &constants);
     };
     record_barrier(commands, k_shader_readers, k_writers);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, wave_);
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, wave_);
     for (const DeformingMesh* mesh : meshes) {
         if (mesh->vertex_count_ == 0) continue;
         if (const auto* moved = std::get_if<MovedPositions>(&mesh->deformation_)) {
             const std::uint64_t size_bytes = moved->positions.size_bytes();
             const VkBufferCopy region{.srcOffset = mesh->ring_slot_ * size_bytes,
                                       .size = size_bytes};
-            vkCmdCopyBuffer(commands, mesh->ring_.handle(), mesh->positions_.handle(), 1, &region);
+            commands->CmdCopyBuffer(commands, mesh->ring_.handle(), mesh->positions_.handle(), 1,
+                                    &region);
             continue;
         }
         push(*mesh, constants_of(std::get<Wave>(mesh->deformation_)));
         dispatch(mesh->vertex_count_);
     }
     record_barrier(commands, k_writers, k_normals);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, normals_);
+    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, normals_);
     for (const DeformingMesh* mesh : meshes) {
         push(*mesh, {});
         dispatch(mesh->group_count_);

@@ -18,6 +18,7 @@
 #include "engine/deformation.h"
 #include "engine/stream/gpu_mesh.h"
 #include "engine/stream/gpu_silhouette.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/pipeline.h"
 
@@ -79,7 +80,7 @@ public:
 
     /// Records the computation of positions and normals of all `meshes`, each with its last deformation.
     /// Waits for all earlier reads of the old ones. Shaders of every stage see the new ones afterwards.
-    void record(VkCommandBuffer commands, std::span<const DeformingMesh* const> meshes) const;
+    void record(Commands commands, std::span<const DeformingMesh* const> meshes) const;
 
 private:
     std::uint32_t groups_a_row_;

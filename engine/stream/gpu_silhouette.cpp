@@ -170,9 +170,9 @@ GpuSilhouette::GpuSilhouette(const DeviceContext& context, const SilhouetteTopol
                                  .face_group_count = face_group_count_,
                                  .edge_group_count = edge_group_count_};
     job_ = upload_buffer(context, std::span(&job, 1), "a silhouette's addresses");
-    run_commands(context, [&](VkCommandBuffer commands) {
+    run_commands(context, [&](Commands commands) {
         for (const Buffer* buffer : {&face_words_, &edge_words_})
-            vkCmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 0);
+            commands->CmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 0);
     });
 }
 
@@ -204,15 +204,14 @@ GpuSilhouettePass::GpuSilhouettePass(const DeviceContext& context, std::uint32_t
       scan_(make_compute_pipeline(context, silhouette_scan_comp, layout_)),
       lists_(make_compute_pipeline(context, silhouette_lists_comp, layout_)) {}
 
-void GpuSilhouettePass::record(VkCommandBuffer commands,
-                               std::span<const SilhouetteRun> runs) const {
+void GpuSilhouettePass::record(Commands commands, std::span<const SilhouetteRun> runs) const {
     if (runs.empty()) return;
     const auto for_each_run = [&](VkPipeline pipeline, auto&& dispatch_run) {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
         for (const SilhouetteRun& run : runs) {
             const Constants constants{run.silhouette->job_.address(), run.point};
-            vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof constants,
-                               &constants);
+            commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                       sizeof constants, &constants);
             dispatch_run(*run.silhouette);
         }
     };
@@ -224,7 +223,7 @@ void GpuSilhouettePass::record(VkCommandBuffer commands,
     record_barrier(commands, k_compute, k_compute);
     for_each_run(edges_, [&](const GpuSilhouette& s) { dispatch(s.edge_group_count_); });
     record_barrier(commands, k_compute, k_compute);
-    for_each_run(scan_, [&](const GpuSilhouette&) { vkCmdDispatch(commands, 2, 1, 1); });
+    for_each_run(scan_, [&](const GpuSilhouette&) { commands->CmdDispatch(commands, 2, 1, 1); });
     record_barrier(commands, k_compute, k_compute);
     for_each_run(lists_, [&](const GpuSilhouette& s) {
         dispatch(s.edge_group_count_ + s.face_group_count_);

@@ -18,6 +18,7 @@
 #include <span>
 #include <string>
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/memory_budget.h"
 #include "engine/vulkan/pipeline.h"
@@ -140,7 +141,7 @@ public:
     /// Records all runs, each silhouette at most once. Waits for earlier reads of the silhouettes, and makes
     /// the results visible to later draws and copies. Positions must be visible to compute shaders.
     /// O(faces + edges) a silhouette, independent of the changes.
-    void record(VkCommandBuffer commands, std::span<const SilhouetteRun> runs) const;
+    void record(Commands commands, std::span<const SilhouetteRun> runs) const;
 
 private:
     std::uint32_t groups_a_row_;

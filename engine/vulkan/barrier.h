@@ -4,6 +4,8 @@
 
 #include <vulkan/vulkan.h>
 
+#include "engine/vulkan/functions.h"
+
 namespace rimline {
 
 struct StageAccess {
@@ -12,7 +14,7 @@ struct StageAccess {
 };
 
 /// Orders `from` before `to`, for all memory.
-inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAccess to) {
+inline void record_barrier(Commands commands, StageAccess from, StageAccess to) {
     const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                   .srcStageMask = from.stages,
                                   .srcAccessMask = from.access,
@@ -21,7 +23,7 @@ inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAcce
     const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
                                       .memoryBarrierCount = 1,
                                       .pMemoryBarriers = &memory};
-    vkCmdPipelineBarrier2(commands, &dependency);
+    commands->CmdPipelineBarrier2(commands, &dependency);
 }
 
 }  // namespace rimline

@@ -1,5 +1,8 @@
 #include "engine/vulkan/commands.h"
 
+#include <chrono>
+#include <thread>
+
 #include "engine/vulkan/barrier.h"
 
 namespace rimline {
@@ -10,8 +13,9 @@ OwnedSemaphore make_timeline(const DeviceContext& context) {
     const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO,
                                      .pNext = &type};
     VkSemaphore semaphore = VK_NULL_HANDLE;
-    vk_check(vkCreateSemaphore(context.device, &info, nullptr, &semaphore), "vkCreateSemaphore");
-    return {context.device, semaphore};
+    vk_check(context.vk->CreateSemaphore(context.device, &info, nullptr, &semaphore),
+             "vkCreateSemaphore");
+    return {context, semaphore};
 }
 
 void wait_for_timeline(const DeviceContext& context, VkSemaphore timeline, std::uint64_t value) {
@@ -19,8 +23,23 @@ void wait_for_timeline(const DeviceContext& context, VkSemaphore timeline, std::
                                    .semaphoreCount = 1,
                                    .pSemaphores = &timeline,
                                    .pValues = &value};
-    vk_check(repeat_wait([&] { return vkWaitSemaphores(context.device, &info, UINT64_MAX); }),
-             "vkWaitSemaphores");
+    vk_check(
+        repeat_wait([&] { return context.vk->WaitSemaphores(context.device, &info, UINT64_MAX); }),
+        "vkWaitSemaphores");
+}
+
+OwnedFence make_fence(const DeviceContext& context, VkFenceCreateFlags flags) {
+    const VkFenceCreateInfo info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, .flags = flags};
+    VkFence fence = VK_NULL_HANDLE;
+    vk_check(context.vk->CreateFence(context.device, &info, nullptr, &fence), "vkCreateFence");
+    return {context, fence};
+}
+
+void wait_for_fence(const DeviceContext& context, VkFence fence) {
+    vk_check(repeat_wait([&] {
+                 return context.vk->WaitForFences(context.device, 1, &fence, VK_TRUE, UINT64_MAX);
+             }),
+             "vkWaitForFences");
 }
 
 OwnedCommandPool make_command_pool(const DeviceContext& context, std::uint32_t family) {
@@ -28,42 +47,90 @@ OwnedCommandPool make_command_pool(const DeviceContext& context, std::uint32_t f
                                        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
                                        .queueFamilyIndex = family};
     VkCommandPool pool = VK_NULL_HANDLE;
-    vk_check(vkCreateCommandPool(context.device, &info, nullptr, &pool), "vkCreateCommandPool");
-    return {context.device, pool};
+    vk_check(context.vk->CreateCommandPool(context.device, &info, nullptr, &pool),
+             "vkCreateCommandPool");
+    return {context, pool};
 }
 
-VkCommandBuffer begin_commands(const DeviceContext& context, VkCommandPool pool) {
-    const VkCommandBufferAllocateInfo allocate{
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-        .commandPool = pool,
-        .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-        .commandBufferCount = 1};
+VkCommandBuffer make_commands(const DeviceContext& context, VkCommandPool pool) {
+    const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                           .commandPool = pool,
+                                           .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                           .commandBufferCount = 1};
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    vk_check(vkAllocateCommandBuffers(context.device, &allocate, &commands),
+    vk_check(context.vk->AllocateCommandBuffers(context.device, &info, &commands),
              "vkAllocateCommandBuffers");
-    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
     return commands;
 }
 
-void run_commands(const DeviceContext& context,
-                  const std::function<void(VkCommandBuffer)>& record) {
+Commands begin_commands(const DeviceContext& context, VkCommandBuffer commands) {
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(context.vk->ResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
+    vk_check(context.vk->BeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+    return {*context.vk, commands};
+}
+
+QueueLock::QueueLock(const DeviceContext& context) : mutex_(context.queue_mutex) {
+    if (mutex_) mutex_->lock();
+}
+
+QueueLock::~QueueLock() {
+    if (mutex_) mutex_->unlock();
+}
+
+void submit_commands(const DeviceContext& context, const Submission& submission) {
+    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                             .commandBuffer = submission.commands};
+    const auto info_of = [](const std::optional<SemaphorePoint>& point) {
+        const SemaphorePoint given = point.value_or(SemaphorePoint{});
+        return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                     .semaphore = given.semaphore,
+                                     .value = given.value,
+                                     .stageMask = given.stages};
+    };
+    const VkSemaphoreSubmitInfo wait = info_of(submission.wait);
+    const VkSemaphoreSubmitInfo signal = info_of(submission.signal);
+    const VkSubmitInfo2 info{
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+        .waitSemaphoreInfoCount = submission.wait ? 1u : 0u,
+        .pWaitSemaphoreInfos = &wait,
+        .commandBufferInfoCount = submission.commands != VK_NULL_HANDLE ? 1u : 0u,
+        .pCommandBufferInfos = &commands,
+        .signalSemaphoreInfoCount = submission.signal ? 1u : 0u,
+        .pSignalSemaphoreInfos = &signal};
+    const QueueLock lock(context);
+    vk_check(context.vk->QueueSubmit2(submission.queue, 1, &info, submission.fence),
+             "vkQueueSubmit2");
+}
+
+void drain(const DeviceContext& context, VkQueue queue) noexcept {
+    // Submissions to a queue end in order where semaphores or fences are signaled.
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+        try {
+            const OwnedFence fence = make_fence(context);
+            submit_commands(context, {.queue = queue, .fence = fence});
+            wait_for_fence(context, fence);
+            return;
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::too_large) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
+}
+
+void run_commands(const DeviceContext& context, const std::function<void(Commands)>& record) {
     const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
-    const VkCommandBuffer commands = begin_commands(context, pool);
+    const OwnedFence done = make_fence(context);
+    const Commands commands = begin_commands(context, make_commands(context, pool));
     record(commands);
-    // Waiting for the queue does not make writes visible to later submissions. This barrier does.
+    // Waiting for a fence does not make writes visible to later submissions. This barrier does.
     record_barrier(commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
                    {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                     VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT});
-    vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-    const VkCommandBufferSubmitInfo submitted{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-                                              .commandBuffer = commands};
-    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                               .commandBufferInfoCount = 1,
-                               .pCommandBufferInfos = &submitted};
-    vk_check(vkQueueSubmit2(context.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
-    vk_check(repeat_wait([&] { return vkQueueWaitIdle(context.queue); }), "vkQueueWaitIdle");
+    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
+    submit_commands(context, {.queue = context.queue, .commands = commands, .fence = done});
+    wait_for_fence(context, done);
 }
 
 }  // namespace rimline

@@ -11,9 +11,9 @@ DescriptorSets::DescriptorSets(const DeviceContext& context,
         .bindingCount = static_cast<std::uint32_t>(bindings.size()),
         .pBindings = bindings.data()};
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    vk_check(vkCreateDescriptorSetLayout(context.device, &layout_info, nullptr, &layout),
+    vk_check(context.vk->CreateDescriptorSetLayout(context.device, &layout_info, nullptr, &layout),
              "vkCreateDescriptorSetLayout");
-    layout_ = {context.device, layout};
+    layout_ = {context, layout};
 
     std::vector<VkDescriptorPoolSize> sizes;
     for (const VkDescriptorSetLayoutBinding& binding : bindings)
@@ -24,9 +24,9 @@ DescriptorSets::DescriptorSets(const DeviceContext& context,
         .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
         .pPoolSizes = sizes.data()};
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    vk_check(vkCreateDescriptorPool(context.device, &pool_info, nullptr, &pool),
+    vk_check(context.vk->CreateDescriptorPool(context.device, &pool_info, nullptr, &pool),
              "vkCreateDescriptorPool");
-    pool_ = {context.device, pool};
+    pool_ = {context, pool};
 
     const std::vector<VkDescriptorSetLayout> layouts(count, layout);
     const VkDescriptorSetAllocateInfo allocate{
@@ -34,7 +34,7 @@ DescriptorSets::DescriptorSets(const DeviceContext& context,
         .descriptorPool = pool,
         .descriptorSetCount = count,
         .pSetLayouts = layouts.data()};
-    vk_check(vkAllocateDescriptorSets(context.device, &allocate, sets_.data()),
+    vk_check(context.vk->AllocateDescriptorSets(context.device, &allocate, sets_.data()),
              "vkAllocateDescriptorSets");
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/queue_choice.h"
 #include "engine/vulkan/vulkan_handle.h"
 
@@ -29,7 +30,8 @@ struct FeatureChain {
 std::vector<VkPhysicalDevice> physical_devices(const VulkanInstance& instance) {
     return enumerate<VkPhysicalDevice>(
         [&](std::uint32_t* count, VkPhysicalDevice* devices) {
-            const VkResult result = vkEnumeratePhysicalDevices(instance.handle(), count, devices);
+            const VkResult result =
+                instance.functions().EnumeratePhysicalDevices(instance.handle(), count, devices);
             if (result != VK_ERROR_INITIALIZATION_FAILED) return result;
             // A loader without drivers returns this: the machine has no devices.
             *count = 0;
@@ -38,18 +40,18 @@ std::vector<VkPhysicalDevice> physical_devices(const VulkanInstance& instance) {
         "vkEnumeratePhysicalDevices");
 }
 
-std::optional<QueueChoice> queues_of(VkPhysicalDevice device) {
+std::optional<QueueChoice> queues_of(const InstanceFunctions& vk, VkPhysicalDevice device) {
     std::uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+    vk.GetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+    vk.GetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
     return choose_queues(std::span(families).first(count));
 }
 
-bool has_extension(VkPhysicalDevice device, std::string_view name) {
+bool has_extension(const InstanceFunctions& vk, VkPhysicalDevice device, std::string_view name) {
     const auto extensions = enumerate<VkExtensionProperties>(
         [&](std::uint32_t* count, VkExtensionProperties* properties) {
-            return vkEnumerateDeviceExtensionProperties(device, nullptr, count, properties);
+            return vk.EnumerateDeviceExtensionProperties(device, nullptr, count, properties);
         },
         "vkEnumerateDeviceExtensionProperties");
     return std::ranges::any_of(extensions, [name](const VkExtensionProperties& extension) {
@@ -57,11 +59,11 @@ bool has_extension(VkPhysicalDevice device, std::string_view name) {
     });
 }
 
-bool has_depth_stencil_format(VkPhysicalDevice device) {
+bool has_depth_stencil_format(const InstanceFunctions& vk, VkPhysicalDevice device) {
     constexpr VkFormatFeatureFlags k_needed =
         VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
     VkFormatProperties properties;
-    vkGetPhysicalDeviceFormatProperties(device, k_depth_stencil_format, &properties);
+    vk.GetPhysicalDeviceFormatProperties(device, k_depth_stencil_format, &properties);
     return (properties.optimalTilingFeatures & k_needed) == k_needed;
 }
 
@@ -74,11 +76,11 @@ std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits) {
                                                    : 1;
 }
 
-DeviceFacts describe(VkPhysicalDevice device) {
+DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device) {
     VkPhysicalDeviceVulkan12Properties v12{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
-    vkGetPhysicalDeviceProperties(device, &properties.properties);
+    vk.GetPhysicalDeviceProperties(device, &properties.properties);
     DeviceFacts facts{.name = properties.properties.deviceName,
                       .driver = {},
                       .type = properties.properties.deviceType,
@@ -87,9 +89,9 @@ DeviceFacts describe(VkPhysicalDevice device) {
     if (facts.api_version < VK_API_VERSION_1_3) return facts;
 
     properties.pNext = &v12;
-    vkGetPhysicalDeviceProperties2(device, &properties);
+    vk.GetPhysicalDeviceProperties2(device, &properties);
     FeatureChain features;
-    vkGetPhysicalDeviceFeatures2(device, &features.v10);
+    vk.GetPhysicalDeviceFeatures2(device, &features.v10);
     facts.driver = std::string(v12.driverName) + " " + v12.driverInfo;
     facts.geometry_shader = features.v10.features.geometryShader == VK_TRUE;
     facts.occlusion_query_precise = features.v10.features.occlusionQueryPrecise == VK_TRUE;
@@ -100,11 +102,11 @@ DeviceFacts describe(VkPhysicalDevice device) {
     facts.dynamic_rendering = features.v13.dynamicRendering == VK_TRUE;
     facts.synchronization2 = features.v13.synchronization2 == VK_TRUE;
     facts.maintenance4 = features.v13.maintenance4 == VK_TRUE;
-    facts.swapchain = has_extension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    facts.swapchain = has_extension(vk, device, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
-    facts.graphics_and_compute_queue = queues_of(device).has_value();
+    facts.graphics_and_compute_queue = queues_of(vk, device).has_value();
     facts.samples = common_samples(properties.properties.limits);
-    facts.depth_stencil_format = has_depth_stencil_format(device);
+    facts.depth_stencil_format = has_depth_stencil_format(vk, device);
     return facts;
 }
 
@@ -113,20 +115,27 @@ DeviceFacts describe(VkPhysicalDevice device) {
 std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance) {
     std::vector<DeviceFacts> facts;
     for (const VkPhysicalDevice device : physical_devices(instance))
-        facts.push_back(describe(device));
+        facts.push_back(describe(instance.functions(), device));
     return facts;
 }
 
-DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice device, VkQueue queue,
-                                  std::uint32_t queue_family, const DeviceFeatures& features) {
-    DeviceContext context{.physical_device = physical_device,
-                          .device = device,
-                          .queue = queue,
-                          .queue_family = queue_family,
-                          .transfer_queue = queue,
-                          .transfer_family = queue_family,
-                          .features = features};
-    vkGetPhysicalDeviceMemoryProperties(physical_device, &context.memory);
+DeviceContext make_device_context(const HostDevice& host) {
+    const InstanceFunctions instance =
+        load_instance_functions(host.loader ? host.loader : system_loader(), host.instance);
+    DeviceContext context{
+        .vk = std::make_shared<const DeviceFunctions>(load_device_functions(instance, host.device)),
+        .physical_device = host.physical_device,
+        .device = host.device,
+        .queue = host.queue,
+        .queue_family = host.queue_family,
+        .transfer_queue = host.queue,
+        .transfer_family = host.queue_family,
+        .queue_mutex = host.queue_mutex,
+        .features = host.features};
+    VkPhysicalDeviceMemoryProperties2 memory{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2};
+    instance.GetPhysicalDeviceMemoryProperties2(host.physical_device, &memory);
+    context.memory = memory.memoryProperties;
     VkPhysicalDeviceMaintenance4Properties maintenance4{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
     VkPhysicalDeviceMaintenance3Properties maintenance3{
@@ -134,7 +143,7 @@ DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice dev
         .pNext = &maintenance4};
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
                                            .pNext = &maintenance3};
-    vkGetPhysicalDeviceProperties2(physical_device, &properties);
+    instance.GetPhysicalDeviceProperties2(host.physical_device, &properties);
     context.limits = properties.properties.limits;
     context.max_buffer_bytes = maintenance4.maxBufferSize;
     context.max_allocation_bytes = maintenance3.maxMemoryAllocationSize;
@@ -148,7 +157,8 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
     const VkPhysicalDevice physical = physical_devices(instance).at(choice.index);
     facts_ = all[choice.index];
 
-    const QueueChoice queues = queues_of(physical).value();  // It was judged usable.
+    const QueueChoice queues =
+        queues_of(instance.functions(), physical).value();  // It was judged usable.
     const float priority = 1.0f;
     const auto one_queue = [&](std::uint32_t family) {
         return VkDeviceQueueCreateInfo{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
@@ -177,21 +187,26 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
         .enabledExtensionCount = presents ? 1u : 0u,
         .ppEnabledExtensionNames = &swapchain_extension};
     VkDevice device = VK_NULL_HANDLE;
-    vk_check(vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
-    VkQueue queue = VK_NULL_HANDLE;
-    vkGetDeviceQueue(device, queues.family, 0, &queue);
-    context_ = make_device_context(physical, device, queue, queues.family,
-                                   {.geometry_shader = facts_.geometry_shader,
-                                    .swapchain = presents,
-                                    .occlusion_query_precise = facts_.occlusion_query_precise});
+    vk_check(instance.functions().CreateDevice(physical, &info, nullptr, &device),
+             "vkCreateDevice");
+    context_ = make_device_context(
+        {.instance = instance.handle(),
+         .physical_device = physical,
+         .device = device,
+         .queue_family = queues.family,
+         .features = {.geometry_shader = facts_.geometry_shader,
+                      .swapchain = presents,
+                      .occlusion_query_precise = facts_.occlusion_query_precise},
+         .loader = instance.loader()});
+    context_.vk->GetDeviceQueue(device, queues.family, 0, &context_.queue);
     context_.transfer_family = queues.transfer_family;
-    vkGetDeviceQueue(device, queues.transfer_family, 0, &context_.transfer_queue);
+    context_.vk->GetDeviceQueue(device, queues.transfer_family, 0, &context_.transfer_queue);
 }
 
 Device::~Device() {
     // A lost device runs nothing any more.
-    (void)repeat_wait([&] { return vkDeviceWaitIdle(context_.device); });
-    vkDestroyDevice(context_.device, nullptr);
+    (void)repeat_wait([&] { return context_.vk->DeviceWaitIdle(context_.device); });
+    context_.vk->DestroyDevice(context_.device, nullptr);
 }
 
 }  // namespace rimline

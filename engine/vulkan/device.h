@@ -4,13 +4,15 @@
 
 #include <vulkan/vulkan.h>
 
-#include <string>
+#include <memory>
 #include <vector>
 
 #include "engine/vulkan/device_choice.h"
 #include "engine/vulkan/vulkan_instance.h"
 
 namespace rimline {
+
+struct DeviceFunctions;
 
 /// The format of every depth attachment. Reversed depth needs floats.
 constexpr VkFormat k_depth_stencil_format = VK_FORMAT_D32_SFLOAT_S8_UINT;
@@ -23,9 +25,19 @@ struct DeviceFeatures {
     bool occlusion_query_precise = false;
 };
 
+/// A lock around every use of a caller's queues, for callers that use them on other threads too.
+class QueueMutex {
+public:
+    virtual ~QueueMutex() = default;
+    virtual void lock() = 0;
+    virtual void unlock() = 0;
+};
+
 /// What passes need of a device, Rimline's or a caller's. The caller keeps all handles alive, and has enabled
-/// what judge_device() requires.
+/// what judge_device() requires. Copies are equal; one of them must outlive all objects of the device.
 struct DeviceContext {
+    /// Vulkan's functions for this device (functions.h).
+    std::shared_ptr<const DeviceFunctions> vk;
     VkPhysicalDevice physical_device = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
@@ -33,6 +45,7 @@ struct DeviceContext {
     /// For copies into static buffers (uploads.h): a queue of another family, or the queue above.
     VkQueue transfer_queue = VK_NULL_HANDLE;
     std::uint32_t transfer_family = 0;
+    QueueMutex* queue_mutex = nullptr;  ///< Held while work is submitted. Null: none.
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
     /// maxBufferSize and maxMemoryAllocationSize.
@@ -45,11 +58,26 @@ struct DeviceContext {
 /// Every physical device of an instance, usable or not, in Vulkan's order.
 std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance);
 
-/// Reads a context from a caller's handles. `features` are those that the caller enabled. The context uses
-/// the one queue for everything; a caller with another queue for copies sets transfer_queue and
-/// transfer_family afterwards.
-DeviceContext make_device_context(VkPhysicalDevice physical_device, VkDevice device, VkQueue queue,
-                                  std::uint32_t queue_family, const DeviceFeatures& features);
+/// A caller's device, for make_device_context().
+struct HostDevice {
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    /// Used for everything. A caller with another queue for copies sets transfer_queue and transfer_family
+    /// in the context.
+    VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queue_family = 0;
+    DeviceFeatures features{};  ///< Those that the caller has enabled.
+    /// Must outlive the context. Null: the caller uses the queue on no other thread while Rimline submits
+    /// (renderer.h says when it does).
+    QueueMutex* queue_mutex = nullptr;
+    /// The vkGetInstanceProcAddr of the caller's loader, which gives the vkGetDeviceProcAddr that all
+    /// functions come from. Null: the system's loader.
+    PFN_vkGetInstanceProcAddr loader = nullptr;
+};
+
+/// Throws Error{no_device} naming a function that the loader or the device lacks.
+DeviceContext make_device_context(const HostDevice& host);
 
 class Device {
 public:

@@ -6,6 +6,7 @@
 // A renderer inside another one has no fence of its own. It relies on its caller to know when a frame is
 // done; the marks let it detect a caller that is wrong.
 
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 
 namespace rimline {
@@ -16,7 +17,7 @@ public:
     FrameMarks(const DeviceContext& context, std::uint32_t slots);
 
     /// Records the mark `frame_number`, not 0, of `slot`, written when all earlier commands are done.
-    void record(VkCommandBuffer commands, std::uint32_t slot, std::uint64_t frame_number) const;
+    void record(Commands commands, std::uint32_t slot, std::uint64_t frame_number) const;
 
     /// Whether the mark of `slot` is that of `frame_number`.
     bool has(std::uint32_t slot, std::uint64_t frame_number) const noexcept;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/picture_target.h"
 
@@ -32,7 +33,7 @@ struct ImageTransition {
 };
 
 /// Orders `from` before `to` for these images, and moves them to their new layouts.
-inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAccess to,
+inline void record_barrier(Commands commands, StageAccess from, StageAccess to,
                            std::initializer_list<ImageTransition> transitions) {
     std::vector<VkImageMemoryBarrier2> images;
     for (const ImageTransition& t : transitions)
@@ -51,7 +52,7 @@ inline void record_barrier(VkCommandBuffer commands, StageAccess from, StageAcce
         .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
         .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
         .pImageMemoryBarriers = images.data()};
-    vkCmdPipelineBarrier2(commands, &dependency);
+    commands->CmdPipelineBarrier2(commands, &dependency);
 }
 
 }  // namespace rimline

@@ -57,9 +57,9 @@ OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& r
                                     .allocationSize = requirements.size,
                                     .memoryTypeIndex = type};
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    check_room(vkAllocateMemory(context.device, &info, nullptr, &memory), "vkAllocateMemory",
-               requirements.size, what);
-    return {context.device, memory};
+    check_room(context.vk->AllocateMemory(context.device, &info, nullptr, &memory),
+               "vkAllocateMemory", requirements.size, what);
+    return {context, memory};
 }
 
 VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
@@ -94,27 +94,27 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
         .queueFamilyIndexCount = is_shared ? 2u : 0u,
         .pQueueFamilyIndices = families.data()};
     VkBuffer handle = VK_NULL_HANDLE;
-    check_room(vkCreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer", size_,
-               what);
-    buffer_ = {context.device, handle};
+    check_room(context.vk->CreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer",
+               size_, what);
+    buffer_ = {context, handle};
     VkMemoryRequirements requirements;
-    vkGetBufferMemoryRequirements(context.device, handle, &requirements);
+    context.vk->GetBufferMemoryRequirements(context.device, handle, &requirements);
     const VkMemoryPropertyFlags needed =
         place == BufferPlace::device
             ? 0
             : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     memory_ = allocate(context, requirements, wanted_properties(place), needed, true, what);
-    check_room(vkBindBufferMemory(context.device, handle, memory_, 0), "vkBindBufferMemory", size_,
-               what);
+    check_room(context.vk->BindBufferMemory(context.device, handle, memory_, 0),
+               "vkBindBufferMemory", size_, what);
     if (place != BufferPlace::device) {
         void* mapped = nullptr;
-        check_room(vkMapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
+        check_room(context.vk->MapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
                    "vkMapMemory", size_, what);
         mapped_ = static_cast<std::byte*>(mapped);
     }
     const VkBufferDeviceAddressInfo address{.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
                                             .buffer = handle};
-    address_ = vkGetBufferDeviceAddress(context.device, &address);
+    address_ = context.vk->GetBufferDeviceAddress(context.device, &address);
 }
 
 Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,
@@ -123,9 +123,9 @@ Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> da
     if (data.empty()) return buffer;
     const Buffer staging(context, data.size(), BufferPlace::upload, what);
     std::memcpy(staging.mapped(), data.data(), data.size());
-    run_commands(context, [&](VkCommandBuffer commands) {
+    run_commands(context, [&](Commands commands) {
         const VkBufferCopy region{.size = data.size()};
-        vkCmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
+        commands->CmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
     });
     return buffer;
 }
@@ -134,9 +134,9 @@ void read_buffer(const DeviceContext& context, const Buffer& buffer, std::span<s
     RIMLINE_CHECK(data.size() <= buffer.size());
     if (data.empty()) return;
     const Buffer staging(context, data.size(), BufferPlace::readback, "reading back");
-    run_commands(context, [&](VkCommandBuffer commands) {
+    run_commands(context, [&](Commands commands) {
         const VkBufferCopy region{.size = data.size()};
-        vkCmdCopyBuffer(commands, buffer.handle(), staging.handle(), 1, &region);
+        commands->CmdCopyBuffer(commands, buffer.handle(), staging.handle(), 1, &region);
         record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                        {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
     });
@@ -169,13 +169,13 @@ Image::Image(const DeviceContext& context, const ImageDescription& description,
                                  .usage = description.usage};
     VkImage handle = VK_NULL_HANDLE;
     const VkDeviceSize pixels = VkDeviceSize{description.extent.width} * description.extent.height;
-    check_room(vkCreateImage(context.device, &info, nullptr, &handle), "vkCreateImage",
+    check_room(context.vk->CreateImage(context.device, &info, nullptr, &handle), "vkCreateImage",
                4 * pixels * description.samples, what);
-    image_ = {context.device, handle};
+    image_ = {context, handle};
     VkMemoryRequirements requirements;
-    vkGetImageMemoryRequirements(context.device, handle, &requirements);
+    context.vk->GetImageMemoryRequirements(context.device, handle, &requirements);
     memory_ = allocate(context, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, false, what);
-    check_room(vkBindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory",
+    check_room(context.vk->BindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory",
                requirements.size, what);
 
     const auto view_of = [&](VkImageAspectFlags aspects) {
@@ -185,9 +185,9 @@ Image::Image(const DeviceContext& context, const ImageDescription& description,
                                          .format = description.format,
                                          .subresourceRange = {aspects, 0, 1, 0, 1}};
         VkImageView view_handle = VK_NULL_HANDLE;
-        vk_check(vkCreateImageView(context.device, &view, nullptr, &view_handle),
+        vk_check(context.vk->CreateImageView(context.device, &view, nullptr, &view_handle),
                  "vkCreateImageView");
-        return OwnedImageView(context.device, view_handle);
+        return OwnedImageView(context, view_handle);
     };
     attachment_view_ = view_of(aspects());
     if ((description.usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0)

@@ -12,8 +12,9 @@ OwnedShaderModule make_module(const DeviceContext& context, SpirvCode code) {
                                         .codeSize = code.size_bytes(),
                                         .pCode = code.data()};
     VkShaderModule module = VK_NULL_HANDLE;
-    vk_check(vkCreateShaderModule(context.device, &info, nullptr, &module), "vkCreateShaderModule");
-    return {context.device, module};
+    vk_check(context.vk->CreateShaderModule(context.device, &info, nullptr, &module),
+             "vkCreateShaderModule");
+    return {context, module};
 }
 
 VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits stage, VkShaderModule module) {
@@ -85,9 +86,9 @@ OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint
                                           .pushConstantRangeCount = 1,
                                           .pPushConstantRanges = &range};
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    vk_check(vkCreatePipelineLayout(context.device, &info, nullptr, &layout),
+    vk_check(context.vk->CreatePipelineLayout(context.device, &info, nullptr, &layout),
              "vkCreatePipelineLayout");
-    return {context.device, layout};
+    return {context, layout};
 }
 
 OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
@@ -97,9 +98,10 @@ OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code
                                            .stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, module),
                                            .layout = layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    vk_check(vkCreateComputePipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+    vk_check(context.vk->CreateComputePipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr,
+                                                &pipeline),
              "vkCreateComputePipelines");
-    return {context.device, pipeline};
+    return {context, pipeline};
 }
 
 OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
@@ -190,10 +192,10 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .pDynamicState = &dynamic,
         .layout = description.layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    vk_check(
-        vkCreateGraphicsPipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-        "vkCreateGraphicsPipelines");
-    return {context.device, pipeline};
+    vk_check(context.vk->CreateGraphicsPipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr,
+                                                 &pipeline),
+             "vkCreateGraphicsPipelines");
+    return {context, pipeline};
 }
 
 }  // namespace rimline

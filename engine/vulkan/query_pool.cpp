@@ -3,30 +3,32 @@
 namespace rimline {
 
 QueryPool::QueryPool(const DeviceContext& context, VkQueryType type, std::uint32_t count)
-    : device_(context.device), count_(count) {
+    : vk_(context.vk.get()), count_(count) {
     const VkQueryPoolCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO, .queryType = type, .queryCount = count};
     VkQueryPool pool = VK_NULL_HANDLE;
-    vk_check(vkCreateQueryPool(context.device, &info, nullptr, &pool), "vkCreateQueryPool");
-    pool_ = {context.device, pool};
+    vk_check(context.vk->CreateQueryPool(context.device, &info, nullptr, &pool),
+             "vkCreateQueryPool");
+    pool_ = {context, pool};
 }
 
-void QueryPool::record_reset(VkCommandBuffer commands) const {
-    vkCmdResetQueryPool(commands, pool_, 0, count_);
+void QueryPool::record_reset(Commands commands) const {
+    commands->CmdResetQueryPool(commands, pool_, 0, count_);
 }
 
 void QueryPool::read(std::span<std::uint32_t> results) const {
-    vk_check(vkGetQueryPoolResults(device_, pool_, 0, static_cast<std::uint32_t>(results.size()),
-                                   results.size_bytes(), results.data(), sizeof results[0],
-                                   VK_QUERY_RESULT_WAIT_BIT),
+    vk_check(vk_->GetQueryPoolResults(
+                 vk_->device, pool_, 0, static_cast<std::uint32_t>(results.size()),
+                 results.size_bytes(), results.data(), sizeof results[0], VK_QUERY_RESULT_WAIT_BIT),
              "vkGetQueryPoolResults");
 }
 
 void QueryPool::read(std::span<std::uint64_t> results) const {
-    vk_check(vkGetQueryPoolResults(device_, pool_, 0, static_cast<std::uint32_t>(results.size()),
-                                   results.size_bytes(), results.data(), sizeof results[0],
-                                   VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-             "vkGetQueryPoolResults");
+    vk_check(
+        vk_->GetQueryPoolResults(vk_->device, pool_, 0, static_cast<std::uint32_t>(results.size()),
+                                 results.size_bytes(), results.data(), sizeof results[0],
+                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "vkGetQueryPoolResults");
 }
 
 }  // namespace rimline

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "engine/vulkan/device.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {
@@ -23,7 +24,7 @@ public:
     explicit operator bool() const noexcept { return pool_.get() != VK_NULL_HANDLE; }
 
     /// Records the reset of all queries, before their first use and between uses.
-    void record_reset(VkCommandBuffer commands) const;
+    void record_reset(Commands commands) const;
 
     /// Reads the results of the first `results.size()` queries, 32 or 64 bits each. Waits for them. Throws
     /// what vk_check() does.
@@ -31,7 +32,7 @@ public:
     void read(std::span<std::uint64_t> results) const;
 
 private:
-    VkDevice device_ = VK_NULL_HANDLE;
+    const DeviceFunctions* vk_ = nullptr;
     std::uint32_t count_ = 0;
     OwnedQueryPool pool_;
 };

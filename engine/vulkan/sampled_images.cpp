@@ -14,8 +14,9 @@ OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter) {
                                    .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                    .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
     VkSampler sampler = VK_NULL_HANDLE;
-    vk_check(vkCreateSampler(context.device, &info, nullptr, &sampler), "vkCreateSampler");
-    return {context.device, sampler};
+    vk_check(context.vk->CreateSampler(context.device, &info, nullptr, &sampler),
+             "vkCreateSampler");
+    return {context, sampler};
 }
 
 DescriptorSets make_set(const DeviceContext& context, std::uint32_t count,
@@ -33,7 +34,7 @@ DescriptorSets make_set(const DeviceContext& context, std::uint32_t count,
 }  // namespace
 
 SampledImages::SampledImages(const DeviceContext& context, std::uint32_t count, VkFilter filter)
-    : device_(context.device),
+    : vk_(context.vk.get()),
       sampler_(make_sampler(context, filter)),
       sets_(make_set(context, count, sampler_.get())) {}
 
@@ -52,8 +53,8 @@ void SampledImages::set(std::initializer_list<const Image*> images) {
                           .descriptorCount = 1,
                           .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
                           .pImageInfo = &infos[i]});
-    vkUpdateDescriptorSets(device_, static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
-                           nullptr);
+    vk_->UpdateDescriptorSets(vk_->device, static_cast<std::uint32_t>(writes.size()), writes.data(),
+                              0, nullptr);
 }
 
 }  // namespace rimline

@@ -25,7 +25,7 @@ public:
     VkDescriptorSet get() const noexcept { return sets_[0]; }
 
 private:
-    VkDevice device_;
+    const DeviceFunctions* vk_;
     OwnedSampler sampler_;
     DescriptorSets sets_;
 };

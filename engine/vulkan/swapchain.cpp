@@ -3,22 +3,26 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/vulkan/commands.h"
+
 namespace rimline {
 
 namespace {
 
-OwnedSemaphore make_semaphore(VkDevice device) {
+OwnedSemaphore make_semaphore(const DeviceContext& context) {
     const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     VkSemaphore semaphore = VK_NULL_HANDLE;
-    vk_check(vkCreateSemaphore(device, &info, nullptr, &semaphore), "vkCreateSemaphore");
-    return {device, semaphore};
+    vk_check(context.vk->CreateSemaphore(context.device, &info, nullptr, &semaphore),
+             "vkCreateSemaphore");
+    return {context, semaphore};
 }
 
 // Pictures hold sRGB bytes already. A format that encodes again would brighten them.
-VkFormat choose_format(VkPhysicalDevice device, VkSurfaceKHR surface) {
+VkFormat choose_format(const DeviceContext& context, VkSurfaceKHR surface) {
     const auto offered = enumerate<VkSurfaceFormatKHR>(
         [&](std::uint32_t* count, VkSurfaceFormatKHR* formats) {
-            return vkGetPhysicalDeviceSurfaceFormatsKHR(device, surface, count, formats);
+            return context.vk->GetPhysicalDeviceSurfaceFormatsKHR(context.physical_device, surface,
+                                                                  count, formats);
         },
         "vkGetPhysicalDeviceSurfaceFormatsKHR");
     for (const VkFormat format : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
@@ -37,28 +41,31 @@ Swapchain::Swapchain(const DeviceContext& context, VkSurfaceKHR surface, std::ui
     : context_(context), surface_(surface) {
     VkBool32 supported = VK_FALSE;
     if (context.features.swapchain)
-        vk_check(vkGetPhysicalDeviceSurfaceSupportKHR(context.physical_device, context.queue_family,
-                                                      surface, &supported),
+        vk_check(context.vk->GetPhysicalDeviceSurfaceSupportKHR(
+                     context.physical_device, context.queue_family, surface, &supported),
                  "vkGetPhysicalDeviceSurfaceSupportKHR");
     if (supported != VK_TRUE)
         throw Error(ErrorCode::no_device,
                     "the device cannot show pictures in this window: choose another with --device");
-    format_ = choose_format(context.physical_device, surface);
-    for (std::uint32_t i = 0; i < ring_slots; ++i)
-        acquired_.push_back(make_semaphore(context.device));
+    format_ = choose_format(context, surface);
+    for (std::uint32_t i = 0; i < ring_slots; ++i) acquired_.push_back(make_semaphore(context));
 }
 
 Swapchain::~Swapchain() { wait_until_unused(); }
 
 // Presentation may use its image and semaphore until the queue is idle. A lost device uses nothing.
 void Swapchain::wait_until_unused() const noexcept {
-    (void)repeat_wait([&] { return vkQueueWaitIdle(context_.queue); });
+    (void)repeat_wait([&] {
+        const QueueLock lock(context_);
+        return context_.vk->QueueWaitIdle(context_.queue);
+    });
 }
 
 void Swapchain::remake(VkExtent2D window_size) {
     wait_until_unused();
     VkSurfaceCapabilitiesKHR can;
-    vk_check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device, surface_, &can),
+    vk_check(context_.vk->GetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device,
+                                                                  surface_, &can),
              "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
     constexpr std::uint32_t k_any = 0xffffffffu;
     extent_ = can.currentExtent;
@@ -95,14 +102,14 @@ void Swapchain::remake(VkExtent2D window_size) {
         .clipped = VK_FALSE,
         .oldSwapchain = swapchain_};
     VkSwapchainKHR handle = VK_NULL_HANDLE;
-    const VkResult made = vkCreateSwapchainKHR(context_.device, &info, nullptr, &handle);
+    const VkResult made = context_.vk->CreateSwapchainKHR(context_.device, &info, nullptr, &handle);
     // Also if it failed: the old swapchain is retired and cannot be replaced a second time.
-    swapchain_ = OwnedSwapchain(context_.device, handle);
+    swapchain_ = OwnedSwapchain(context_, handle);
     vk_check(made, "vkCreateSwapchainKHR");
 
     for (const VkImage image : enumerate<VkImage>(
              [&](std::uint32_t*count, VkImage*images) {
-                 return vkGetSwapchainImagesKHR(context_.device, handle, count, images);
+                 return context_.vk->GetSwapchainImagesKHR(context_.device, handle, count, images);
              },
              "vkGetSwapchainImagesKHR")) {
         const VkImageViewCreateInfo view{
@@ -112,9 +119,9 @@ void Swapchain::remake(VkExtent2D window_size) {
             .format = format_,
             .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
         VkImageView view_handle = VK_NULL_HANDLE;
-        vk_check(vkCreateImageView(context_.device, &view, nullptr, &view_handle),
+        vk_check(context_.vk->CreateImageView(context_.device, &view, nullptr, &view_handle),
                  "vkCreateImageView");
-        images_.push_back({image, {context_.device, view_handle}, make_semaphore(context_.device)});
+        images_.push_back({image, {context_, view_handle}, make_semaphore(context_)});
     }
     ++generation_;
     stale_ = false;
@@ -130,8 +137,8 @@ bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
         if (stale_ || images_.empty()) remake(window_size);
         if (images_.empty()) return false;
         const VkResult result =
-            vkAcquireNextImageKHR(context_.device, swapchain_, UINT64_MAX, acquired_[ring_slot],
-                                  VK_NULL_HANDLE, &current_);
+            context_.vk->AcquireNextImageKHR(context_.device, swapchain_, UINT64_MAX,
+                                             acquired_[ring_slot], VK_NULL_HANDLE, &current_);
         if (result == VK_SUCCESS) return true;
         stale_ = true;
         if (result == VK_SUBOPTIMAL_KHR)
@@ -150,7 +157,10 @@ void Swapchain::present() {
                                 .swapchainCount = 1,
                                 .pSwapchains = &swapchain,
                                 .pImageIndices = &current_};
-    const VkResult result = vkQueuePresentKHR(context_.queue, &info);
+    const VkResult result = [&] {
+        const QueueLock lock(context_);
+        return context_.vk->QueuePresentKHR(context_.queue, &info);
+    }();
     if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR)
         stale_ = true;
     else

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/vulkan/device.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {
@@ -24,8 +25,8 @@ namespace rimline {
 class WindowSurface {
 public:
     WindowSurface() = default;
-    WindowSurface(VkInstance instance, VkSurfaceKHR surface) noexcept
-        : instance_(instance), surface_(surface) {}
+    WindowSurface(const VulkanInstance& instance, VkSurfaceKHR surface) noexcept
+        : instance_(&instance), surface_(surface) {}
     WindowSurface(WindowSurface&& other) noexcept
         : instance_(other.instance_), surface_(std::exchange(other.surface_, VK_NULL_HANDLE)) {}
     WindowSurface& operator=(WindowSurface&& other) noexcept {
@@ -34,13 +35,14 @@ public:
         return *this;
     }
     ~WindowSurface() {
-        if (surface_ != VK_NULL_HANDLE) vkDestroySurfaceKHR(instance_, surface_, nullptr);
+        if (surface_ != VK_NULL_HANDLE)
+            instance_->functions().DestroySurfaceKHR(instance_->handle(), surface_, nullptr);
     }
 
     VkSurfaceKHR get() const noexcept { return surface_; }
 
 private:
-    VkInstance instance_ = VK_NULL_HANDLE;
+    const VulkanInstance* instance_ = nullptr;
     VkSurfaceKHR surface_ = VK_NULL_HANDLE;
 };
 

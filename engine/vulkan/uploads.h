@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "engine/vulkan/device.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 
 namespace rimline {

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/vulkan/device.h"
+#include "engine/vulkan/functions.h"
 #include "silhouette/error.h"
 
 namespace rimline {
@@ -61,46 +63,48 @@ VkResult repeat_wait(Wait&& wait) {
     return result;
 }
 
-/// Owns one object of a device. `destroy` is its vkDestroy function. The device must outlive the owner, but
-/// may be lost.
+/// Owns one object of a device. `destroy` is its function. The context that it was made with must outlive the
+/// owner; the device may be lost.
 template <typename Handle, auto destroy>
 class DeviceHandle {
 public:
     DeviceHandle() = default;
-    DeviceHandle(VkDevice device, Handle handle) noexcept : device_(device), handle_(handle) {}
+    DeviceHandle(const DeviceContext& context, Handle handle) noexcept
+        : vk_(context.vk.get()), handle_(handle) {}
     DeviceHandle(DeviceHandle&& other) noexcept
-        : device_(other.device_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)) {}
+        : vk_(other.vk_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)) {}
     DeviceHandle& operator=(DeviceHandle&& other) noexcept {
-        std::swap(device_, other.device_);
+        std::swap(vk_, other.vk_);
         std::swap(handle_, other.handle_);
         return *this;
     }
     ~DeviceHandle() {
-        if (handle_ != VK_NULL_HANDLE) destroy(device_, handle_, nullptr);
+        if (handle_ != VK_NULL_HANDLE) (vk_->*destroy)(vk_->device, handle_, nullptr);
     }
 
     Handle get() const noexcept { return handle_; }
     operator Handle() const noexcept { return handle_; }
 
 private:
-    VkDevice device_ = VK_NULL_HANDLE;
+    const DeviceFunctions* vk_ = nullptr;
     Handle handle_ = VK_NULL_HANDLE;
 };
 
-using OwnedBuffer = DeviceHandle<VkBuffer, vkDestroyBuffer>;
-using OwnedImage = DeviceHandle<VkImage, vkDestroyImage>;
-using OwnedImageView = DeviceHandle<VkImageView, vkDestroyImageView>;
-using OwnedMemory = DeviceHandle<VkDeviceMemory, vkFreeMemory>;
-using OwnedShaderModule = DeviceHandle<VkShaderModule, vkDestroyShaderModule>;
-using OwnedPipeline = DeviceHandle<VkPipeline, vkDestroyPipeline>;
-using OwnedPipelineLayout = DeviceHandle<VkPipelineLayout, vkDestroyPipelineLayout>;
-using OwnedDescriptorSetLayout = DeviceHandle<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout>;
-using OwnedDescriptorPool = DeviceHandle<VkDescriptorPool, vkDestroyDescriptorPool>;
-using OwnedSampler = DeviceHandle<VkSampler, vkDestroySampler>;
-using OwnedSemaphore = DeviceHandle<VkSemaphore, vkDestroySemaphore>;
-using OwnedFence = DeviceHandle<VkFence, vkDestroyFence>;
-using OwnedSwapchain = DeviceHandle<VkSwapchainKHR, vkDestroySwapchainKHR>;
-using OwnedQueryPool = DeviceHandle<VkQueryPool, vkDestroyQueryPool>;
-using OwnedCommandPool = DeviceHandle<VkCommandPool, vkDestroyCommandPool>;
+using OwnedBuffer = DeviceHandle<VkBuffer, &DeviceFunctions::DestroyBuffer>;
+using OwnedImage = DeviceHandle<VkImage, &DeviceFunctions::DestroyImage>;
+using OwnedImageView = DeviceHandle<VkImageView, &DeviceFunctions::DestroyImageView>;
+using OwnedMemory = DeviceHandle<VkDeviceMemory, &DeviceFunctions::FreeMemory>;
+using OwnedShaderModule = DeviceHandle<VkShaderModule, &DeviceFunctions::DestroyShaderModule>;
+using OwnedPipeline = DeviceHandle<VkPipeline, &DeviceFunctions::DestroyPipeline>;
+using OwnedPipelineLayout = DeviceHandle<VkPipelineLayout, &DeviceFunctions::DestroyPipelineLayout>;
+using OwnedDescriptorSetLayout =
+    DeviceHandle<VkDescriptorSetLayout, &DeviceFunctions::DestroyDescriptorSetLayout>;
+using OwnedDescriptorPool = DeviceHandle<VkDescriptorPool, &DeviceFunctions::DestroyDescriptorPool>;
+using OwnedSampler = DeviceHandle<VkSampler, &DeviceFunctions::DestroySampler>;
+using OwnedSemaphore = DeviceHandle<VkSemaphore, &DeviceFunctions::DestroySemaphore>;
+using OwnedFence = DeviceHandle<VkFence, &DeviceFunctions::DestroyFence>;
+using OwnedSwapchain = DeviceHandle<VkSwapchainKHR, &DeviceFunctions::DestroySwapchainKHR>;
+using OwnedQueryPool = DeviceHandle<VkQueryPool, &DeviceFunctions::DestroyQueryPool>;
+using OwnedCommandPool = DeviceHandle<VkCommandPool, &DeviceFunctions::DestroyCommandPool>;
 
 }  // namespace rimline

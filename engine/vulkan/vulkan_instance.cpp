@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "engine/vulkan/device_choice.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {
@@ -14,20 +15,15 @@ namespace {
 
 constexpr const char* k_validation_layer = "VK_LAYER_KHRONOS_validation";
 
-bool has_validation_layer() {
+bool has_validation_layer(const GlobalFunctions& vk) {
     const std::vector<VkLayerProperties> layers = enumerate<VkLayerProperties>(
-        [](std::uint32_t* count, VkLayerProperties* all) {
-            return vkEnumerateInstanceLayerProperties(count, all);
+        [&vk](std::uint32_t* count, VkLayerProperties* all) {
+            return vk.EnumerateInstanceLayerProperties(count, all);
         },
         "vkEnumerateInstanceLayerProperties");
     return std::any_of(layers.begin(), layers.end(), [](const VkLayerProperties& layer) {
         return std::strcmp(layer.layerName, k_validation_layer) == 0;
     });
-}
-
-template <typename Function>
-Function instance_function(VkInstance instance, const char* name) {
-    return reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
 }
 
 }  // namespace
@@ -49,13 +45,16 @@ struct VulkanInstance::Messages {
 };
 
 VulkanInstance::VulkanInstance(const InstanceOptions& options)
-    : presents_(!options.window_extensions.empty()), messages_(std::make_unique<Messages>()) {
+    : loader_(options.loader ? options.loader : system_loader()),
+      presents_(!options.window_extensions.empty()),
+      messages_(std::make_unique<Messages>()) {
+    const GlobalFunctions vk = load_global_functions(loader_);
     std::uint32_t version = VK_API_VERSION_1_0;
-    vk_check(vkEnumerateInstanceVersion(&version), "vkEnumerateInstanceVersion");
+    vk_check(vk.EnumerateInstanceVersion(&version), "vkEnumerateInstanceVersion");
     if (version < VK_API_VERSION_1_3)
         throw Error(ErrorCode::no_device,
                     "the Vulkan loader is older than 1.3: install a newer libvulkan1");
-    if (options.validate && !has_validation_layer())
+    if (options.validate && !has_validation_layer(vk))
         throw Error(ErrorCode::no_device, std::string("the layer ") + k_validation_layer +
                                               " is not installed: install vulkan-validationlayers");
 
@@ -92,26 +91,28 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &k_validation_layer;
     }
-    const VkResult created = vkCreateInstance(&info, nullptr, &instance_);
+    const VkResult created = vk.CreateInstance(&info, nullptr, &instance_);
     // The loader's result if no driver is installed.
     if (created == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw Error(ErrorCode::no_device, k_no_device_advice);
     vk_check(created, "vkCreateInstance");
-    if (options.validate) {
-        const auto create = instance_function<PFN_vkCreateDebugUtilsMessengerEXT>(
-            instance_, "vkCreateDebugUtilsMessengerEXT");
-        const VkResult result = create ? create(instance_, &messenger, nullptr, &messenger_)
-                                       : VK_ERROR_EXTENSION_NOT_PRESENT;
-        if (result != VK_SUCCESS) vkDestroyInstance(instance_, nullptr);
-        vk_check(result, "vkCreateDebugUtilsMessengerEXT");
+    try {
+        functions_ =
+            std::make_unique<InstanceFunctions>(load_instance_functions(loader_, instance_));
+        if (options.validate)
+            vk_check(functions_->CreateDebugUtilsMessengerEXT(instance_, &messenger, nullptr,
+                                                              &messenger_),
+                     "vkCreateDebugUtilsMessengerEXT");
+    } catch (...) {
+        if (functions_) functions_->DestroyInstance(instance_, nullptr);
+        throw;
     }
 }
 
 VulkanInstance::~VulkanInstance() {
     if (messenger_ != VK_NULL_HANDLE)
-        instance_function<PFN_vkDestroyDebugUtilsMessengerEXT>(
-            instance_, "vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, nullptr);
-    if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+        functions_->DestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
+    functions_->DestroyInstance(instance_, nullptr);
 }
 
 std::optional<std::uint32_t> VulkanInstance::validation_message_count() const noexcept {

@@ -13,9 +13,14 @@
 
 namespace rimline {
 
+struct InstanceFunctions;
+
 struct InstanceOptions {
     /// Turns on the validation layer with synchronization checks. Missing layers are an error.
     bool validate = false;
+    /// Where Vulkan's functions come from: the vkGetInstanceProcAddr of a loader, which must outlive the
+    /// instance. Null: the system's loader.
+    PFN_vkGetInstanceProcAddr loader = nullptr;
     /// Instance extensions that a window system needs. If there are any, devices are opened for presenting.
     std::vector<std::string> window_extensions;
 };
@@ -30,6 +35,8 @@ public:
     VulkanInstance& operator=(const VulkanInstance&) = delete;
 
     VkInstance handle() const noexcept { return instance_; }
+    const InstanceFunctions& functions() const noexcept { return *functions_; }
+    PFN_vkGetInstanceProcAddr loader() const noexcept { return loader_; }
     bool validates() const noexcept { return messenger_ != VK_NULL_HANDLE; }
     /// Whether it was made with the extensions of a window system.
     bool presents() const noexcept { return presents_; }
@@ -43,6 +50,8 @@ public:
 private:
     struct Messages;
 
+    PFN_vkGetInstanceProcAddr loader_;
+    std::unique_ptr<InstanceFunctions> functions_;
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     bool presents_;

@@ -126,7 +126,8 @@ TEST_CASE("line paths without slots keep no tracker and stream nothing for the c
 // A device on which geometry shaders were not enabled.
 class PlainDevice {
 public:
-    explicit PlainDevice(const DeviceContext& full) {
+    explicit PlainDevice(const tests::Gpu& gpu) {
+        const DeviceContext& full = gpu.context();
         VkPhysicalDeviceVulkan13Features v13{
             .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
             .synchronization2 = VK_TRUE,
@@ -150,12 +151,17 @@ public:
                                       .queueCreateInfoCount = 1,
                                       .pQueueCreateInfos = &queue_info,
                                       .pEnabledFeatures = &v10};
-        REQUIRE(vkCreateDevice(full.physical_device, &info, nullptr, &device_) == VK_SUCCESS);
+        REQUIRE(full.vk->CreateDevice(full.physical_device, &info, nullptr, &device_) ==
+                VK_SUCCESS);
         VkQueue queue = VK_NULL_HANDLE;
-        vkGetDeviceQueue(device_, full.queue_family, 0, &queue);
-        context_ = make_device_context(full.physical_device, device_, queue, full.queue_family, {});
+        full.vk->GetDeviceQueue(device_, full.queue_family, 0, &queue);
+        context_ = make_device_context({.instance = gpu.instance().handle(),
+                                        .physical_device = full.physical_device,
+                                        .device = device_,
+                                        .queue = queue,
+                                        .queue_family = full.queue_family});
     }
-    ~PlainDevice() { vkDestroyDevice(device_, nullptr); }
+    ~PlainDevice() { context_.vk->DestroyDevice(device_, nullptr); }
     PlainDevice(const PlainDevice&) = delete;
     PlainDevice& operator=(const PlainDevice&) = delete;
 
@@ -176,7 +182,7 @@ TEST_CASE("a device without geometry shaders draws the same picture, lines and s
     const PictureLines lines{{{-0.1, -0.2}, {0.1, 0.2}}, {{0, 2}}};
     scene.instances.push_back({.octree = &model.octree, .picture_lines = &lines});
     const Picture expected = draw(*gpu, scene, LinePath::geometry);
-    const PlainDevice plain(gpu->context());
+    const PlainDevice plain(*gpu);
     Renderer renderer(plain.context(), {.samples = 1, .scale = 1});
     CHECK(differing_pixels(expected, renderer.render(scene, k_size, k_size)) == 0);
 }

@@ -5,6 +5,7 @@
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/memory.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
@@ -49,19 +50,22 @@ public:
             .tiling = VK_IMAGE_TILING_OPTIMAL,
             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT};
         VkImage image = VK_NULL_HANDLE;
-        vk_check(vkCreateImage(context.device, &image_info, nullptr, &image), "vkCreateImage");
-        image_ = {context.device, image};
+        vk_check(context.vk->CreateImage(context.device, &image_info, nullptr, &image),
+                 "vkCreateImage");
+        image_ = {context, image};
         VkMemoryRequirements requirements;
-        vkGetImageMemoryRequirements(context.device, image, &requirements);
+        context.vk->GetImageMemoryRequirements(context.device, image, &requirements);
         std::uint32_t type = 0;
         while ((requirements.memoryTypeBits >> type & 1u) == 0) ++type;
         const VkMemoryAllocateInfo memory_info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                                                .allocationSize = requirements.size,
                                                .memoryTypeIndex = type};
         VkDeviceMemory memory = VK_NULL_HANDLE;
-        vk_check(vkAllocateMemory(context.device, &memory_info, nullptr, &memory), "memory");
-        memory_ = {context.device, memory};
-        vk_check(vkBindImageMemory(context.device, image, memory, 0), "vkBindImageMemory");
+        vk_check(context.vk->AllocateMemory(context.device, &memory_info, nullptr, &memory),
+                 "memory");
+        memory_ = {context, memory};
+        vk_check(context.vk->BindImageMemory(context.device, image, memory, 0),
+                 "vkBindImageMemory");
         const VkImageViewCreateInfo view_info{
             .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
             .image = image,
@@ -69,33 +73,18 @@ public:
             .format = format,
             .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layers - 1, 1}};
         VkImageView view = VK_NULL_HANDLE;
-        vk_check(vkCreateImageView(context.device, &view_info, nullptr, &view), "view");
-        view_ = {context.device, view};
+        vk_check(context.vk->CreateImageView(context.device, &view_info, nullptr, &view), "view");
+        view_ = {context, view};
 
-        const VkCommandPoolCreateInfo pool_info{
-            .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-            .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-            .queueFamilyIndex = context.queue_family};
-        VkCommandPool pool = VK_NULL_HANDLE;
-        vk_check(vkCreateCommandPool(context.device, &pool_info, nullptr, &pool), "pool");
-        pool_ = {context.device, pool};
+        pool_ = make_command_pool(context, context.queue_family);
         for (Flight& flight : flights_) {
-            const VkCommandBufferAllocateInfo info{
-                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                .commandPool = pool,
-                .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                .commandBufferCount = 1};
-            vk_check(vkAllocateCommandBuffers(context.device, &info, &flight.commands), "commands");
-            const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
-                                               .flags = VK_FENCE_CREATE_SIGNALED_BIT};
-            VkFence fence = VK_NULL_HANDLE;
-            vk_check(vkCreateFence(context.device, &fence_info, nullptr, &fence), "vkCreateFence");
-            flight.fence = {context.device, fence};
+            flight.commands = make_commands(context, pool_);
+            flight.fence = make_fence(context, VK_FENCE_CREATE_SIGNALED_BIT);
             flight.pixels = Buffer(context, VkDeviceSize{16} * extent.width * extent.height,
                                    BufferPlace::readback, "pixels");
         }
     }
-    ~Caller() { vkQueueWaitIdle(context_.queue); }
+    ~Caller() { context_.vk->QueueWaitIdle(context_.queue); }
     Caller(const Caller&) = delete;
     Caller& operator=(const Caller&) = delete;
 
@@ -112,40 +101,33 @@ public:
     /// Waits for the frame before the last, records, submits unless told not to, and does not wait.
     FrameReport draw(Renderer& renderer, const Scene& scene, bool submit = true) {
         Flight& flight = flights_[frame_++ % flights_.size()];
-        const VkFence fence = flight.fence;
-        vk_check(vkWaitForFences(context_.device, 1, &fence, VK_TRUE, UINT64_MAX), "wait");
-        const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-        vk_check(vkBeginCommandBuffer(flight.commands, &begin), "vkBeginCommandBuffer");
+        wait_for_fence(context_, flight.fence);
+        const Commands commands = begin_commands(context_, flight.commands);
         const FrameReport report =
-            renderer.record(flight.commands, scene, target(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL));
+            renderer.record(commands, scene, target(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL));
         const VkBufferImageCopy region{
             .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer_, 1},
             .imageExtent = {extent_.width, extent_.height, 1}};
-        vkCmdCopyImageToBuffer(flight.commands, image_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               flight.pixels.handle(), 1, &region);
-        record_barrier(flight.commands,
-                       {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+        commands->CmdCopyImageToBuffer(commands, image_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                       flight.pixels.handle(), 1, &region);
+        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                        {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
-        vk_check(vkEndCommandBuffer(flight.commands), "vkEndCommandBuffer");
+        vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
         if (!submit) return report;
-        vk_check(vkResetFences(context_.device, 1, &fence), "vkResetFences");
-        const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
-                                .commandBufferCount = 1,
-                                .pCommandBuffers = &flight.commands};
-        vk_check(vkQueueSubmit(context_.queue, 1, &info, fence), "vkQueueSubmit");
+        const VkFence fence = flight.fence;
+        vk_check(context_.vk->ResetFences(context_.device, 1, &fence), "vkResetFences");
+        submit_commands(context_, {.queue = context_.queue, .commands = commands, .fence = fence});
         return report;
     }
 
     /// Waits for the frame drawn `ago` frames before the last.
     std::span<const std::byte> pixels(std::size_t ago = 0) {
         Flight& flight = flights_[(frame_ - 1 - ago) % flights_.size()];
-        const VkFence fence = flight.fence;
-        vk_check(vkWaitForFences(context_.device, 1, &fence, VK_TRUE, UINT64_MAX), "wait");
+        wait_for_fence(context_, flight.fence);
         return {flight.pixels.mapped(), flight.pixels.size()};
     }
 
 private:
-    using OwnedFence = DeviceHandle<VkFence, vkDestroyFence>;
     struct Flight {
         VkCommandBuffer commands = VK_NULL_HANDLE;
         OwnedFence fence;

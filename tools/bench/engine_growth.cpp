@@ -79,15 +79,15 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
         stream.begin_frame(0);
         if (!stream.apply(changes))
             stream.resend(tracker.sequence(), tracker.silhouette(), tracker.face_words());
-        CommandTimes times = timer.run([&](VkCommandBuffer commands) {
+        CommandTimes times = timer.run([&](Commands commands) {
             ChangeStream::record_before(commands);
             stream.record(commands, scatter);
             ChangeStream::record_after(commands);
         });
         times.wall_ms = ms_since(start);
         const SilhouetteRun run{&silhouette, point};
-        const CommandTimes compute_times = timer.run(
-            [&](VkCommandBuffer commands) { compute.record(commands, std::span(&run, 1)); });
+        const CommandTimes compute_times =
+            timer.run([&](Commands commands) { compute.record(commands, std::span(&run, 1)); });
         if (counts) {
             moves_ms.push_back(move_ms);
             streamed.add(times);

@@ -9,23 +9,26 @@ namespace rimline::tools {
 
 CommandTimer::CommandTimer(const DeviceContext& context) : context_(context) {
     std::uint32_t family_count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(context.physical_device, &family_count, nullptr);
+    context.vk->GetPhysicalDeviceQueueFamilyProperties(context.physical_device, &family_count,
+                                                       nullptr);
     std::vector<VkQueueFamilyProperties> families(family_count);
-    vkGetPhysicalDeviceQueueFamilyProperties(context.physical_device, &family_count,
-                                             families.data());
+    context.vk->GetPhysicalDeviceQueueFamilyProperties(context.physical_device, &family_count,
+                                                       families.data());
     valid_bits_ = families.at(context.queue_family).timestampValidBits;
     tick_ms_ = double{context.limits.timestampPeriod} * 1e-6;
     queries_ = QueryPool(context, VK_QUERY_TYPE_TIMESTAMP, 2);
 }
 
-CommandTimes CommandTimer::run(const std::function<void(VkCommandBuffer)>& record) const {
+CommandTimes CommandTimer::run(const std::function<void(Commands)>& record) const {
     const auto start = std::chrono::steady_clock::now();
-    run_commands(context_, [&](VkCommandBuffer commands) {
+    run_commands(context_, [&](Commands commands) {
         if (valid_bits_ == 0) return record(commands);
         queries_.record_reset(commands);
-        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.handle(), 0);
+        commands->CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                     queries_.handle(), 0);
         record(commands);
-        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.handle(), 1);
+        commands->CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                     queries_.handle(), 1);
     });
     CommandTimes times{.wall_ms = std::chrono::duration<double, std::milli>(
                                       std::chrono::steady_clock::now() - start)

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/vulkan/device.h"
+#include "engine/vulkan/functions.h"
 #include "engine/vulkan/query_pool.h"
 
 namespace rimline::tools {
@@ -22,7 +23,7 @@ public:
     explicit CommandTimer(const DeviceContext& context);
 
     /// Records, submits and waits. wall_ms includes the time of `record`.
-    CommandTimes run(const std::function<void(VkCommandBuffer)>& record) const;
+    CommandTimes run(const std::function<void(Commands)>& record) const;
 
 private:
     DeviceContext context_;

@@ -43,8 +43,13 @@ Counted expected_from(const Mesh& mesh, const HomogeneousPoint& point) {
 
 void run() {
     samples::ForeignRenderer foreign;
-    const DeviceContext context = make_device_context(foreign.physical_device, foreign.device,
-                                                      foreign.queue, 0, {.geometry_shader = true});
+    const DeviceContext context = make_device_context({.instance = foreign.instance,
+                                                       .physical_device = foreign.physical_device,
+                                                       .device = foreign.device,
+                                                       .queue = foreign.queue,
+                                                       .queue_family = 0,
+                                                       .features = {.geometry_shader = true},
+                                                       .loader = vkGetInstanceProcAddr});
     const samples::SharedBuffer<Counted> result(foreign);
     const samples::ComputePipeline count(foreign, sample_count_comp, sizeof(Constants));
 

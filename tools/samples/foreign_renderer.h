@@ -1,9 +1,15 @@
 #pragma once
 
 // The existing renderer of embedding.cpp: a minimal one in plain Vulkan, with one frame at a time, a buffer
-// that the host reads, and a compute pipeline. It does not use Rimline.
+// that the host reads, and a compute pipeline. It does not use Rimline. It links the loader, or, with
+// SAMPLE_WITH_VOLK, loads it with volk.
 
+#ifdef SAMPLE_WITH_VOLK
+#define VOLK_IMPLEMENTATION
+#include <volk.h>
+#else
 #include <vulkan/vulkan.h>
+#endif
 
 #include <cstdint>
 #include <new>
@@ -72,11 +78,17 @@ struct ForeignRenderer {
 
 private:
     void make_device() {
+#ifdef SAMPLE_WITH_VOLK
+        require(volkInitialize());
+#endif
         const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
                                             .apiVersion = VK_API_VERSION_1_3};
         const VkInstanceCreateInfo instance_info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                                  .pApplicationInfo = &application};
         require(vkCreateInstance(&instance_info, nullptr, &instance));
+#ifdef SAMPLE_WITH_VOLK
+        volkLoadInstance(instance);
+#endif
         std::uint32_t one = 1;
         require(vkEnumeratePhysicalDevices(instance, &one, &physical_device));
         if (one == 0) throw std::runtime_error("there is no Vulkan device");
@@ -104,6 +116,9 @@ private:
                                       .pQueueCreateInfos = &queue_info,
                                       .pEnabledFeatures = &v10};
         require(vkCreateDevice(physical_device, &info, nullptr, &device));
+#ifdef SAMPLE_WITH_VOLK
+        volkLoadDevice(device);
+#endif
         vkGetDeviceQueue(device, 0, 0, &queue);
     }
 

@@ -82,9 +82,9 @@ std::vector<std::string> Window::vulkan_extensions() const {
     return {names, names + count};
 }
 
-WindowSurface Window::make_surface(VkInstance instance) const {
+WindowSurface Window::make_surface(const VulkanInstance& instance) const {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
-    vk_check(glfwCreateWindowSurface(instance, window_, nullptr, &surface),
+    vk_check(glfwCreateWindowSurface(instance.handle(), window_, nullptr, &surface),
              "glfwCreateWindowSurface");
     return {instance, surface};
 }

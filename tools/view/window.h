@@ -28,7 +28,7 @@ public:
     /// The instance extensions that a surface on this desktop needs.
     std::vector<std::string> vulkan_extensions() const;
     /// Throws Error{no_device}.
-    WindowSurface make_surface(VkInstance instance) const;
+    WindowSurface make_surface(const VulkanInstance& instance) const;
 
     /// Size of the content in pixels. Zero while the window is minimized or hidden.
     VkExtent2D size_px() const;

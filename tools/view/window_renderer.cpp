@@ -23,14 +23,6 @@ constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSF
 // Presentation waits for a semaphore, which orders all later accesses.
 constexpr StageAccess k_no_access{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
 
-OwnedFence make_signaled_fence(VkDevice device) {
-    const VkFenceCreateInfo info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO,
-                                 .flags = VK_FENCE_CREATE_SIGNALED_BIT};
-    VkFence fence = VK_NULL_HANDLE;
-    vk_check(vkCreateFence(device, &info, nullptr, &fence), "vkCreateFence");
-    return {device, fence};
-}
-
 }  // namespace
 
 // Members are in the order of their dependencies.
@@ -43,46 +35,33 @@ struct WindowRenderer::OnDevice {
 
     OnDevice(const VulkanInstance& instance, const Window& window, const std::string& request,
              const FontTexture& font)
-        : surface(window.make_surface(instance.handle())),
+        : surface(window.make_surface(instance)),
           device(instance, request),
           swapchain(device.context(), surface.get(), k_ring_slots),
           overlay(device.context(), swapchain.format(), k_ring_slots),
           pool(make_command_pool(device.context(), device.context().queue_family)) {
         overlay.set_texture(font.width, font.height, font.opacity);
         for (RingSlot& slot : ring) {
-            const VkCommandBufferAllocateInfo info{
-                .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                .commandPool = pool,
-                .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                .commandBufferCount = 1};
-            vk_check(vkAllocateCommandBuffers(device.context().device, &info, &slot.commands),
-                     "vkAllocateCommandBuffers");
-            slot.done = make_signaled_fence(device.context().device);
+            slot.commands = make_commands(device.context(), pool);
+            slot.done = make_fence(device.context(), VK_FENCE_CREATE_SIGNALED_BIT);
         }
     }
     ~OnDevice() {
         // Returns on a lost device too.
-        (void)repeat_wait([&] { return vkDeviceWaitIdle(device.context().device); });
+        (void)repeat_wait(
+            [&] { return device.context().vk->DeviceWaitIdle(device.context().device); });
     }
     OnDevice(const OnDevice&) = delete;
     OnDevice& operator=(const OnDevice&) = delete;
 
-    void wait_for(const RingSlot& slot) const {
-        const VkFence fence = slot.done;
-        vk_check(repeat_wait([&] {
-                     return vkWaitForFences(device.context().device, 1, &fence, VK_TRUE,
-                                            UINT64_MAX);
-                 }),
-                 "vkWaitForFences");
-    }
+    void wait_for(const RingSlot& slot) const { wait_for_fence(device.context(), slot.done); }
     void wait_for_all() const {
         for (const RingSlot& slot : ring) wait_for(slot);
     }
 
-    void record_overlay(VkCommandBuffer commands, std::uint32_t ring_slot,
-                        const OverlayDrawing& drawing);
+    void record_overlay(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing);
     void prepare(const ViewPicture& scene, std::uint32_t scale);
-    FrameReport record_picture(VkCommandBuffer commands, const ViewPicture& scene,
+    FrameReport record_picture(Commands commands, const ViewPicture& scene,
                                const PictureTarget& target);
     void submit(const RingSlot& slot);
 
@@ -101,7 +80,7 @@ struct WindowRenderer::OnDevice {
     std::uint32_t last_scale = 0;
 };
 
-void WindowRenderer::OnDevice::record_overlay(VkCommandBuffer commands, std::uint32_t ring_slot,
+void WindowRenderer::OnDevice::record_overlay(Commands commands, std::uint32_t ring_slot,
                                               const OverlayDrawing& drawing) {
     // The panel blends with the complete picture.
     record_barrier(commands, k_drawing, k_drawing);
@@ -115,9 +94,9 @@ void WindowRenderer::OnDevice::record_overlay(VkCommandBuffer commands, std::uin
                                .layerCount = 1,
                                .colorAttachmentCount = 1,
                                .pColorAttachments = &color};
-    vkCmdBeginRendering(commands, &info);
+    commands->CmdBeginRendering(commands, &info);
     overlay.record(commands, ring_slot, drawing, swapchain.extent());
-    vkCmdEndRendering(commands);
+    commands->CmdEndRendering(commands);
 }
 
 void WindowRenderer::OnDevice::prepare(const ViewPicture& scene, std::uint32_t scale) {
@@ -135,8 +114,7 @@ void WindowRenderer::OnDevice::prepare(const ViewPicture& scene, std::uint32_t s
     if (splat_renderer) splat_renderer->set_scale(scale);
 }
 
-FrameReport WindowRenderer::OnDevice::record_picture(VkCommandBuffer commands,
-                                                     const ViewPicture& scene,
+FrameReport WindowRenderer::OnDevice::record_picture(Commands commands, const ViewPicture& scene,
                                                      const PictureTarget& target) {
     if (const Scene* model = std::get_if<Scene>(&scene))
         return renderer->record(commands, *model, target);
@@ -146,25 +124,15 @@ FrameReport WindowRenderer::OnDevice::record_picture(VkCommandBuffer commands,
 
 void WindowRenderer::OnDevice::submit(const RingSlot& slot) {
     const VkFence fence = slot.done;
-    vk_check(vkResetFences(device.context().device, 1, &fence), "vkResetFences");
-    const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-                                             .commandBuffer = slot.commands};
+    vk_check(device.context().vk->ResetFences(device.context().device, 1, &fence), "vkResetFences");
     // Shadows and surfaces do not wait for the swapchain's image.
-    const VkSemaphoreSubmitInfo acquired{
-        .sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-        .semaphore = swapchain.acquired(),
-        .stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT};
-    const VkSemaphoreSubmitInfo drawn{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                      .semaphore = swapchain.drawn(),
-                                      .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
-    const VkSubmitInfo2 info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                             .waitSemaphoreInfoCount = 1,
-                             .pWaitSemaphoreInfos = &acquired,
-                             .commandBufferInfoCount = 1,
-                             .pCommandBufferInfos = &commands,
-                             .signalSemaphoreInfoCount = 1,
-                             .pSignalSemaphoreInfos = &drawn};
-    vk_check(vkQueueSubmit2(device.context().queue, 1, &info, fence), "vkQueueSubmit2");
+    submit_commands(device.context(),
+                    {.queue = device.context().queue,
+                     .commands = slot.commands,
+                     .wait = SemaphorePoint{swapchain.acquired(), 0,
+                                            VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT},
+                     .signal = SemaphorePoint{swapchain.drawn()},
+                     .fence = fence});
 }
 
 WindowRenderer::WindowRenderer(const VulkanInstance& instance, const Window& window,
@@ -223,28 +191,25 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
     gpu_->last_scale = scale;
     gpu_->prepare(scene, scale);
 
-    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    vk_check(vkResetCommandBuffer(slot.commands, 0), "vkResetCommandBuffer");
-    vk_check(vkBeginCommandBuffer(slot.commands, &begin), "vkBeginCommandBuffer");
+    const Commands commands = begin_commands(gpu_->device.context(), slot.commands);
     const PictureTarget target{.image = gpu_->swapchain.image(),
                                .view = gpu_->swapchain.view(),
                                .format = gpu_->swapchain.format(),
                                .extent = extent};
-    Frame frame{.report = gpu_->record_picture(slot.commands, scene, target), .picture = {}};
-    gpu_->record_overlay(slot.commands, ring_slot, overlay);
+    Frame frame{.report = gpu_->record_picture(commands, scene, target), .picture = {}};
+    gpu_->record_overlay(commands, ring_slot, overlay);
     constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
     if (capture) {
         slot.pixels = make_picture_buffer(gpu_->device.context(), extent);
-        record_barrier(slot.commands, k_drawing, k_copying, {{target, k_drawn, k_copied}});
-        record_read_back(slot.commands, target.image, extent, slot.pixels);
-        record_barrier(slot.commands, k_copying, k_no_access, {{target, k_copied, k_shown}});
+        record_barrier(commands, k_drawing, k_copying, {{target, k_drawn, k_copied}});
+        record_read_back(commands, target.image, extent, slot.pixels);
+        record_barrier(commands, k_copying, k_no_access, {{target, k_copied, k_shown}});
     } else {
-        record_barrier(slot.commands, k_drawing, k_no_access, {{target, k_drawn, k_shown}});
+        record_barrier(commands, k_drawing, k_no_access, {{target, k_drawn, k_shown}});
     }
-    vk_check(vkEndCommandBuffer(slot.commands), "vkEndCommandBuffer");
+    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
     gpu_->submit(slot);
     ++gpu_->frames;
     gpu_->swapchain.present();

@@ -32,8 +32,8 @@ RIMLINE_FAULT_SCENARIO("a picture") {
 }
 
 RIMLINE_FAULT_SCENARIO("an instance and its device") {
-    const auto instance =
-        stage.make<VulkanInstance>(InstanceOptions{.validate = stage.instance().validates()});
+    const auto instance = stage.make<VulkanInstance>(
+        InstanceOptions{.validate = stage.instance().validates(), .loader = &failing_loader});
     const auto device = stage.step([&] { return std::make_unique<TestedDevice>(*instance); });
     CHECK(device->face_bits_agree());
     stage.show(std::vector<char>(device->facts().name.begin(), device->facts().name.end()));
@@ -141,7 +141,7 @@ RIMLINE_FAULT_SCENARIO("frames recorded into a caller's commands") {
         if (frame == 2) scene.instances.push_back({.octree = &stage.models().box.octree});
         stage.step([&] {
             renderer->forget_recorded();
-            run_commands(stage.context(), [&](VkCommandBuffer commands) {
+            run_commands(stage.context(), [&](Commands commands) {
                 renderer->record(commands, scene,
                                  {.image = image.handle(),
                                   .view = image.attachment_view(),
@@ -151,9 +151,9 @@ RIMLINE_FAULT_SCENARIO("frames recorded into a caller's commands") {
                 const VkBufferImageCopy region{
                     .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                     .imageExtent = {k_extent.width, k_extent.height, 1}};
-                vkCmdCopyImageToBuffer(commands, image.handle(),
-                                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1,
-                                       &region);
+                commands->CmdCopyImageToBuffer(commands, image.handle(),
+                                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                               pixels.handle(), 1, &region);
                 record_barrier(commands,
                                {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                                {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
@@ -189,7 +189,7 @@ RIMLINE_FAULT_SCENARIO("change sets") {
             stream->begin_frame(0);
             if (!stream->apply(changes))
                 stream->resend(tracker.sequence(), tracker.silhouette(), tracker.face_words());
-            run_commands(stage.context(), [&](VkCommandBuffer commands) {
+            run_commands(stage.context(), [&](Commands commands) {
                 ChangeStream::record_before(commands);
                 stream->record(commands, scatter);
                 ChangeStream::record_after(commands);
@@ -214,7 +214,7 @@ RIMLINE_FAULT_SCENARIO("face bits") {
 
 // Overlapping frames are not for the cases above: a frame whose finish() fails is over.
 TEST_CASE("frames that overlap survive failed submits, and what was queued before is finished") {
-    RIMLINE_OPEN_GPU(gpu);
+    RIMLINE_OPEN_GPU(gpu, &failing_loader);
     const FaultModels models;
     Stage stage(gpu->instance(), gpu->context(), models);
     const auto scene_at = [&](int frame) {
@@ -245,16 +245,17 @@ TEST_CASE("frames that overlap survive failed submits, and what was queued befor
 }
 
 TEST_CASE("the books of handles notice what is left and what never was") {
-    RIMLINE_OPEN_GPU(gpu);
+    RIMLINE_OPEN_GPU(gpu, &failing_loader);
     const auto before = live_objects();
     const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     VkSemaphore semaphore = VK_NULL_HANDLE;
-    REQUIRE(vkCreateSemaphore(gpu->context().device, &info, nullptr, &semaphore) == VK_SUCCESS);
+    REQUIRE(gpu->context().vk->CreateSemaphore(gpu->context().device, &info, nullptr, &semaphore) ==
+            VK_SUCCESS);
     CHECK(live_objects().size() == before.size() + 1);
-    vkDestroySemaphore(gpu->context().device, semaphore, nullptr);
+    gpu->context().vk->DestroySemaphore(gpu->context().device, semaphore, nullptr);
     CHECK(live_objects() == before);
     arm({.kind = FaultKind::failure, .call = 0, .result = 1});
-    CHECK(vkCreateSemaphore(gpu->context().device, &info, nullptr, &semaphore) ==
+    CHECK(gpu->context().vk->CreateSemaphore(gpu->context().device, &info, nullptr, &semaphore) ==
           VK_ERROR_OUT_OF_DEVICE_MEMORY);
     CHECK(semaphore == VK_NULL_HANDLE);
     CHECK(disarm().injected);

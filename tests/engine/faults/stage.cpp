@@ -85,7 +85,7 @@ private:
 }  // namespace
 
 void play_with_failures(Scenario scenario, Extent extent) {
-    RIMLINE_OPEN_GPU(gpu);
+    RIMLINE_OPEN_GPU(gpu, &failing_loader);
     const FaultModels models;
     const std::vector<std::byte> expected = undisturbed(scenario, *gpu, models);
     std::uint64_t calls = 0;
@@ -111,7 +111,7 @@ void play_with_failures(Scenario scenario, Extent extent) {
 }
 
 void play_with_lost_devices(Scenario scenario, Extent extent) {
-    RIMLINE_OPEN_GPU(gpu);
+    RIMLINE_OPEN_GPU(gpu, &failing_loader);
     const FaultModels models;
     const std::vector<std::byte> expected = undisturbed(scenario, *gpu, models);
     std::uint64_t calls = 0;
@@ -155,7 +155,7 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
 }
 
 void play_with_failing_new(Scenario scenario, Extent extent) {
-    RIMLINE_OPEN_GPU(gpu);
+    RIMLINE_OPEN_GPU(gpu, &failing_loader);
     const FaultModels models;
     const std::vector<std::byte> expected = undisturbed(scenario, *gpu, models);
     std::uint64_t allocations = 0;

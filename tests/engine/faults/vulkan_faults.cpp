@@ -11,22 +11,19 @@
 #include <sstream>
 #include <utility>
 
-// Hidden in a test program, so that the loader and its layers do not call one another through us.
-#ifdef RIMLINE_FAULTS_PRELOADED
-#define RIMLINE_HOOK extern "C" __attribute__((visibility("default")))
-#else
-#define RIMLINE_HOOK extern "C" __attribute__((visibility("hidden")))
-#endif
-
+// The hooks are functions of a namespace, named as what they hook.
+#define RIMLINE_HOOK VKAPI_ATTR
 #define RIMLINE_NEXT(name) next<PFN_##name>(#name)
 
 namespace rimline::tests {
 
 namespace {
 
+// The loader exports every function that is hooked.
 template <typename Function>
 Function next(const char* name) {
-    void* const found = dlsym(RTLD_NEXT, name);
+    static void* const loader = dlopen("libvulkan.so.1", RTLD_NOW);
+    void* const found = loader ? dlsym(loader, name) : nullptr;
     if (!found) std::abort();
     return reinterpret_cast<Function>(found);
 }
@@ -187,18 +184,7 @@ VKAPI_ATTR void VKAPI_CALL destroy_messenger(VkInstance instance,
     faults().destroyed("VkDebugUtilsMessengerEXT", reinterpret_cast<void*>(messenger));
 }
 
-}  // namespace
-
-void arm(const Fault& fault) { faults().arm(fault); }
-FaultReport disarm() { return faults().disarm(); }
-NoFaults::NoFaults() : was_armed_(faults().set_armed(false)) {}
-NoFaults::~NoFaults() { faults().set_armed(was_armed_); }
-std::vector<std::string> live_objects() { return faults().live(); }
-bool is_keeping_books() noexcept { return keeping_books; }
-
-}  // namespace rimline::tests
-
-using namespace rimline::tests;
+namespace hooks {
 
 // Objects of a device that are made from one structure each, and destroyed alone.
 #define RIMLINE_OBJECT(Type, Info, ...)                                                     \
@@ -298,16 +284,6 @@ RIMLINE_HOOK void vkGetDeviceQueue(VkDevice device, std::uint32_t family, std::u
     RIMLINE_NEXT(vkGetDeviceQueue)(device, family, index, queue);
     faults().has_queue(device, *queue);
 }
-RIMLINE_HOOK PFN_vkVoidFunction vkGetInstanceProcAddr(VkInstance instance, const char* name) {
-    const PFN_vkVoidFunction found = RIMLINE_NEXT(vkGetInstanceProcAddr)(instance, name);
-    if (!found) return found;
-    if (std::strcmp(name, "vkCreateDebugUtilsMessengerEXT") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(&create_messenger);
-    if (std::strcmp(name, "vkDestroyDebugUtilsMessengerEXT") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(&destroy_messenger);
-    return found;
-}
-
 // Calls that make nothing and may yet fail. RIMLINE_CALL(function, results, parameters, arguments).
 #define RIMLINE_CALL(function, results, parameters, arguments)                 \
     RIMLINE_HOOK VkResult function parameters {                                \
@@ -441,3 +417,123 @@ RIMLINE_HOOK VkResult vkQueuePresentKHR(VkQueue queue, const VkPresentInfoKHR* i
     const VkResult result = RIMLINE_NEXT(vkQueuePresentKHR)(queue, info);
     return fault == VK_SUCCESS ? result : fault;
 }
+
+}  // namespace hooks
+
+PFN_vkVoidFunction hooked(const char* name) {
+#define RIMLINE_HOOKED(function)           \
+    if (std::strcmp(name, #function) == 0) \
+    return reinterpret_cast<PFN_vkVoidFunction>(&hooks::function)
+    RIMLINE_HOOKED(vkAcquireNextImageKHR);
+    RIMLINE_HOOKED(vkAllocateCommandBuffers);
+    RIMLINE_HOOKED(vkAllocateDescriptorSets);
+    RIMLINE_HOOKED(vkAllocateMemory);
+    RIMLINE_HOOKED(vkBeginCommandBuffer);
+    RIMLINE_HOOKED(vkBindBufferMemory);
+    RIMLINE_HOOKED(vkBindImageMemory);
+    RIMLINE_HOOKED(vkCreateBuffer);
+    RIMLINE_HOOKED(vkCreateBufferView);
+    RIMLINE_HOOKED(vkCreateCommandPool);
+    RIMLINE_HOOKED(vkCreateComputePipelines);
+    RIMLINE_HOOKED(vkCreateDescriptorPool);
+    RIMLINE_HOOKED(vkCreateDescriptorSetLayout);
+    RIMLINE_HOOKED(vkCreateDevice);
+    RIMLINE_HOOKED(vkCreateEvent);
+    RIMLINE_HOOKED(vkCreateFence);
+    RIMLINE_HOOKED(vkCreateFramebuffer);
+    RIMLINE_HOOKED(vkCreateGraphicsPipelines);
+    RIMLINE_HOOKED(vkCreateImage);
+    RIMLINE_HOOKED(vkCreateImageView);
+    RIMLINE_HOOKED(vkCreateInstance);
+    RIMLINE_HOOKED(vkCreatePipelineCache);
+    RIMLINE_HOOKED(vkCreatePipelineLayout);
+    RIMLINE_HOOKED(vkCreateQueryPool);
+    RIMLINE_HOOKED(vkCreateRenderPass);
+    RIMLINE_HOOKED(vkCreateSampler);
+    RIMLINE_HOOKED(vkCreateSemaphore);
+    RIMLINE_HOOKED(vkCreateShaderModule);
+    RIMLINE_HOOKED(vkCreateSwapchainKHR);
+    RIMLINE_HOOKED(vkDestroyBuffer);
+    RIMLINE_HOOKED(vkDestroyBufferView);
+    RIMLINE_HOOKED(vkDestroyCommandPool);
+    RIMLINE_HOOKED(vkDestroyDescriptorPool);
+    RIMLINE_HOOKED(vkDestroyDescriptorSetLayout);
+    RIMLINE_HOOKED(vkDestroyDevice);
+    RIMLINE_HOOKED(vkDestroyEvent);
+    RIMLINE_HOOKED(vkDestroyFence);
+    RIMLINE_HOOKED(vkDestroyFramebuffer);
+    RIMLINE_HOOKED(vkDestroyImage);
+    RIMLINE_HOOKED(vkDestroyImageView);
+    RIMLINE_HOOKED(vkDestroyInstance);
+    RIMLINE_HOOKED(vkDestroyPipeline);
+    RIMLINE_HOOKED(vkDestroyPipelineCache);
+    RIMLINE_HOOKED(vkDestroyPipelineLayout);
+    RIMLINE_HOOKED(vkDestroyQueryPool);
+    RIMLINE_HOOKED(vkDestroyRenderPass);
+    RIMLINE_HOOKED(vkDestroySampler);
+    RIMLINE_HOOKED(vkDestroySemaphore);
+    RIMLINE_HOOKED(vkDestroyShaderModule);
+    RIMLINE_HOOKED(vkDestroySwapchainKHR);
+    RIMLINE_HOOKED(vkDeviceWaitIdle);
+    RIMLINE_HOOKED(vkEndCommandBuffer);
+    RIMLINE_HOOKED(vkEnumerateDeviceExtensionProperties);
+    RIMLINE_HOOKED(vkEnumerateInstanceLayerProperties);
+    RIMLINE_HOOKED(vkEnumerateInstanceVersion);
+    RIMLINE_HOOKED(vkEnumeratePhysicalDevices);
+    RIMLINE_HOOKED(vkFlushMappedMemoryRanges);
+    RIMLINE_HOOKED(vkFreeMemory);
+    RIMLINE_HOOKED(vkGetDeviceQueue);
+    RIMLINE_HOOKED(vkGetFenceStatus);
+    RIMLINE_HOOKED(vkGetPhysicalDeviceSurfaceCapabilitiesKHR);
+    RIMLINE_HOOKED(vkGetPhysicalDeviceSurfaceFormatsKHR);
+    RIMLINE_HOOKED(vkGetPhysicalDeviceSurfacePresentModesKHR);
+    RIMLINE_HOOKED(vkGetPhysicalDeviceSurfaceSupportKHR);
+    RIMLINE_HOOKED(vkGetQueryPoolResults);
+    RIMLINE_HOOKED(vkGetSemaphoreCounterValue);
+    RIMLINE_HOOKED(vkGetSwapchainImagesKHR);
+    RIMLINE_HOOKED(vkInvalidateMappedMemoryRanges);
+    RIMLINE_HOOKED(vkMapMemory);
+    RIMLINE_HOOKED(vkQueuePresentKHR);
+    RIMLINE_HOOKED(vkQueueSubmit);
+    RIMLINE_HOOKED(vkQueueSubmit2);
+    RIMLINE_HOOKED(vkQueueWaitIdle);
+    RIMLINE_HOOKED(vkResetCommandBuffer);
+    RIMLINE_HOOKED(vkResetCommandPool);
+    RIMLINE_HOOKED(vkResetDescriptorPool);
+    RIMLINE_HOOKED(vkResetFences);
+    RIMLINE_HOOKED(vkSignalSemaphore);
+    RIMLINE_HOOKED(vkWaitForFences);
+    RIMLINE_HOOKED(vkWaitSemaphores);
+#undef RIMLINE_HOOKED
+    // As the loader's trampolines, these take every device.
+    if (std::strcmp(name, "vkCreateDebugUtilsMessengerEXT") == 0)
+        return reinterpret_cast<PFN_vkVoidFunction>(&create_messenger);
+    if (std::strcmp(name, "vkDestroyDebugUtilsMessengerEXT") == 0)
+        return reinterpret_cast<PFN_vkVoidFunction>(&destroy_messenger);
+    return nullptr;
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_device_function(VkDevice device, const char* name) {
+    const PFN_vkVoidFunction found = RIMLINE_NEXT(vkGetDeviceProcAddr)(device, name);
+    const PFN_vkVoidFunction hook = found ? hooked(name) : nullptr;
+    return hook ? hook : found;
+}
+
+}  // namespace
+
+void arm(const Fault& fault) { faults().arm(fault); }
+FaultReport disarm() { return faults().disarm(); }
+NoFaults::NoFaults() : was_armed_(faults().set_armed(false)) {}
+NoFaults::~NoFaults() { faults().set_armed(was_armed_); }
+std::vector<std::string> live_objects() { return faults().live(); }
+bool is_keeping_books() noexcept { return keeping_books; }
+
+PFN_vkVoidFunction VKAPI_CALL failing_loader(VkInstance instance, const char* name) {
+    if (std::strcmp(name, "vkGetDeviceProcAddr") == 0)
+        return reinterpret_cast<PFN_vkVoidFunction>(&get_device_function);
+    const PFN_vkVoidFunction found = RIMLINE_NEXT(vkGetInstanceProcAddr)(instance, name);
+    const PFN_vkVoidFunction hook = found ? hooked(name) : nullptr;
+    return hook ? hook : found;
+}
+
+}  // namespace rimline::tests

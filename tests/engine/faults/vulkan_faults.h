@@ -1,12 +1,12 @@
 #pragma once
 
-// Faults on demand: Vulkan's functions with a hook before each.
+// Faults on demand: a loader whose functions may fail.
 //
-//     engine --vkAllocateMemory()--> vulkan_faults.cpp --dlsym(RTLD_NEXT)--> the loader
+//     engine --vkAllocateMemory()--> vulkan_faults.cpp --dlsym()--> the system's loader
 //
-// The program that links vulkan_faults.cpp calls the functions there instead of the loader's. Every call
-// that Vulkan lets fail is counted; one of them can be made to fail without reaching the driver, and a
-// device can be made to be lost. What is made and destroyed is booked, so that a leak shows as a handle.
+// Every call that Vulkan lets fail is counted; one of them can be made to fail without reaching the driver,
+// and a device can be made to be lost. What is made and destroyed is booked, so that a leak shows as a
+// handle.
 
 #include <vulkan/vulkan.h>
 
@@ -15,6 +15,9 @@
 #include <vector>
 
 namespace rimline::tests {
+
+/// The loader: for InstanceOptions::loader.
+PFN_vkVoidFunction VKAPI_CALL failing_loader(VkInstance instance, const char* name);
 
 enum class FaultKind {
     failure,     ///< One call fails, and the next one does not.

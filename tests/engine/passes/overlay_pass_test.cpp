@@ -29,7 +29,7 @@ public:
         const Buffer pixels(context, bytes_.size(), BufferPlace::readback, "the test's pixels");
         constexpr StageAccess k_drawing{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                                         VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
-        run_commands(context, [&](VkCommandBuffer commands) {
+        run_commands(context, [&](Commands commands) {
             record_barrier(
                 commands, {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE}, k_drawing,
                 {{image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
@@ -45,17 +45,18 @@ public:
                                             .layerCount = 1,
                                             .colorAttachmentCount = 1,
                                             .pColorAttachments = &color};
-            vkCmdBeginRendering(commands, &rendering);
+            commands->CmdBeginRendering(commands, &rendering);
             pass.record(commands, 0, drawing, k_extent);
-            vkCmdEndRendering(commands);
+            commands->CmdEndRendering(commands);
             record_barrier(commands, k_drawing,
                            {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT},
                            {{image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                              VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
             const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                            .imageExtent = {k_extent.width, k_extent.height, 1}};
-            vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                   pixels.handle(), 1, &region);
+            commands->CmdCopyImageToBuffer(commands, image.handle(),
+                                           VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1,
+                                           &region);
             record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                            {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
         });

@@ -33,14 +33,15 @@ std::vector<std::uint8_t> read_stencil(const DeviceContext& context, const Image
                         "the stencil");
     constexpr StageAccess k_all{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
     constexpr StageAccess k_copy{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
-    run_commands(context, [&](VkCommandBuffer commands) {
+    run_commands(context, [&](Commands commands) {
         record_barrier(commands, k_all, k_copy,
                        {{depth, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
                          VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
         const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_STENCIL_BIT, 0, 0, 1},
                                        .imageExtent = {extent.width, extent.height, 1}};
-        vkCmdCopyImageToBuffer(commands, depth.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               buffer.handle(), 1, &region);
+        commands->CmdCopyImageToBuffer(commands, depth.handle(),
+                                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle(), 1,
+                                       &region);
         record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                        {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
     });

@@ -42,7 +42,7 @@ void check_equal(const DeviceContext& context, const ChangeStream& stream,
 }
 
 void run(const DeviceContext& context, const ChangeStream& stream, const ScatterPass& pass) {
-    run_commands(context, [&](VkCommandBuffer commands) {
+    run_commands(context, [&](Commands commands) {
         ChangeStream::record_before(commands);
         stream.record(commands, pass);
         ChangeStream::record_after(commands);

@@ -23,7 +23,7 @@ public:
 
     /// Runs the frame and returns what differs.
     std::uint64_t run(std::span<TrackedSilhouette* const> silhouettes) {
-        run_commands(context_, [&](VkCommandBuffer commands) {
+        run_commands(context_, [&](Commands commands) {
             ChangeStream::record_before(commands);
             for (const TrackedSilhouette* silhouette : silhouettes)
                 silhouette->stream().record(commands, scatter_);
@@ -97,8 +97,8 @@ TEST_CASE("a word that is wrong on the GPU is counted") {
     silhouette.follow(point, 0);
     CHECK(frames.run(all) == 0);
     const auto spoil = [&](const Buffer& buffer, VkDeviceSize at, std::uint32_t value) {
-        run_commands(gpu->context(), [&](VkCommandBuffer commands) {
-            vkCmdFillBuffer(commands, buffer.handle(), 4 * at, 4, value);
+        run_commands(gpu->context(), [&](Commands commands) {
+            commands->CmdFillBuffer(commands, buffer.handle(), 4 * at, 4, value);
         });
     };
     const ChangeStream& stream = silhouette.stream();

@@ -44,7 +44,7 @@ public:
     void run(const DeformPass& pass, const GpuSilhouettePass& silhouettes,
              const Deformation& deformation, const HomogeneousPoint& point) {
         deforming_.move(deformation, frame_++ % 2);
-        run_commands(context_, [&](VkCommandBuffer commands) {
+        run_commands(context_, [&](Commands commands) {
             pass.record(commands, std::array<const DeformingMesh*, 1>{&deforming_});
             silhouettes.record(commands, std::array{SilhouetteRun{&silhouette_, point}});
         });

@@ -118,7 +118,7 @@ private:
 
 void run(const DeviceContext& context, const GpuSilhouettePass& pass,
          std::span<const SilhouetteRun> runs) {
-    run_commands(context, [&](VkCommandBuffer commands) { pass.record(commands, runs); });
+    run_commands(context, [&](Commands commands) { pass.record(commands, runs); });
 }
 
 // Both kinds of bits, from `points` points.

@@ -18,10 +18,11 @@ namespace rimline::tests {
 
 class Gpu {
 public:
-    /// Null where there is no usable device; `reason` then says why.
-    static std::unique_ptr<Gpu> open(std::string& reason) {
+    /// Null where there is no usable device; `reason` then says why. `loader` as in InstanceOptions.
+    static std::unique_ptr<Gpu> open(std::string& reason,
+                                     PFN_vkGetInstanceProcAddr loader = nullptr) {
         try {
-            return std::unique_ptr<Gpu>(new Gpu);
+            return std::unique_ptr<Gpu>(new Gpu(loader));
         } catch (const Error& error) {
             if (error.code() != ErrorCode::no_device) throw;
             reason = error.what();
@@ -41,14 +42,14 @@ public:
     const VulkanInstance& instance() const noexcept { return *instance_; }
 
 private:
-    Gpu() {
+    explicit Gpu(PFN_vkGetInstanceProcAddr loader) {
         try {
-            instance_.emplace(InstanceOptions{.validate = true});
+            instance_.emplace(InstanceOptions{.validate = true, .loader = loader});
             MESSAGE("validation: on, with synchronization checks");
         } catch (const Error& error) {
             if (error.code() != ErrorCode::no_device) throw;
             MESSAGE("validation: off, ", std::string(error.what()));
-            instance_.emplace();
+            instance_.emplace(InstanceOptions{.loader = loader});
         }
         device_.emplace(*instance_);
     }
@@ -59,8 +60,9 @@ private:
 
 }  // namespace rimline::tests
 
-/// Defines `gpu`, or ends the test case as skipped.
-#define RIMLINE_OPEN_GPU(gpu)                                                                 \
-    std::string gpu##_reason;                                                                 \
-    const std::unique_ptr<rimline::tests::Gpu> gpu = rimline::tests::Gpu::open(gpu##_reason); \
+/// Defines `gpu`, or ends the test case as skipped. After `gpu`: further arguments of Gpu::open().
+#define RIMLINE_OPEN_GPU(gpu, ...)                                          \
+    std::string gpu##_reason;                                               \
+    const std::unique_ptr<rimline::tests::Gpu> gpu =                        \
+        rimline::tests::Gpu::open(gpu##_reason __VA_OPT__(, ) __VA_ARGS__); \
     if (!gpu) RIMLINE_SKIP(gpu##_reason)

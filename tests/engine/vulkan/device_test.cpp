@@ -52,14 +52,14 @@ TEST_CASE(
 
 // What the validation layer says to `record`, which may use a buffer of 64 bytes; nothing where there is
 // no layer or no device.
-std::optional<std::string> first_message(
-    const std::function<void(VkCommandBuffer, const Buffer&)>& record, std::string& reason) {
+std::optional<std::string> first_message(const std::function<void(Commands, const Buffer&)>& record,
+                                         std::string& reason) {
     try {
         const VulkanInstance instance({.validate = true});
         const TestedDevice device(instance);
         REQUIRE(instance.validation_message_count() == 0u);
         const Buffer buffer(device.context(), 64, BufferPlace::device, "test");
-        run_commands(device.context(), [&](VkCommandBuffer commands) { record(commands, buffer); });
+        run_commands(device.context(), [&](Commands commands) { record(commands, buffer); });
         CHECK((instance.validation_message_count().value() > 0) ==
               !instance.first_validation_message().empty());
         return instance.first_validation_message();
@@ -72,8 +72,9 @@ std::optional<std::string> first_message(
 TEST_CASE("a deliberate misuse is counted where the validation layer is installed") {
     std::string reason;
     const auto message = first_message(
-        [](VkCommandBuffer commands, const Buffer& buffer) {
-            vkCmdFillBuffer(commands, buffer.handle(), 2, 4, 0);  // Offsets are multiples of 4.
+        [](Commands commands, const Buffer& buffer) {
+            commands->CmdFillBuffer(commands, buffer.handle(), 2, 4,
+                                    0);  // Offsets are multiples of 4.
         },
         reason);
     if (!message) RIMLINE_SKIP(reason);
@@ -82,11 +83,11 @@ TEST_CASE("a deliberate misuse is counted where the validation layer is installe
 
 TEST_CASE("a missing barrier is counted where the validation layer is installed") {
     std::string reason;
-    const auto fill = [](VkCommandBuffer commands, const Buffer& buffer, std::uint32_t value) {
-        vkCmdFillBuffer(commands, buffer.handle(), 0, VK_WHOLE_SIZE, value);
+    const auto fill = [](Commands commands, const Buffer& buffer, std::uint32_t value) {
+        commands->CmdFillBuffer(commands, buffer.handle(), 0, VK_WHOLE_SIZE, value);
     };
     const auto message = first_message(
-        [&](VkCommandBuffer commands, const Buffer& buffer) {
+        [&](Commands commands, const Buffer& buffer) {
             fill(commands, buffer, 1);
             fill(commands, buffer, 2);  // Which of the two comes last is open.
         },
@@ -94,7 +95,7 @@ TEST_CASE("a missing barrier is counted where the validation layer is installed"
     if (!message) RIMLINE_SKIP(reason);
     CHECK(message->find("SYNC-HAZARD-WRITE-AFTER-WRITE") != std::string::npos);
     const auto silence = first_message(
-        [&](VkCommandBuffer commands, const Buffer& buffer) {
+        [&](Commands commands, const Buffer& buffer) {
             constexpr StageAccess k_filling{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                             VK_ACCESS_2_TRANSFER_WRITE_BIT};
             fill(commands, buffer, 1);

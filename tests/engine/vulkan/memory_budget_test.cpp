@@ -81,7 +81,7 @@ TEST_CASE("a stream costs what its size says, and no more than that after any si
         std::ranges::rotate(all, all.begin() + 1);
         stream.begin_frame(frame % 2);
         stream.resend(frame, all, words);
-        run_commands(gpu->context(), [&](VkCommandBuffer commands) {
+        run_commands(gpu->context(), [&](Commands commands) {
             ChangeStream::record_before(commands);
             stream.record(commands, pass);
             ChangeStream::record_after(commands);
@@ -107,7 +107,7 @@ TEST_CASE("a ring slot that grows in the middle of a frame keeps what the frame 
     const std::uint64_t before = fresh.size_bytes();
     fresh.begin_frame(0);
     fresh.resend(0, {}, words);
-    run_commands(gpu->context(), [&](VkCommandBuffer commands) {
+    run_commands(gpu->context(), [&](Commands commands) {
         ChangeStream::record_before(commands);
         fresh.record(commands, pass);
     });
@@ -115,7 +115,7 @@ TEST_CASE("a ring slot that grows in the middle of a frame keeps what the frame 
     REQUIRE(fresh.apply({.sequence = 1, .silhouette_size = k_slots, .slots = first}));
     REQUIRE(fresh.apply({.sequence = 2, .silhouette_size = k_slots, .slots = second}));
     CHECK(fresh.size_bytes() > before);
-    run_commands(gpu->context(), [&](VkCommandBuffer commands) {
+    run_commands(gpu->context(), [&](Commands commands) {
         ChangeStream::record_before(commands);
         fresh.record(commands, pass);
     });
@@ -137,7 +137,7 @@ TEST_CASE("streams beyond 128 MiB are written and read to their last slot") {
     std::iota(numbers.begin(), numbers.end(), 0u);
     const std::vector<std::uint32_t> words(size.words);
     const auto run = [&] {
-        run_commands(gpu->context(), [&](VkCommandBuffer commands) {
+        run_commands(gpu->context(), [&](Commands commands) {
             ChangeStream::record_before(commands);
             stream.record(commands, pass);
             ChangeStream::record_after(commands);

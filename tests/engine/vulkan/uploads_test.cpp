@@ -48,29 +48,15 @@ TEST_CASE(
     const std::size_t last = buffers.size() - 1;
     const Buffer result(context, buffers[last].size(), BufferPlace::readback, "a test");
     const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
-    const VkCommandBuffer commands = begin_commands(context, pool);
+    const Commands commands = begin_commands(context, make_commands(context, pool));
     const VkBufferCopy region{.size = buffers[last].size()};
-    vkCmdCopyBuffer(commands, buffers[last].handle(), result.handle(), 1, &region);
-    vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+    commands->CmdCopyBuffer(commands, buffers[last].handle(), result.handle(), 1, &region);
+    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
     const OwnedSemaphore drawn = make_timeline(context);
-    const VkSemaphoreSubmitInfo wait{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                     .semaphore = uploads.timeline(),
-                                     .value = uploads.sent_value(),
-                                     .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
-    const VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                       .semaphore = drawn,
-                                       .value = 1,
-                                       .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
-    const VkCommandBufferSubmitInfo submitted{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-                                              .commandBuffer = commands};
-    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                               .waitSemaphoreInfoCount = 1,
-                               .pWaitSemaphoreInfos = &wait,
-                               .commandBufferInfoCount = 1,
-                               .pCommandBufferInfos = &submitted,
-                               .signalSemaphoreInfoCount = 1,
-                               .pSignalSemaphoreInfos = &signal};
-    vk_check(vkQueueSubmit2(context.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
+    submit_commands(context, {.queue = context.queue,
+                              .commands = commands,
+                              .wait = SemaphorePoint{uploads.timeline(), uploads.sent_value()},
+                              .signal = SemaphorePoint{drawn, 1}});
     wait_for_timeline(context, drawn, 1);
     CHECK(std::memcmp(result.mapped(), sent[last].data(), 4 * sent[last].size()) == 0);
 
@@ -115,8 +101,12 @@ TEST_CASE("a batch larger than what may be staged at once is sent in parts") {
 TEST_CASE("a device of a caller's with one queue uploads over that") {
     RIMLINE_OPEN_GPU(gpu);
     const DeviceContext& own = gpu->context();
-    const DeviceContext context = make_device_context(own.physical_device, own.device, own.queue,
-                                                      own.queue_family, own.features);
+    const DeviceContext context = make_device_context({.instance = gpu->instance().handle(),
+                                                       .physical_device = own.physical_device,
+                                                       .device = own.device,
+                                                       .queue = own.queue,
+                                                       .queue_family = own.queue_family,
+                                                       .features = own.features});
     CHECK(context.transfer_queue == own.queue);
     CHECK(context.transfer_family == own.queue_family);
 }

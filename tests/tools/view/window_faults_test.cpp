@@ -35,7 +35,9 @@ class Setting {
 public:
     Setting()
         : window_("test", k_width, k_height),
-          instance_({.validate = true, .window_extensions = window_.vulkan_extensions()}),
+          instance_({.validate = true,
+                     .loader = &failing_loader,
+                     .window_extensions = window_.vulkan_extensions()}),
           knot_(make_built_in_shape("knot", 200)) {}
     ~Setting() {
         const std::string first = instance_.first_validation_message();

@@ -212,7 +212,7 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
     const Window window("test", k_width, k_height);
     const VulkanInstance instance({.window_extensions = window.vulkan_extensions()});
     const TestedDevice device(instance);
-    const WindowSurface surface = window.make_surface(instance.handle());
+    const WindowSurface surface = window.make_surface(instance);
     Swapchain swapchain(device.context(), surface.get(), 1);
     CHECK_FALSE(swapchain.acquire(0, {0, 0}));
     CHECK_FALSE(swapchain.acquire(0, {k_width, 0}));
@@ -227,8 +227,9 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
     const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
                                .waitSemaphoreInfoCount = 1,
                                .pWaitSemaphoreInfos = &wait};
-    CHECK(vkQueueSubmit2(device.context().queue, 1, &submit, VK_NULL_HANDLE) == VK_SUCCESS);
-    vkDeviceWaitIdle(device.context().device);
+    CHECK(device.context().vk->QueueSubmit2(device.context().queue, 1, &submit, VK_NULL_HANDLE) ==
+          VK_SUCCESS);
+    device.context().vk->DeviceWaitIdle(device.context().device);
 }
 
 // As a window manager takes a minimized window off the screen, and puts it back.
