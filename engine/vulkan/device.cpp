@@ -8,7 +8,7 @@
 
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/queue_choice.h"
-#include "engine/vulkan/vulkan_handle.h"
+#include "engine/vulkan/vulkan_result.h"
 
 namespace rimline {
 

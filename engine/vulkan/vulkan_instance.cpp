@@ -7,7 +7,7 @@
 
 #include "engine/vulkan/device_choice.h"
 #include "engine/vulkan/functions.h"
-#include "engine/vulkan/vulkan_handle.h"
+#include "engine/vulkan/vulkan_result.h"
 
 namespace rimline {
 

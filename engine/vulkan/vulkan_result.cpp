@@ -1,4 +1,4 @@
-#include "engine/vulkan/vulkan_handle.h"
+#include "engine/vulkan/vulkan_result.h"
 
 namespace rimline {
 
