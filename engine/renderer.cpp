@@ -5,7 +5,7 @@
 namespace rimline {
 
 Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
-    : frames_(std::make_unique<FramesInFlight>(context, options, k_frames_in_flight)) {}
+    : frames_(std::make_unique<FramesInFlight>(context, options)) {}
 
 Renderer::~Renderer() = default;
 
@@ -17,9 +17,18 @@ Picture Renderer::finish() { return frames_->finish(); }
 
 void Renderer::announce(const Scene& scene) noexcept { frames_->announce(scene); }
 
+UploadPoint Renderer::prepare(const Scene& scene, const PictureTarget& target) {
+    return frames_->prepare(scene, target);
+}
+
 FrameReport Renderer::record(VkCommandBuffer commands, const Scene& scene,
                              const PictureTarget& target) {
-    return frames_->record(commands, scene, target);
+    return frames_->record(commands, commands, scene, target);
+}
+
+FrameReport Renderer::record(VkCommandBuffer commands, VkCommandBuffer picture, const Scene& scene,
+                             const PictureTarget& target) {
+    return frames_->record(commands, picture, scene, target);
 }
 
 void Renderer::forget_recorded() noexcept { frames_->forget_recorded(); }

@@ -9,8 +9,8 @@
 //                                   --> grid, lines, ink --> composite --> picture
 //
 // There are two ways to a picture. render(), or its halves submit() and finish(), submit to the queue
-// and read the picture back. record() writes the same commands into a caller's command buffer, draws into
-// a caller's image, and leaves the queue to the caller.
+// and read the picture back. prepare() makes what a frame needs; record() writes the same commands into a
+// caller's command buffer, draws into a caller's image, and leaves the queue to the caller.
 
 #include <vulkan/vulkan.h>
 
@@ -23,6 +23,7 @@
 #include "engine/renderer_options.h"
 #include "engine/scene.h"
 #include "engine/vulkan/picture_target.h"
+#include "engine/vulkan/upload_point.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/picture.h"
 
@@ -66,11 +67,9 @@ public:
     }
 
     /// render() in two halves, so that the CPU prepares a frame while the GPU draws the previous one:
-    /// submit() queues a frame, finish() waits for the oldest one queued. At most k_frames_in_flight may
-    /// be queued at a time. A frame whose submit() throws is not queued, and one whose finish() throws is
+    /// submit() queues a frame, finish() waits for the oldest one queued. At most
+    /// RendererOptions::frames_in_flight may be queued at a time. A frame whose submit() throws is not queued, and one whose finish() throws is
     /// over.
-    static constexpr std::uint32_t k_frames_in_flight = 2;
-
     void submit(const Scene& scene, std::uint32_t width, std::uint32_t height);
     Picture finish();
 
@@ -79,19 +78,35 @@ public:
     /// is correct whatever was announced.
     void announce(const Scene& scene) noexcept;
 
-    /// Records everything of a frame into `commands`: change sets, passes, the picture into `target`.
+    /// Makes what record() needs for `scene` and `target`, of which format and extent count: meshes and
+    /// silhouettes on the GPU, the images and pipelines of the passes. Call it when a scene has other
+    /// instances, lights, lines, shadows or another style, or when the target or the scale changes; where
+    /// nothing is missing it costs O(instances * lights), so also before every frame. Other scenes can be
+    /// prepared only when they are recorded next: what only the last one needed is freed.
+    ///
+    /// Copies of new meshes are submitted to the context's queue for copies, under its lock. They are not
+    /// waited for, but where more than UploadBatch::k_max_staged_bytes (uploads.h) are copied. The next
+    /// submission of a recorded frame must wait for the point returned; later ones may too. For a target of
+    /// another size or scale, the GPU must be done with all recorded frames.
+    /// Throws as render(), and Error{bad_input} for a format that cannot be drawn into.
+    [[nodiscard]] UploadPoint prepare(const Scene& scene, const PictureTarget& target);
+
+    /// Records everything of a frame into `commands`: change sets, passes, the picture into `target`. Never
+    /// submits, waits for the GPU or makes a pipeline: everything must be prepared.
     /// The commands are outside a render pass, for the context's queue family or one that draws and
     /// computes too. The caller submits them in the order of recording, and
-    ///   - records a frame only when the GPU is done with the frame recorded k_frames_in_flight before,
-    ///     and one into a target of another size only when it is done with all of them;
+    ///   - records a frame only when the GPU is done with the frame recorded
+    ///     RendererOptions::frames_in_flight before;
     ///   - destroys the renderer only when the GPU is done.
-    /// Each frame leaves a mark (frame_marks.h); a frame that is not done when it should be stops
-    /// the program. A mesh drawn for the first time is uploaded here, over the context's queue for copies,
-    /// and waited for. A mesh that deforms, and each new light of it, waits for the context's queue to be
-    /// idle, which nobody else may use meanwhile. Changes the bound pipeline, descriptor sets, push
-    /// constants and dynamic state. Throws as render(), and Error{bad_input} for a format that cannot be
-    /// drawn into; `commands` may then hold a part of the frame, and must not be submitted.
+    /// Each frame leaves a mark (frame_marks.h); a frame that is not done when it should be stops the
+    /// program, as one that is not prepared does. Changes the bound pipeline, descriptor sets, push constants
+    /// and dynamic state. Throws as render(); `commands` may then hold a part of the frame, and must not be
+    /// submitted.
     FrameReport record(VkCommandBuffer commands, const Scene& scene, const PictureTarget& target);
+    /// The same in two parts, for a target that is not free at once, as a swapchain's: only `picture` uses it.
+    /// Submit it after `commands`, to the same queue; wait for the target there.
+    FrameReport record(VkCommandBuffer commands, VkCommandBuffer picture, const Scene& scene,
+                       const PictureTarget& target);
 
     /// Declares that frames recorded by record() and not done by now will never run, because a command
     /// buffer was dropped or the device lost. None of them may be running. The next frame sends the whole

@@ -16,6 +16,9 @@ struct RendererOptions {
     std::uint32_t samples = 4;
     /// The passes draw `scale` x `scale` pixels for each pixel of the picture.
     std::uint32_t scale = 2;
+    /// Frames that may be recorded or submitted and not yet done, at least 1. Each takes its own ring slot of
+    /// every stream.
+    std::uint32_t frames_in_flight = 2;
     /// Shading is smooth across edges that bend by at most this angle.
     float crease_angle_rad = 0.7f;
     /// Does not change the pixels, except as SideStage says.

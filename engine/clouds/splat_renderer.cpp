@@ -1,15 +1,16 @@
 #include "engine/clouds/splat_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <span>
+#include <vector>
 
 #include "engine/clouds/splat_pass.h"
 #include "engine/frame/render_targets.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/picture_readback.h"
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/uploads.h"
 
 namespace rimline {
 
@@ -41,23 +42,28 @@ struct SplatRenderer::State {
         Buffer splats, strokes;
         std::uint32_t splat_count = 0, stroke_count = 0;
     };
-    // The objects that a frame uses until it is done.
-    struct Frame {
-        Buffer strokes;
-        // The previous cloud: the previous frame may still use it.
-        std::unique_ptr<Uploaded> replaced;
+    // One that frames up to `last_frame` may still use.
+    struct Retired {
+        std::uint64_t last_frame;
+        std::unique_ptr<Uploaded> uploaded;
     };
 
     State(const DeviceContext& device_context, const SplatRendererOptions& asked)
         : context(device_context),
-          options{std::min(asked.samples, context.samples), asked.scale},
+          options{.samples = std::min(asked.samples, context.samples),
+                  .scale = asked.scale,
+                  .frames_in_flight = asked.frames_in_flight},
           splat_pass(context, {.color = k_surface_format,
                                .depth_stencil = k_depth_stencil_format,
                                .samples = options.samples}),
-          composite_pass(context) {}
+          composite_pass(context),
+          strokes(options.frames_in_flight),
+          uploads(context) {}
 
+    bool has_targets_for(VkExtent2D size) const;
+    bool has(const SplatCloud* cloud) const;
     void prepare_targets(VkExtent2D size);
-    void prepare_cloud(const SplatCloud* cloud, Frame& frame);
+    void prepare_cloud(const SplatCloud* cloud);
 
     DeviceContext context;
     SplatRendererOptions options;
@@ -65,8 +71,10 @@ struct SplatRenderer::State {
     CompositePass composite_pass;
     std::unique_ptr<RenderTargets> targets;
     std::unique_ptr<Uploaded> uploaded;
-    std::array<Frame, k_frames_in_flight> frames;
+    std::vector<Retired> retired;
+    std::vector<Buffer> strokes;  // Of each frame in flight.
     std::uint64_t recorded = 0;
+    Uploads uploads;  // Declared after the clouds: its destructor waits for their uploads.
 };
 
 SplatRenderer::SplatRenderer(const DeviceContext& context, const SplatRendererOptions& options)
@@ -77,55 +85,75 @@ SplatRenderer& SplatRenderer::operator=(SplatRenderer&&) noexcept = default;
 
 void SplatRenderer::set_scale(std::uint32_t scale) noexcept { state_->options.scale = scale; }
 
+bool SplatRenderer::State::has_targets_for(VkExtent2D size) const {
+    return targets && targets->size().width == size.width &&
+           targets->size().height == size.height &&
+           targets->scale() == fitting_scale(context, size, options.scale, options.samples);
+}
+
 void SplatRenderer::State::prepare_targets(VkExtent2D size) {
-    const std::uint32_t scale = fitting_scale(context, size, options.scale, options.samples);
-    if (targets && targets->size().width == size.width && targets->size().height == size.height &&
-        targets->scale() == scale)
-        return;
+    if (has_targets_for(size)) return;
     targets.reset();  // Frees their memory before the new ones are made.
-    auto made = std::make_unique<RenderTargets>(context, size, scale, options.samples);
+    auto made = std::make_unique<RenderTargets>(
+        context, size, fitting_scale(context, size, options.scale, options.samples),
+        options.samples);
     composite_pass.set_surfaces(made->surfaces());
     targets = std::move(made);
 }
 
-void SplatRenderer::State::prepare_cloud(const SplatCloud* cloud, Frame& frame) {
-    if (cloud == nullptr) {
-        frame.replaced = std::move(uploaded);
-        return;
+bool SplatRenderer::State::has(const SplatCloud* cloud) const {
+    if (!cloud || !uploaded) return !cloud && !uploaded;
+    return uploaded->cloud == cloud && uploaded->revision == cloud->revision;
+}
+
+void SplatRenderer::State::prepare_cloud(const SplatCloud* cloud) {
+    if (has(cloud)) return;
+    std::unique_ptr<Uploaded> made;
+    if (cloud) {
+        made = std::make_unique<Uploaded>();
+        UploadBatch batch(context, uploads);
+        made->splats = batch.add(std::span<const gpu::SplatRecord>(cloud->splats), "the points");
+        made->strokes = batch.add(std::span<const gpu::StrokeRecord>(cloud->strokes), "the lines");
+        made->splat_count = static_cast<std::uint32_t>(cloud->splats.size());
+        made->stroke_count = static_cast<std::uint32_t>(cloud->strokes.size());
+        made->cloud = cloud;
+        made->revision = cloud->revision;
+        retired.reserve(retired.size() + 1);  // The last step that may fail but for send().
+        batch.send();
     }
-    if (uploaded && uploaded->cloud == cloud && uploaded->revision == cloud->revision) return;
-    auto made = std::make_unique<Uploaded>();
-    made->splats =
-        upload_buffer(context, std::span<const gpu::SplatRecord>(cloud->splats), "the points");
-    made->strokes =
-        upload_buffer(context, std::span<const gpu::StrokeRecord>(cloud->strokes), "the lines");
-    made->splat_count = static_cast<std::uint32_t>(cloud->splats.size());
-    made->stroke_count = static_cast<std::uint32_t>(cloud->strokes.size());
-    made->cloud = cloud;
-    made->revision = cloud->revision;
-    frame.replaced = std::move(uploaded);
+    if (uploaded) retired.push_back({recorded, std::move(uploaded)});
     uploaded = std::move(made);
 }
 
-void SplatRenderer::record(VkCommandBuffer buffer, const SplatScene& scene,
-                           const PictureTarget& target) {
+UploadPoint SplatRenderer::prepare(const SplatScene& scene, const PictureTarget& target) {
     State& state = *state_;
-    const Commands commands(*state.context.vk, buffer);
     state.prepare_targets(target.extent);
+    state.composite_pass.prepare(state.context, {target.format, state.targets->scale()});
+    state.prepare_cloud(scene.cloud);
+    return state.uploads.sent();
+}
+
+void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
+                           const SplatScene& scene, const PictureTarget& target) {
+    State& state = *state_;
+    const Commands commands(*state.context.vk, into);
+    const Commands picture(*state.context.vk, picture_into);
+    RIMLINE_CHECK(state.has_targets_for(target.extent) && state.has(scene.cloud));
     const CompositeKind kind{target.format, state.targets->scale()};
-    state.composite_pass.prepare(state.context, kind);
+    RIMLINE_CHECK(state.composite_pass.is_prepared(kind));
     // The GPU is done with the frame that had this slot before.
-    State::Frame& frame = state.frames[state.recorded % k_frames_in_flight];
-    frame.replaced.reset();
+    Buffer& strokes = state.strokes[state.recorded % state.options.frames_in_flight];
+    if (state.uploads.is_done())
+        std::erase_if(state.retired, [&](const State::Retired& retired) {
+            return retired.last_frame + state.options.frames_in_flight <= state.recorded + 1;
+        });
     const std::size_t bytes = scene.strokes.size() * sizeof(gpu::StrokeRecord);
-    if (frame.strokes.size() < std::max<std::size_t>(bytes, 4))
-        frame.strokes = Buffer(state.context, bytes + bytes / 2, BufferPlace::upload, "the lines");
-    // The last step that may fail: the previous frame may still draw what it replaces.
-    state.prepare_cloud(scene.cloud, frame);
-    if (bytes > 0) std::memcpy(frame.strokes.mapped(), scene.strokes.data(), bytes);
+    if (strokes.size() < std::max<std::size_t>(bytes, 4))
+        strokes = Buffer(state.context, bytes + bytes / 2, BufferPlace::upload, "the lines");
+    if (bytes > 0) std::memcpy(strokes.mapped(), scene.strokes.data(), bytes);
     ++state.recorded;
 
-    state.targets->record_before_surfaces(commands, target);
+    state.targets->record_before_surfaces(commands);
     const DrawnArea area = DrawnArea::whole(target.extent);
     state.targets->begin_surfaces(commands, scene.background, area);
     gpu::SplatConstants constants = constants_of(scene, *state.targets);
@@ -135,15 +163,15 @@ void SplatRenderer::record(VkCommandBuffer buffer, const SplatScene& scene,
         state.splat_pass.record(commands, constants, state.uploaded->splat_count,
                                 state.uploaded->stroke_count);
     }
-    constants.strokes = frame.strokes.address();
+    constants.strokes = strokes.address();
     state.splat_pass.record(commands, constants, 0,
                             static_cast<std::uint32_t>(scene.strokes.size()));
     commands->CmdEndRendering(commands);
-    state.targets->record_before_picture(commands);
-    RenderTargets::begin_picture(commands, target, area);
-    state.composite_pass.record(commands, kind, glm::vec3(0.0f));
-    commands->CmdEndRendering(commands);
-    RenderTargets::record_after_picture(commands, target);
+    state.targets->record_before_picture(picture, target);
+    RenderTargets::begin_picture(picture, target, area);
+    state.composite_pass.record(picture, kind, glm::vec3(0.0f));
+    picture->CmdEndRendering(picture);
+    RenderTargets::record_after_picture(picture, target);
 }
 
 Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std::uint32_t height) {
@@ -151,11 +179,16 @@ Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std:
     const VkExtent2D size{width, height};
     const Image image = make_picture_image(state.context, size);
     const Buffer pixels = make_picture_buffer(state.context, size);
+    const PictureTarget target = picture_target(image);
     state.uploaded.reset();  // Another cloud may be at the same address now.
-    run_commands(state.context, [&](Commands commands) {
-        record(commands, scene, picture_target(image));
-        record_read_back(commands, image.handle(), size, pixels);
-    });
+    const UploadPoint uploaded = prepare(scene, target);
+    run_commands(
+        state.context,
+        [&](Commands commands) {
+            record(commands, scene, target);
+            record_read_back(commands, image.handle(), size, pixels);
+        },
+        uploaded);
     return read_picture(pixels, size);
 }
 

@@ -16,6 +16,7 @@
 
 #include "engine/camera.h"
 #include "engine/vulkan/picture_target.h"
+#include "engine/vulkan/upload_point.h"
 #include "shaders/splat_layout.h"
 #include "silhouette/picture.h"
 
@@ -43,12 +44,11 @@ struct SplatScene {
 struct SplatRendererOptions {
     std::uint32_t samples = 4;  ///< As in RendererOptions.
     std::uint32_t scale = 2;
+    std::uint32_t frames_in_flight = 2;
 };
 
 class SplatRenderer {
 public:
-    static constexpr std::uint32_t k_frames_in_flight = 2;
-
     /// The context's device must outlive the renderer.
     explicit SplatRenderer(const DeviceContext& context, const SplatRendererOptions& options = {});
     ~SplatRenderer();
@@ -59,12 +59,19 @@ public:
     /// picture. No recorded frame may be running.
     Picture render(const SplatScene& scene, std::uint32_t width, std::uint32_t height);
 
-    /// Records a frame into `commands`, which are outside a render pass. The caller records it only when the
-    /// GPU is done with the frame recorded k_frames_in_flight before; one into a target of another size, or
-    /// after set_scale(), only when it is done with all. A cloud is identified by its address and revision:
-    /// it must not be replaced by another at the same address. Waits if the cloud is a new one. Throws as
-    /// render(); `commands` must then not be submitted.
-    void record(VkCommandBuffer buffer, const SplatScene& scene, const PictureTarget& target);
+    /// Makes what record() needs, as Renderer::prepare(): call it when the scene has another cloud or
+    /// revision, or when the target or the scale changes. A cloud is identified by its address and revision:
+    /// it must not be replaced by another at the same address. Throws as render().
+    [[nodiscard]] UploadPoint prepare(const SplatScene& scene, const PictureTarget& target);
+
+    /// Records a frame into `commands`, as Renderer::record(). Everything must be prepared. Throws
+    /// Error{too_large} if there is no memory for the strokes; `commands` must then not be submitted.
+    void record(VkCommandBuffer commands, const SplatScene& scene, const PictureTarget& target) {
+        record(commands, commands, scene, target);
+    }
+    /// The same in two parts, as Renderer's.
+    void record(VkCommandBuffer commands, VkCommandBuffer picture, const SplatScene& scene,
+                const PictureTarget& target);
     void set_scale(std::uint32_t scale) noexcept;
 
 private:

@@ -57,16 +57,21 @@ void FramePasses::prepare(const Scene& scene, VkFormat format) {
     surface_pass_.prepare(context_, scene.style);
 }
 
-void FramePasses::record(Commands commands, const FrameView& view, const DrawList& list,
-                         const PictureTarget& target) const {
+bool FramePasses::is_prepared(const Scene& scene, VkFormat format) const {
+    return composite_pass_.is_prepared({format, targets_->scale()}) &&
+           surface_pass_.is_prepared(scene.style);
+}
+
+void FramePasses::record(Commands commands, Commands picture, const FrameView& view,
+                         const DrawList& list, const PictureTarget& target) const {
     const DrawnArea area = drawn_area(view, target);
-    targets_->record_before_surfaces(commands, target);
+    targets_->record_before_surfaces(commands);
     record_surfaces(commands, view.scene, list, area);
     targets_->record_before_lines(commands);
     record_lines(commands, view.scene, list, area);
-    targets_->record_before_picture(commands);
-    record_picture(commands, list, target, area);
-    RenderTargets::record_after_picture(commands, target);
+    targets_->record_before_picture(picture, target);
+    record_picture(picture, list, target, area);
+    RenderTargets::record_after_picture(picture, target);
 }
 
 void FramePasses::record_surfaces(Commands commands, const Scene& scene, const DrawList& list,

@@ -42,9 +42,12 @@ public:
     /// Error{bad_input} for a format that cannot be drawn into.
     void prepare(const Scene& scene, VkFormat format);
 
-    /// Records all passes. Face bits, slots and draw arguments must be complete for all stages. There
-    /// must be targets for `target`, and everything must be prepared.
-    void record(Commands commands, const FrameView& view, const DrawList& list,
+    bool is_prepared(const Scene& scene, VkFormat format) const;
+
+    /// Records all passes: those that use `target` into `picture`, which may be `commands` or others that are
+    /// submitted after them. Face bits, slots and draw arguments must be complete for all stages. There must
+    /// be targets for `target`, and everything must be prepared.
+    void record(Commands commands, Commands picture, const FrameView& view, const DrawList& list,
                 const PictureTarget& target) const;
 
 private:

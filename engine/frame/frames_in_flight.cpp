@@ -33,23 +33,22 @@ void add_deformed_counts(RecordedFrame& frame) {
 
 }  // namespace
 
-FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptions& options,
-                               std::uint32_t ring_slots)
+FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptions& options)
     : context_(context),
       own_service_(options.service ? nullptr : std::make_unique<SilhouetteService>()),
       scatter_(context),
-      draw_data_(context, ring_slots),
+      draw_data_(context, options.frames_in_flight),
       passes_(context, options, draw_data_.layout()),
       timeline_(make_timeline(context)),
       command_pool_(make_command_pool(context, context.queue_family)),
-      frames_(ring_slots),
-      marks_(context, ring_slots),
+      frames_(options.frames_in_flight),
+      marks_(context, options.frames_in_flight),
       checks_silhouettes_(options.check_silhouettes),
-      check_(context, ring_slots),
+      check_(context, options.frames_in_flight),
       instances_(context, options.service ? *options.service : *own_service_,
                  {.crease_angle_rad = options.crease_angle_rad,
                   .line_path = passes_.line_path(),
-                  .ring_slots = ring_slots,
+                  .ring_slots = options.frames_in_flight,
                   .stream_memory_bytes = options.stream_memory_bytes,
                   .tracker_memory_bytes = options.tracker_memory_bytes}) {
     for (Frame& frame : frames_) frame.commands = make_commands(context, command_pool_);
@@ -94,29 +93,32 @@ void FramesInFlight::prepare_picture(VkExtent2D size) {
     picture_ = make_picture_image(context_, size);
 }
 
-// Makes everything that a frame needs before its recording begins.
-void FramesInFlight::prepare(const Scene& scene, const PictureTarget& target, Frame& frame) {
+// Makes everything that a frame needs before its recording begins, but silhouettes.
+void FramesInFlight::prepare_scene(const Scene& scene, const PictureTarget& target) {
     prepare_targets(target.extent);
     passes_.prepare(scene, target.format);
-    FrameReport& report = frame.recorded.report;
-    report = {};
     InstanceStates::Frames numbers{.recorded = recorded_};
     for (std::uint32_t slot = 0; slot < frames_.size(); ++slot)
         if (!is_done(slot))
             numbers.first_running = std::min(numbers.first_running, frames_[slot].number);
-    const InstanceStates::Uploaded uploaded = instances_.prepare(scene, numbers);
-    report.meshes_uploaded = uploaded.meshes;
-    report.bytes_uploaded = uploaded.bytes;
+    instances_.prepare(scene, numbers, uploaded_);
+}
+
+UploadPoint FramesInFlight::prepare(const Scene& scene, const PictureTarget& target) {
+    prepare_scene(scene, target);
+    instances_.prepare_silhouettes(FrameView(scene, target.extent, instances_.casters()));
+    return instances_.uploads().sent();
 }
 
 // The part that submit() and record() share. When it returns, `frame` counts as recorded.
-FrameReport FramesInFlight::record_frame(Commands commands, const Scene& scene,
+FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, const Scene& scene,
                                          const PictureTarget& target, Frame& frame) {
     const std::uint32_t slot = ring_slot();
     RecordedFrame& recorded = frame.recorded;
     recorded.started = std::chrono::steady_clock::now();
     recorded.silhouettes.clear();
     recorded.deformed.clear();
+    recorded.report = {.meshes_uploaded = uploaded_.meshes, .bytes_uploaded = uploaded_.bytes};
     FrameReport report;
     try {
         const FrameView view(scene, target.extent, instances_.casters());
@@ -125,9 +127,9 @@ FrameReport FramesInFlight::record_frame(Commands commands, const Scene& scene,
             view, frame_data(view, *passes_.targets()), slot,
             {instances_, draw_data_, shadow_batches_, passes_.line_path()}, recorded);
         record_silhouettes(commands, recorded);
-        passes_.record(commands, view, list, target);
-        if (checks_silhouettes_) check_.record(commands, slot, recorded.silhouettes);
-        marks_.record(commands, slot, recorded_ + 1);
+        passes_.record(commands, picture, view, list, target);
+        if (checks_silhouettes_) check_.record(picture, slot, recorded.silhouettes);
+        marks_.record(picture, slot, recorded_ + 1);
         recorded.report.record_ms = milliseconds_since(recorded.started);
         report = recorded.report;  // Copied before the frame counts, because it allocates.
     } catch (...) {
@@ -135,6 +137,7 @@ FrameReport FramesInFlight::record_frame(Commands commands, const Scene& scene,
         instances_.invalidate();
         throw;
     }
+    uploaded_ = {};
     frame.number = ++recorded_;
     return report;
 }
@@ -149,12 +152,14 @@ void FramesInFlight::record_silhouettes(Commands commands, RecordedFrame& frame)
     ChangeStream::record_after(commands);
 }
 
-FrameReport FramesInFlight::record(VkCommandBuffer commands, const Scene& scene,
-                                   const PictureTarget& target) {
+FrameReport FramesInFlight::record(VkCommandBuffer commands, VkCommandBuffer picture,
+                                   const Scene& scene, const PictureTarget& target) {
     Frame& frame = free_frame(ring_slot());
-    prepare(scene, target, frame);
-    instances_.uploads().wait();  // The caller's submission does not wait for uploads.
-    FrameReport report = record_frame({*context_.vk, commands}, scene, target, frame);
+    RIMLINE_CHECK(passes_.has_targets_for(target.extent) &&
+                  passes_.is_prepared(scene, target.format) &&
+                  instances_.has_all(FrameView(scene, target.extent, instances_.casters())));
+    FrameReport report =
+        record_frame({*context_.vk, commands}, {*context_.vk, picture}, scene, target, frame);
     frame.timeline_value = 0;
     return report;
 }
@@ -193,19 +198,21 @@ void FramesInFlight::submit(const Scene& scene, VkExtent2D size) {
 // Records the frame into its own command buffer, which is left open.
 void FramesInFlight::record_submission(const Scene& scene, Frame& frame) {
     const PictureTarget target = picture_target(picture_);
-    prepare(scene, target, frame);
-    record_frame(begin_commands(context_, frame.commands), scene, target, frame);
+    prepare_scene(scene, target);
+    const Commands commands = begin_commands(context_, frame.commands);
+    record_frame(commands, commands, scene, target, frame);
 }
 
 // Submits the frame's commands. They wait for uploads in progress and signal the next timeline value.
 void FramesInFlight::enqueue(Frame& frame) {
-    Uploads& uploads = instances_.uploads();
+    const UploadPoint uploaded = instances_.uploads().sent();
     Submission submission{.queue = context_.queue,
                           .commands = frame.commands,
                           .signal = SemaphorePoint{timeline_, submitted_ + 1}};
-    if (!uploads.is_done())
-        submission.wait = SemaphorePoint{uploads.timeline(), uploads.sent_value()};
+    // Also if they are done: only the semaphore makes them visible. Later submissions come after this one.
+    if (uploaded.value > awaited_uploads_) submission.waits.push_back(uploaded);
     submit_commands(context_, submission);
+    awaited_uploads_ = uploaded.value;
     frame.timeline_value = ++submitted_;
 }
 

@@ -26,6 +26,7 @@
 #include "engine/vulkan/frame_marks.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/picture_target.h"
+#include "engine/vulkan/upload_point.h"
 #include "silhouette/picture.h"
 
 namespace rimline {
@@ -33,15 +34,16 @@ namespace rimline {
 /// The functions are Renderer's; their contracts stand there.
 class FramesInFlight {
 public:
-    FramesInFlight(const DeviceContext& context, const RendererOptions& options,
-                   std::uint32_t ring_slots);
+    FramesInFlight(const DeviceContext& context, const RendererOptions& options);
     ~FramesInFlight();
     FramesInFlight(const FramesInFlight&) = delete;
     FramesInFlight& operator=(const FramesInFlight&) = delete;
 
     void submit(const Scene& scene, VkExtent2D size);
     Picture finish();
-    FrameReport record(VkCommandBuffer commands, const Scene& scene, const PictureTarget& target);
+    UploadPoint prepare(const Scene& scene, const PictureTarget& target);
+    FrameReport record(VkCommandBuffer commands, VkCommandBuffer picture, const Scene& scene,
+                       const PictureTarget& target);
     void forget_recorded() noexcept;
 
     void announce(const Scene& scene) noexcept { instances_.announce(scene); }
@@ -72,11 +74,11 @@ private:
     void wait_for(std::uint64_t timeline_value) const;
     bool is_done(std::uint32_t slot) const noexcept;
     Frame& free_frame(std::uint32_t slot);
-    void prepare(const Scene& scene, const PictureTarget& target, Frame& frame);
+    void prepare_scene(const Scene& scene, const PictureTarget& target);
     void prepare_targets(VkExtent2D size);
     void prepare_picture(VkExtent2D size);
-    FrameReport record_frame(Commands commands, const Scene& scene, const PictureTarget& target,
-                             Frame& frame);
+    FrameReport record_frame(Commands commands, Commands picture, const Scene& scene,
+                             const PictureTarget& target, Frame& frame);
     void record_silhouettes(Commands commands, RecordedFrame& frame) const;
     void record_submission(const Scene& scene, Frame& frame);
     void enqueue(Frame& frame);
@@ -94,10 +96,12 @@ private:
     FrameMarks marks_;
     bool checks_silhouettes_;
     ConsistencyCheck check_;
-    std::uint64_t recorded_ = 0;        // Frames so far.
-    std::uint64_t submitted_ = 0;       // Of these, by submit(): the timeline's last value.
-    std::deque<std::uint32_t> queued_;  // Ring slots of those submitted and not finished.
-    Image picture_;                     // The target of submit().
+    std::uint64_t recorded_ = 0;         // Frames so far.
+    InstanceStates::Uploaded uploaded_;  // For the report of the next frame.
+    std::uint64_t awaited_uploads_ = 0;  // The uploads' value that the last submission waits for.
+    std::uint64_t submitted_ = 0;        // Of these, by submit(): the timeline's last value.
+    std::deque<std::uint32_t> queued_;   // Ring slots of those submitted and not finished.
+    Image picture_;                      // The target of submit().
     InstanceStates instances_;
     ShadowBatches shadow_batches_;
     std::uint64_t differences_ = 0;

@@ -7,6 +7,15 @@
 
 namespace rimline {
 
+namespace {
+
+bool is_of(const InstanceState& state, const SceneInstance& instance) {
+    return state.source == &instance.mesh() &&
+           state.octree == (instance.deforming ? nullptr : instance.octree);
+}
+
+}  // namespace
+
 InstanceStates::InstanceStates(const DeviceContext& context, SilhouetteService& service,
                                const Options& options)
     : context_(context),
@@ -71,9 +80,12 @@ void InstanceStates::make(InstanceState& state, const SceneInstance& instance, U
     const GpuMesh& mesh = upload(source, uploaded);
     if (instance.deforming) {
         if (!deform_passes_) deform_passes_ = std::make_unique<DeformPasses>(context_);
-        state.deforming =
-            std::make_unique<DeformingInstance>(context_, source, mesh, options_.crease_angle_rad,
+        UploadBatch batch(context_, uploads_);
+        auto made =
+            std::make_unique<DeformingInstance>(batch, source, mesh, options_.crease_angle_rad,
                                                 options_.ring_slots, stream_budget_, instance.name);
+        batch.send();
+        state.deforming = std::move(made);
     }
     state.source = &source;
     state.octree = instance.deforming ? nullptr : instance.octree;
@@ -82,20 +94,18 @@ void InstanceStates::make(InstanceState& state, const SceneInstance& instance, U
     state.is_closed_chain = is_closed_chain(source);
 }
 
-InstanceStates::Uploaded InstanceStates::prepare(const Scene& scene, const Frames& frames) {
+void InstanceStates::prepare(const Scene& scene, const Frames& frames, Uploaded& uploaded) {
     recorded_ = frames.recorded;
     if (!retired_.empty() && uploads_.is_done())
         std::erase_if(retired_, [&](const Retired& retired) {
             return retired.last_frame < frames.first_running;
         });
-    Uploaded uploaded;
     for (std::size_t i = scene.instances.size(); i < instances_.size(); ++i) retire(instances_[i]);
     instances_.resize(scene.instances.size());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
         InstanceState& state = instances_[i];
         const SceneInstance& instance = scene.instances[i];
-        if (state.source != &instance.mesh() ||
-            state.octree != (instance.deforming ? nullptr : instance.octree)) {
+        if (!is_of(state, instance)) {
             retire(state);
             make(state, instance, uploaded);
         }
@@ -107,7 +117,6 @@ InstanceStates::Uploaded InstanceStates::prepare(const Scene& scene, const Frame
             next_retired().gpu_silhouette = state.deforming->take_last_light();
     }
     retire_unused_meshes();
-    return uploaded;
 }
 
 void InstanceStates::prepare_silhouettes(const FrameView& view) {
@@ -123,13 +132,39 @@ void InstanceStates::prepare_silhouettes(const FrameView& view) {
     for (std::size_t i = 0; i < view.instances.size(); ++i) {
         const SceneInstance& instance = view.scene.instances[i];
         const InstanceView& seen = view.instances[i];
-        if (instance.deforming) continue;
-        if (seen.lines && draws_slots(options_.line_path))
-            prepare(instances_[i].camera, instance, *seen.lines);
+        InstanceState& state = instances_[i];
+        if (seen.lines && draws_slots(options_.line_path)) {
+            if (state.deforming)
+                state.deforming->prepare_camera(uploads_);
+            else
+                prepare(state.camera, instance, *seen.lines);
+        }
         if (!casts_shadows(view.scene, instance)) continue;
-        for (std::size_t l = 0; l < seen.lights.size(); ++l)
-            prepare(instances_[i].lights[l], instance, seen.lights[l].point);
+        for (std::size_t l = 0; l < seen.lights.size(); ++l) {
+            if (state.deforming)
+                state.deforming->prepare_light(l, uploads_);
+            else
+                prepare(state.lights[l], instance, seen.lights[l].point);
+        }
     }
+}
+
+bool InstanceStates::has_all(const FrameView& view) const {
+    const Scene& scene = view.scene;
+    if (instances_.size() != scene.instances.size()) return false;
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        const InstanceState& state = instances_[i];
+        const SceneInstance& instance = scene.instances[i];
+        if (!is_of(state, instance) || state.lights.size() != scene.lights.size()) return false;
+        if (view.instances[i].lines && draws_slots(options_.line_path) &&
+            !(state.deforming ? state.deforming->has_camera() : state.camera != nullptr))
+            return false;
+        if (!casts_shadows(scene, instance)) continue;
+        for (std::size_t l = 0; l < scene.lights.size(); ++l)
+            if (!(state.deforming ? state.deforming->has_light(l) : state.lights[l] != nullptr))
+                return false;
+    }
+    return true;
 }
 
 // The points of an announced scene are those of another frame: no FrameView has them. Allocates nothing.

@@ -60,10 +60,13 @@ public:
 
     /// Adds the state of new instances and lights, begins to upload new meshes, and retires the state of
     /// what the scene no longer has. Throws Error{too_large} where memory or a budget does not suffice.
-    Uploaded prepare(const Scene& scene, const Frames& frames);
+    /// Adds what it uploads to `uploaded`.
+    void prepare(const Scene& scene, const Frames& frames, Uploaded& uploaded);
     /// Makes missing silhouettes, and announces all points to the service before the first is waited for.
     /// `view` is of the scene prepared last.
     void prepare_silhouettes(const FrameView& view);
+    /// Whether the two would make nothing for the scene of `view`.
+    bool has_all(const FrameView& view) const;
     /// As Renderer::announce().
     void announce(const Scene& scene) noexcept;
     /// Call when queued changes never ran although the trackers have moved: the next frame sends the whole

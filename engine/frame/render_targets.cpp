@@ -167,7 +167,7 @@ void RenderTargets::begin_picture(Commands commands, const PictureTarget& target
     commands->CmdSetScissor(commands, 0, 1, &area.rect);
 }
 
-void RenderTargets::record_before_surfaces(Commands commands, const PictureTarget& target) const {
+void RenderTargets::record_before_surfaces(Commands commands) const {
     constexpr VkImageLayout k_fresh = VK_IMAGE_LAYOUT_UNDEFINED;
     constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_depth = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
@@ -176,13 +176,10 @@ void RenderTargets::record_before_surfaces(Commands commands, const PictureTarge
                        {{surfaces_, k_fresh, k_color},
                         {depth_, k_fresh, k_depth},
                         {multisampled_surfaces_, k_fresh, k_color},
-                        {multisampled_depth_, k_fresh, k_depth},
-                        {target, target.initial_layout, k_color}});
+                        {multisampled_depth_, k_fresh, k_depth}});
     else
         record_barrier(commands, k_before, k_drawing,
-                       {{surfaces_, k_fresh, k_color},
-                        {depth_, k_fresh, k_depth},
-                        {target, target.initial_layout, k_color}});
+                       {{surfaces_, k_fresh, k_color}, {depth_, k_fresh, k_depth}});
 }
 
 void RenderTargets::record_before_lines(Commands commands) const {
@@ -194,10 +191,12 @@ void RenderTargets::record_before_lines(Commands commands) const {
                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
 }
 
-void RenderTargets::record_before_picture(Commands commands) const {
-    record_barrier(commands, k_drawing, k_sampling,
+void RenderTargets::record_before_picture(Commands commands, const PictureTarget& target) const {
+    record_barrier(commands, k_before,
+                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
                    {{surfaces_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
+                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+                    {target, target.initial_layout, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
 }
 
 void RenderTargets::record_after_picture(Commands commands, const PictureTarget& target) {

@@ -65,10 +65,10 @@ public:
     static void begin_picture(Commands commands, const PictureTarget& target,
                               const DrawnArea& area);
 
-    /// Layout changes between the scopes, for all images at once, including the target.
-    void record_before_surfaces(Commands commands, const PictureTarget& target) const;
+    /// Layout changes between the scopes, for all images at once; the last one includes the target.
+    void record_before_surfaces(Commands commands) const;
     void record_before_lines(Commands commands) const;
-    void record_before_picture(Commands commands) const;
+    void record_before_picture(Commands commands, const PictureTarget& target) const;
     /// Moves the target to its final layout. All later commands wait for it.
     static void record_after_picture(Commands commands, const PictureTarget& target);
 

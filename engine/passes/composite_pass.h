@@ -37,6 +37,8 @@ public:
     /// device cannot draw into it, or if it is not a color format.
     void prepare(const DeviceContext& context, const CompositeKind& kind);
 
+    bool is_prepared(const CompositeKind& kind) const { return pipelines_.contains(kind); }
+
     void set_surfaces(const Image& surfaces) { surfaces_.set({&surfaces}); }
 
     /// Inside a rendering scope of a target of a prepared kind. `ink` is linear.

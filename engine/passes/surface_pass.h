@@ -23,6 +23,10 @@ public:
     /// Makes the pipelines of `style`, if there are none yet. Needed before a list of that style is recorded.
     void prepare(const DeviceContext& context, Style style);
 
+    bool is_prepared(Style style) const {
+        return pipelines_.contains(static_cast<std::uint32_t>(style));
+    }
+
     /// Writes color and depth. Inside a rendering scope with cleared attachments.
     void record_unlit(Commands commands, const DrawList& list) const;
     /// Equals record_unlit() and record_lit() of the only light with a stencil of zero everywhere.

@@ -52,16 +52,20 @@ DeformedCounts DeformedFrame::counts(Purpose purpose) const {
     return sum;
 }
 
-const GpuSilhouette& DeformingInstance::add(std::unique_ptr<GpuSilhouette>& silhouette,
-                                            const HomogeneousPoint& point,
+void DeformingInstance::make(Found& found, Uploads& uploads) {
+    if (found.silhouette) return;
+    UploadBatch batch(mesh_.context(), uploads);
+    auto made = std::make_unique<GpuSilhouette>(batch, mesh_.topology(), mesh_.faces(),
+                                                GpuSilhouette::Changes::counted, &budget_, model_);
+    batch.send();
+    found.silhouette = std::move(made);
+}
+
+const GpuSilhouette& DeformingInstance::add(Found& found, const HomogeneousPoint& point,
                                             DeformedFrame::Purpose purpose, DeformedFrame& frame) {
-    const bool is_first = !silhouette;
-    if (is_first)
-        silhouette =
-            std::make_unique<GpuSilhouette>(context_, mesh_.topology(), mesh_.faces(),
-                                            GpuSilhouette::Changes::counted, &budget_, model_);
-    frame.add({silhouette.get(), point}, purpose, is_first);
-    return *silhouette;
+    frame.add({found.silhouette.get(), point}, purpose, !found.was_computed);
+    found.was_computed = true;
+    return *found.silhouette;
 }
 
 }  // namespace rimline

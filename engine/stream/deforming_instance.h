@@ -70,13 +70,12 @@ private:
 class DeformingInstance {
 public:
     /// As DeformingMesh.
-    DeformingInstance(const DeviceContext& context, const Mesh& mesh, const GpuMesh& gpu_mesh,
+    DeformingInstance(UploadBatch& batch, const Mesh& mesh, const GpuMesh& gpu_mesh,
                       float crease_angle_rad, std::uint32_t ring_slots, MemoryBudget& budget,
                       const std::string& model)
-        : context_(context),
-          budget_(budget),
+        : budget_(budget),
           model_(model),
-          mesh_(context, mesh, gpu_mesh, crease_angle_rad, ring_slots, &budget, model) {}
+          mesh_(batch, mesh, gpu_mesh, crease_angle_rad, ring_slots, &budget, model) {}
 
     /// Sets the deformation, and adds the mesh to `frame`. Throws as DeformingMesh::move().
     void begin_frame(const Deformation& deformation, std::uint32_t ring_slot,
@@ -85,22 +84,32 @@ public:
         frame.add(mesh_);
     }
 
-    /// The silhouettes from the camera and from a light, which `frame` will compute. They are made at the
-    /// first call.
+    /// Makes the silhouettes from the camera and from a light, where they are missing, over `uploads`.
+    void prepare_camera(Uploads& uploads) { make(camera_, uploads); }
+    void prepare_light(std::size_t light, Uploads& uploads) {
+        if (lights_.size() <= light) lights_.resize(light + 1);
+        make(lights_[light], uploads);
+    }
+
+    bool has_camera() const noexcept { return camera_.silhouette != nullptr; }
+    bool has_light(std::size_t light) const noexcept {
+        return light < lights_.size() && lights_[light].silhouette;
+    }
+
+    /// The silhouettes from the camera and from a light, which `frame` will compute. They must be prepared.
     const GpuSilhouette& camera(const HomogeneousPoint& point, DeformedFrame& frame) {
         return add(camera_, point, DeformedFrame::Purpose::line, frame);
     }
     const GpuSilhouette& light(std::size_t light, const HomogeneousPoint& point,
                                DeformedFrame& frame) {
-        if (lights_.size() <= light) lights_.resize(light + 1);
-        return add(lights_[light], point, DeformedFrame::Purpose::shadow, frame);
+        return add(lights_.at(light), point, DeformedFrame::Purpose::shadow, frame);
     }
 
     /// Removes and returns the silhouette from the last light. The caller frees it when no frame reads it
     /// any more. There must be a light.
     std::size_t light_count() const noexcept { return lights_.size(); }
     std::unique_ptr<GpuSilhouette> take_last_light() noexcept {
-        std::unique_ptr<GpuSilhouette> last = std::move(lights_.back());
+        std::unique_ptr<GpuSilhouette> last = std::move(lights_.back().silhouette);
         lights_.pop_back();
         return last;
     }
@@ -108,16 +117,20 @@ public:
     const DeformingMesh& mesh() const noexcept { return mesh_; }
 
 private:
-    const GpuSilhouette& add(std::unique_ptr<GpuSilhouette>& silhouette,
-                             const HomogeneousPoint& point, DeformedFrame::Purpose purpose,
-                             DeformedFrame& frame);
+    struct Found {
+        std::unique_ptr<GpuSilhouette> silhouette;
+        bool was_computed = false;
+    };
 
-    DeviceContext context_;
+    void make(Found& found, Uploads& uploads);
+    static const GpuSilhouette& add(Found& found, const HomogeneousPoint& point,
+                                    DeformedFrame::Purpose purpose, DeformedFrame& frame);
+
     MemoryBudget& budget_;
     std::string model_;
     DeformingMesh mesh_;
-    std::unique_ptr<GpuSilhouette> camera_;
-    std::vector<std::unique_ptr<GpuSilhouette>> lights_;
+    Found camera_;
+    std::vector<Found> lights_;
 };
 
 }  // namespace rimline

@@ -52,17 +52,16 @@ gpu::WaveConstants constants_of(const Wave& wave) {
 
 }  // namespace
 
-DeformingMesh::DeformingMesh(const DeviceContext& context, const Mesh& mesh,
-                             const GpuMesh& gpu_mesh, float crease_angle_rad,
-                             std::uint32_t ring_slots, MemoryBudget* budget,
+DeformingMesh::DeformingMesh(UploadBatch& batch, const Mesh& mesh, const GpuMesh& gpu_mesh,
+                             float crease_angle_rad, std::uint32_t ring_slots, MemoryBudget* budget,
                              const std::string& model)
-    : context_(context),
+    : context_(batch.context()),
       mesh_(&mesh),
       vertex_count_(mesh.vertex_count()),
       ring_slots_(ring_slots),
       triangles_(gpu_mesh.triangles()),
       model_(model),
-      topology_(context, mesh, budget, model),
+      topology_(batch, mesh, budget, model),
       share_(budget),
       ring_share_(budget) {
     const CornerGroupList groups = corner_groups(mesh, crease_angle_rad);
@@ -74,12 +73,12 @@ DeformingMesh::DeformingMesh(const DeviceContext& context, const Mesh& mesh,
                       buffer_bytes(begin.size_bytes()) + buffer_bytes(corners.size_bytes()) +
                       sizeof(gpu::DeformJob),
                   "the moved positions and normals of " + model);
-    positions_ = Buffer(context, mesh.positions().size_bytes(), BufferPlace::device,
+    positions_ = Buffer(context_, mesh.positions().size_bytes(), BufferPlace::device,
                         "the moved positions of " + model);
     corner_normals_ =
-        Buffer(context, normal_bytes, BufferPlace::device, "the moved normals of " + model);
-    group_begin_ = upload_buffer(context, begin, "the groups of corners of " + model);
-    group_corners_ = upload_buffer(context, corners, "the groups of corners of " + model);
+        Buffer(context_, normal_bytes, BufferPlace::device, "the moved normals of " + model);
+    group_begin_ = batch.add(begin, "the groups of corners of " + model);
+    group_corners_ = batch.add(corners, "the groups of corners of " + model);
     const gpu::DeformJob job{.rest = gpu_mesh.positions(),
                              .positions = positions_.address(),
                              .triangles = triangles_,
@@ -88,7 +87,7 @@ DeformingMesh::DeformingMesh(const DeviceContext& context, const Mesh& mesh,
                              .corner_normals = corner_normals_.address(),
                              .vertex_count = vertex_count_,
                              .group_count = group_count_};
-    job_ = upload_buffer(context, std::span(&job, 1), "a deforming mesh's addresses");
+    job_ = batch.add(std::span(&job, 1), "a deforming mesh's addresses");
 }
 
 void DeformingMesh::move(const Deformation& deformation, std::uint32_t ring_slot) {

@@ -21,16 +21,17 @@
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/pipeline.h"
+#include "engine/vulkan/uploads.h"
 
 namespace rimline {
 
 class DeformingMesh {
 public:
     /// `gpu_mesh` is the same mesh, uploaded; it must outlive this. Surfaces are shaded smooth across
-    /// edges that bend by at most `crease_angle_rad` at rest. Uploads and waits. Memory counts in `budget`,
+    /// edges that bend by at most `crease_angle_rad` at rest. Its data is complete when the batch is done. Memory counts in `budget`,
     /// which must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the
     /// budget or the device's limit.
-    DeformingMesh(const DeviceContext& context, const Mesh& mesh, const GpuMesh& gpu_mesh,
+    DeformingMesh(UploadBatch& batch, const Mesh& mesh, const GpuMesh& gpu_mesh,
                   float crease_angle_rad, std::uint32_t ring_slots, MemoryBudget* budget = nullptr,
                   const std::string& model = "the model");
 
@@ -40,6 +41,7 @@ public:
     /// constructor when MovedPositions are given for the first time.
     void move(const Deformation& deformation, std::uint32_t ring_slot);
 
+    const DeviceContext& context() const noexcept { return context_; }
     VkDeviceAddress positions() const noexcept { return positions_.address(); }
     VkDeviceAddress corner_normals() const noexcept { return corner_normals_.address(); }
     const Buffer& position_buffer() const noexcept { return positions_; }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/vulkan/barrier.h"
-#include "engine/vulkan/commands.h"
 #include "engine/vulkan/dispatch.h"
 #include "shaders/silhouette_job.h"
 #include "silhouette/hough/change_set.h"
@@ -93,8 +92,8 @@ struct Sizes {
 
 }  // namespace
 
-SilhouetteTopology::SilhouetteTopology(const DeviceContext& context, const Mesh& mesh,
-                                       MemoryBudget* budget, const std::string& model)
+SilhouetteTopology::SilhouetteTopology(UploadBatch& batch, const Mesh& mesh, MemoryBudget* budget,
+                                       const std::string& model)
     : face_count_(mesh.face_count()),
       regular_end_(mesh.edges_of_class(EdgeClass::regular).last),
       two_face_end_(mesh.edges_of_class(EdgeClass::inconsistent).last),
@@ -107,16 +106,16 @@ SilhouetteTopology::SilhouetteTopology(const DeviceContext& context, const Mesh&
                       buffer_bytes(std::span(fan.begin).size_bytes()) +
                       buffer_bytes(std::span(fan.faces).size_bytes()),
                   what);
-    edge_faces_ = upload_buffer(context, std::span<const gpu::EdgeFaces>(pairs), what);
-    fan_begin_ = upload_buffer(context, std::span<const std::uint32_t>(fan.begin), what);
-    fan_faces_ = upload_buffer(context, std::span<const FaceId>(fan.faces), what);
+    edge_faces_ = batch.add(std::span<const gpu::EdgeFaces>(pairs), what);
+    fan_begin_ = batch.add(std::span<const std::uint32_t>(fan.begin), what);
+    fan_faces_ = batch.add(std::span<const FaceId>(fan.faces), what);
 }
 
 std::uint64_t SilhouetteTopology::size_bytes() const noexcept {
     return total_size(edge_faces_, fan_begin_, fan_faces_);
 }
 
-GpuSilhouette::GpuSilhouette(const DeviceContext& context, const SilhouetteTopology& topology,
+GpuSilhouette::GpuSilhouette(UploadBatch& batch, const SilhouetteTopology& topology,
                              const FaceSource& faces, Changes changes, MemoryBudget* budget,
                              const std::string& model)
     : face_group_count_(group_count(topology.face_count_)),
@@ -124,13 +123,13 @@ GpuSilhouette::GpuSilhouette(const DeviceContext& context, const SilhouetteTopol
       share_(budget) {
     share_.resize(size_bytes(topology, changes), "a silhouette of " + model + " found on the GPU");
     const auto make = [&](std::uint64_t size_bytes, const char* what) {
-        return Buffer(context, size_bytes, BufferPlace::device, what + model);
+        return Buffer(batch.context(), size_bytes, BufferPlace::device, what + model);
     };
     const Sizes sizes(topology.face_count_, topology.edge_count_, changes);
     const bool listed = changes == Changes::listed;
-    face_words_ = make(sizes.face_words, "the face bits of ");
+    face_words_ = batch.add_zeros(sizes.face_words, "the face bits of " + model);
     face_changes_ = make(sizes.face_words, "the changes of face bits of ");
-    edge_words_ = make(sizes.edge_words, "the edge bits of ");
+    edge_words_ = batch.add_zeros(sizes.edge_words, "the edge bits of " + model);
     edge_changes_ = make(sizes.edge_words, "the changes of edge bits of ");
     face_tallies_ = make(sizes.face_tallies, "the face tallies of ");
     edge_tallies_ = make(sizes.edge_tallies, "the edge tallies of ");
@@ -169,11 +168,7 @@ GpuSilhouette::GpuSilhouette(const DeviceContext& context, const SilhouetteTopol
                                  .edge_count = topology.edge_count_,
                                  .face_group_count = face_group_count_,
                                  .edge_group_count = edge_group_count_};
-    job_ = upload_buffer(context, std::span(&job, 1), "a silhouette's addresses");
-    run_commands(context, [&](Commands commands) {
-        for (const Buffer* buffer : {&face_words_, &edge_words_})
-            commands->CmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 0);
-    });
+    job_ = batch.add(std::span(&job, 1), "a silhouette's addresses");
 }
 
 std::uint64_t GpuSilhouette::size_bytes(const SilhouetteTopology& topology,

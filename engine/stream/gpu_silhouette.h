@@ -22,6 +22,7 @@
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/memory_budget.h"
 #include "engine/vulkan/pipeline.h"
+#include "engine/vulkan/uploads.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
 
@@ -33,8 +34,8 @@ public:
     /// Uploads and waits. `mesh` is not needed afterwards. Memory counts in `budget`, which must outlive it;
     /// null for none. Messages name `model`. Throws Error{too_large} naming the budget or the device's
     /// limit.
-    SilhouetteTopology(const DeviceContext& context, const Mesh& mesh,
-                       MemoryBudget* budget = nullptr, const std::string& model = "the model");
+    SilhouetteTopology(UploadBatch& batch, const Mesh& mesh, MemoryBudget* budget = nullptr,
+                       const std::string& model = "the model");
 
     std::uint32_t face_count() const noexcept { return face_count_; }
     /// The number of edges that may be on a silhouette: all but borders.
@@ -83,9 +84,9 @@ public:
     /// Allocates memory for any silhouette, uploads and waits. `topology` and the buffers of `faces` must
     /// outlive it. About 1/4 byte a face and 4 1/4 bytes an edge, and 8 more an edge if changes are listed.
     /// Budget, messages and errors are as in SilhouetteTopology.
-    GpuSilhouette(const DeviceContext& context, const SilhouetteTopology& topology,
-                  const FaceSource& faces, Changes changes = Changes::counted,
-                  MemoryBudget* budget = nullptr, const std::string& model = "the model");
+    GpuSilhouette(UploadBatch& batch, const SilhouetteTopology& topology, const FaceSource& faces,
+                  Changes changes = Changes::counted, MemoryBudget* budget = nullptr,
+                  const std::string& model = "the model");
 
     /// As those of a ChangeStream: slots hold edge numbers, words hold face bits, and the arguments
     /// (gpu::SlotArguments) draw the slots in use.

@@ -82,19 +82,20 @@ QueueLock::~QueueLock() {
 void submit_commands(const DeviceContext& context, const Submission& submission) {
     const VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                              .commandBuffer = submission.commands};
-    const auto info_of = [](const std::optional<SemaphorePoint>& point) {
-        const SemaphorePoint given = point.value_or(SemaphorePoint{});
+    const auto info_of = [](const SemaphorePoint& point) {
         return VkSemaphoreSubmitInfo{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                     .semaphore = given.semaphore,
-                                     .value = given.value,
-                                     .stageMask = given.stages};
+                                     .semaphore = point.semaphore,
+                                     .value = point.value,
+                                     .stageMask = point.stages};
     };
-    const VkSemaphoreSubmitInfo wait = info_of(submission.wait);
-    const VkSemaphoreSubmitInfo signal = info_of(submission.signal);
+    std::vector<VkSemaphoreSubmitInfo> waits;
+    for (const SemaphorePoint& wait : submission.waits) waits.push_back(info_of(wait));
+    VkSemaphoreSubmitInfo signal{};
+    if (submission.signal) signal = info_of(*submission.signal);
     const VkSubmitInfo2 info{
         .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-        .waitSemaphoreInfoCount = submission.wait ? 1u : 0u,
-        .pWaitSemaphoreInfos = &wait,
+        .waitSemaphoreInfoCount = static_cast<std::uint32_t>(waits.size()),
+        .pWaitSemaphoreInfos = waits.data(),
         .commandBufferInfoCount = submission.commands != VK_NULL_HANDLE ? 1u : 0u,
         .pCommandBufferInfos = &commands,
         .signalSemaphoreInfoCount = submission.signal ? 1u : 0u,
@@ -119,7 +120,8 @@ void drain(const DeviceContext& context, VkQueue queue) noexcept {
     }
 }
 
-void run_commands(const DeviceContext& context, const std::function<void(Commands)>& record) {
+void run_commands(const DeviceContext& context, const std::function<void(Commands)>& record,
+                  const UploadPoint& uploaded) {
     const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
     const OwnedFence done = make_fence(context);
     const Commands commands = begin_commands(context, make_commands(context, pool));
@@ -129,7 +131,9 @@ void run_commands(const DeviceContext& context, const std::function<void(Command
                    {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                     VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT});
     vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
-    submit_commands(context, {.queue = context.queue, .commands = commands, .fence = done});
+    Submission submission{.queue = context.queue, .commands = commands, .fence = done};
+    if (uploaded.value > 0) submission.waits.push_back(uploaded);
+    submit_commands(context, submission);
     wait_for_fence(context, done);
 }
 

@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "engine/vulkan/device.h"
 #include "engine/vulkan/functions.h"
+#include "engine/vulkan/upload_point.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {
@@ -32,16 +33,23 @@ Commands begin_commands(const DeviceContext& context, VkCommandBuffer commands);
 
 /// A semaphore and its value, which is ignored for a binary one.
 struct SemaphorePoint {
-    VkSemaphore semaphore = VK_NULL_HANDLE;
-    std::uint64_t value = 0;
-    VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    SemaphorePoint(VkSemaphore of, std::uint64_t to = 0,
+                   VkPipelineStageFlags2 at = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)
+        : semaphore(of), value(to), stages(at) {}
+    SemaphorePoint(const UploadPoint& uploaded)
+        : SemaphorePoint(uploaded.timeline, uploaded.value) {}
+
+    VkSemaphore semaphore;
+    std::uint64_t value;
+    VkPipelineStageFlags2 stages;
 };
 
 struct Submission {
     VkQueue queue = VK_NULL_HANDLE;
     VkCommandBuffer commands =
         VK_NULL_HANDLE;  ///< Null: none, for the semaphores and the fence alone.
-    std::optional<SemaphorePoint> wait, signal;
+    std::vector<SemaphorePoint> waits;
+    std::optional<SemaphorePoint> signal;
     VkFence fence = VK_NULL_HANDLE;
 };
 
@@ -65,8 +73,9 @@ void submit_commands(const DeviceContext& context, const Submission& submission)
 /// Returns on a lost device too, and where memory has run out.
 void drain(const DeviceContext& context, VkQueue queue) noexcept;
 
-/// Records commands, submits them, and waits until they are done. For setup, not for frames. Throws what
+/// Records commands, submits them after what was uploaded, and waits until they are done. For setup, not for frames. Throws what
 /// vk_check() does; then too, everything that the commands use may be freed.
-void run_commands(const DeviceContext& context, const std::function<void(Commands)>& record);
+void run_commands(const DeviceContext& context, const std::function<void(Commands)>& record,
+                  const UploadPoint& uploaded = {});
 
 }  // namespace rimline

@@ -35,7 +35,10 @@ void Uploads::send(std::vector<StagedCopy>& copies) {
     const Commands commands = begin_commands(context_, make_commands(context_, pool));
     for (const StagedCopy& copy : copies) {
         const VkBufferCopy region{.size = copy.staging.size()};
-        commands->CmdCopyBuffer(commands, copy.staging.handle(), copy.target, 1, &region);
+        if (region.size == 0)
+            commands->CmdFillBuffer(commands, copy.target, 0, VK_WHOLE_SIZE, 0);
+        else
+            commands->CmdCopyBuffer(commands, copy.staging.handle(), copy.target, 1, &region);
     }
     vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
     // May throw, so before the submission, which cannot be undone.
@@ -63,6 +66,12 @@ Buffer UploadBatch::add(std::span<const std::byte> data, const std::string& what
     std::memcpy(staging.mapped(), data.data(), data.size());
     staged_.push_back({std::move(staging), buffer.handle()});
     staged_bytes_ += data.size();
+    return buffer;
+}
+
+Buffer UploadBatch::add_zeros(VkDeviceSize size_bytes, const std::string& what) {
+    Buffer buffer(context_, size_bytes, BufferPlace::device, what);
+    staged_.push_back({{}, buffer.handle()});
     return buffer;
 }
 

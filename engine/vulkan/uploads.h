@@ -18,9 +18,11 @@
 #include <string>
 #include <vector>
 
+#include "engine/vulkan/commands.h"
 #include "engine/vulkan/device.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
+#include "engine/vulkan/upload_point.h"
 
 namespace rimline {
 
@@ -34,20 +36,21 @@ public:
     Uploads(const Uploads&) = delete;
     Uploads& operator=(const Uploads&) = delete;
 
-    /// Reaches sent_value() when all copies are done. Commands that read the buffers must wait for it.
-    VkSemaphore timeline() const noexcept { return timeline_; }
-    std::uint64_t sent_value() const noexcept { return sent_; }
+    /// Reached when all copies are done. Commands that read the buffers must wait for it.
+    UploadPoint sent() const noexcept { return {timeline_, sent_}; }
 
     /// Waits on the host until all copies are done. Throws what vk_check() does.
     void wait();
-    /// Whether all copies are done. Also false if the device cannot tell.
+    /// Whether all copies are done, so that what they used is free. Also false if the device cannot tell.
+    /// Commands that read the buffers must wait for the timeline nevertheless: only that makes the copies
+    /// visible to them.
     bool is_done() noexcept;
 
 private:
     friend class UploadBatch;
 
     struct StagedCopy {
-        Buffer staging;
+        Buffer staging;  // Empty: the target is filled with zeros.
         VkBuffer target;
     };
     struct Sent {
@@ -70,6 +73,8 @@ public:
     explicit UploadBatch(const DeviceContext& context, Uploads& uploads)
         : context_(context), uploads_(uploads) {}
 
+    const DeviceContext& context() const noexcept { return context_; }
+
     /// A device buffer that holds `data` after the batch is sent and the copies are done. The buffer must
     /// exist until then; `data` is not needed after the call. If more than k_max_staged_bytes are staged,
     /// they are sent and waited for. Throws as Buffer, and what vk_check() does.
@@ -78,6 +83,9 @@ public:
     Buffer add(std::span<const T> data, const std::string& what) {
         return add(std::as_bytes(data), what);
     }
+
+    /// A device buffer of zeros, likewise.
+    Buffer add_zeros(VkDeviceSize size_bytes, const std::string& what);
 
     /// Begins the copies. Does not wait. Throws what vk_check() does; then nothing is copied.
     void send();
@@ -91,5 +99,18 @@ private:
     std::vector<Uploads::StagedCopy> staged_;
     std::uint64_t staged_bytes_ = 0;
 };
+
+/// What `make` returns, called with a batch, when its copies are done and visible to the queue that draws.
+/// Throws what `make` and vk_check() do.
+template <typename Make>
+auto upload_at_once(const DeviceContext& context, Make&& make) {
+    Uploads uploads(context);
+    UploadBatch batch(context, uploads);
+    auto made = make(batch);
+    batch.send();
+    run_commands(
+        context, [](Commands) {}, uploads.sent());
+    return made;
+}
 
 }  // namespace rimline

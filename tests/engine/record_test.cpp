@@ -32,13 +32,14 @@ Scene scene_at(const tests::Model& model, int frame) {
     return scene;
 }
 
-// A renderer that is there already: images, a command pool and fences of its own, a frame for each of
-// the two that may be in flight.
+// A renderer that is there already: images, a command pool and fences of its own, a frame for each that may be
+// in flight.
 class Caller {
 public:
     Caller(const DeviceContext& context, VkFormat format, std::uint32_t layers = 1,
-           VkExtent2D extent = {k_width, k_height})
-        : context_(context), format_(format), extent_(extent) {
+           VkExtent2D extent = {k_width, k_height},
+           std::uint32_t frames_in_flight = RendererOptions{}.frames_in_flight)
+        : context_(context), format_(format), extent_(extent), flights_(frames_in_flight) {
         const VkImageCreateInfo image_info{
             .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
             .imageType = VK_IMAGE_TYPE_2D,
@@ -102,9 +103,10 @@ public:
     FrameReport draw(Renderer& renderer, const Scene& scene, bool submit = true) {
         Flight& flight = flights_[frame_++ % flights_.size()];
         wait_for_fence(context_, flight.fence);
+        const PictureTarget into = target(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+        const UploadPoint uploaded = renderer.prepare(scene, into);
         const Commands commands = begin_commands(context_, flight.commands);
-        const FrameReport report =
-            renderer.record(commands, scene, target(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL));
+        const FrameReport report = renderer.record(commands, scene, into);
         const VkBufferImageCopy region{
             .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer_, 1},
             .imageExtent = {extent_.width, extent_.height, 1}};
@@ -116,7 +118,9 @@ public:
         if (!submit) return report;
         const VkFence fence = flight.fence;
         vk_check(context_.vk->ResetFences(context_.device, 1, &fence), "vkResetFences");
-        submit_commands(context_, {.queue = context_.queue, .commands = commands, .fence = fence});
+        Submission submission{.queue = context_.queue, .commands = commands, .fence = fence};
+        if (uploaded.value > 0) submission.waits.push_back(uploaded);
+        submit_commands(context_, submission);
         return report;
     }
 
@@ -140,7 +144,7 @@ private:
     OwnedImage image_;
     OwnedImageView view_;
     OwnedCommandPool pool_;
-    std::array<Flight, Renderer::k_frames_in_flight> flights_;
+    std::vector<Flight> flights_;
     std::size_t frame_ = 0;
     std::uint32_t layer_ = 0;
 };
@@ -168,6 +172,35 @@ TEST_CASE("frames recorded into a caller's commands and image are those that ren
         const std::span<const std::byte> pixels = caller.pixels(1);
         const std::vector<std::uint8_t>& wanted = expected[std::size_t(frame) - 1].rgba;
         CHECK(std::ranges::equal(std::as_bytes(std::span(wanted)), pixels.first(wanted.size())));
+    }
+}
+
+TEST_CASE("as many frames may be in flight as the caller says") {
+    RIMLINE_OPEN_GPU(gpu);
+    const tests::Model model(make_built_in_shape("knot", 3000));
+    const tests::Model other(make_built_in_shape("spring", 2000));
+    for (const std::uint32_t frames_in_flight : {1u, 3u, 5u}) {
+        CAPTURE(frames_in_flight);
+        RendererOptions options = k_plain;
+        options.frames_in_flight = frames_in_flight;
+        Renderer own(gpu->context(), k_plain);
+        Renderer embedded(gpu->context(), options);
+        Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM, 1, {k_width, k_height},
+                      frames_in_flight);
+        std::vector<Picture> expected;
+        for (std::uint32_t frame = 0; frame < 3 * frames_in_flight; ++frame) {
+            Scene scene = scene_at(frame % 4 == 3 ? other : model, int(frame));
+            scene.instances.push_back(
+                {.deforming = &other.mesh,
+                 .deformation = default_wave(other.mesh, {0, 1, 0}, 0.1 * frame)});
+            expected.push_back(own.render(scene, k_width, k_height));
+            caller.draw(embedded, scene);
+            if (frame + 1 < frames_in_flight) continue;
+            // The oldest one in flight.
+            const std::vector<std::uint8_t>& wanted = expected[frame + 1 - frames_in_flight].rgba;
+            CHECK(std::ranges::equal(std::as_bytes(std::span(wanted)),
+                                     caller.pixels(frames_in_flight - 1).first(wanted.size())));
+        }
     }
 }
 
@@ -219,7 +252,7 @@ TEST_CASE("a format that no picture can be drawn in is named") {
         CAPTURE(format);
         target.format = format;
         try {
-            renderer.record(VK_NULL_HANDLE, scene_at(model, 0), target);
+            (void)renderer.prepare(scene_at(model, 0), target);
             FAIL("was taken");
         } catch (const Error& error) {
             CHECK(error.code() == ErrorCode::bad_input);

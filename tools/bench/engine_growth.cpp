@@ -54,9 +54,12 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
     SilhouetteTracker tracker(octree, orbit.viewpoint(0.0));
     ChangeStream stream(gpu, mesh, 1);
     const ScatterPass scatter(gpu);
-    const SilhouetteTopology topology(gpu, mesh);
+    const auto topology =
+        upload_at_once(gpu, [&](UploadBatch& batch) { return SilhouetteTopology(batch, mesh); });
     const Buffer planes = upload_buffer(gpu, mesh.planes(), "planes");
-    const GpuSilhouette silhouette(gpu, topology, {.planes = planes.address()});
+    const auto silhouette = upload_at_once(gpu, [&](UploadBatch& batch) {
+        return GpuSilhouette(batch, topology, {.planes = planes.address()});
+    });
     const GpuSilhouettePass compute(gpu);
     const CommandTimer timer(gpu);
 

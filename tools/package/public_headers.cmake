@@ -64,5 +64,6 @@ set(rimline_engine_headers
     engine/vulkan/device.h
     engine/vulkan/device_choice.h
     engine/vulkan/picture_target.h
+    engine/vulkan/upload_point.h
     engine/vulkan/vulkan_instance.h
     shaders/splat_layout.h)

@@ -66,18 +66,20 @@ void run() {
     for (int frame = 0; frame < 5; ++frame) {
         scene.camera.eye.x = 0.05 * frame;
         result.content() = {};
+        const PictureTarget target{.image = foreign.image,
+                                   .view = foreign.view,
+                                   .format = foreign.k_format,
+                                   .extent = foreign.k_extent};
+        const UploadPoint uploaded = renderer.prepare(scene, target);
         const VkCommandBuffer commands = foreign.begin_frame();
-        renderer.record(commands, scene,
-                        {.image = foreign.image,
-                         .view = foreign.view,
-                         .format = foreign.k_format,
-                         .extent = foreign.k_extent});
+        renderer.record(commands, scene, target);
         const SilhouetteBuffers silhouette = renderer.silhouette(0, std::nullopt).value();
         const Constants constants{
             silhouette.slots, silhouette.face_words,         silhouette.arguments,
             result.address(), (mesh.face_count() + 31) / 32, 0};
         count.dispatch(commands, 4, &constants, sizeof constants);
-        foreign.end_frame();  // Submits, and waits for the result.
+        // Submits, after what was uploaded, and waits for the result.
+        foreign.end_frame(uploaded.timeline, uploaded.value);
         const Counted& counted = result.content();
         if (!(counted == expected_from(mesh, silhouette.point)))
             throw Error(ErrorCode::io, "not the silhouette");

@@ -60,15 +60,25 @@ struct ForeignRenderer {
         return commands_;
     }
 
-    /// Submits, and waits until the host can read the results of shaders.
-    void end_frame() {
+    /// Submits, to begin when `timeline` has reached `value`, and waits until the host can read the results
+    /// of shaders.
+    void end_frame(VkSemaphore timeline, std::uint64_t value) {
         const VkMemoryBarrier to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                       .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
                                       .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
         vkCmdPipelineBarrier(commands_, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                              VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &to_host, 0, nullptr, 0, nullptr);
         require(vkEndCommandBuffer(commands_));
+        const VkTimelineSemaphoreSubmitInfo values{
+            .sType = VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO,
+            .waitSemaphoreValueCount = 1,
+            .pWaitSemaphoreValues = &value};
+        const VkPipelineStageFlags stages = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
         const VkSubmitInfo submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
+                                  .pNext = &values,
+                                  .waitSemaphoreCount = 1,
+                                  .pWaitSemaphores = &timeline,
+                                  .pWaitDstStageMask = &stages,
                                   .commandBufferCount = 1,
                                   .pCommandBuffers = &commands_};
         require(vkQueueSubmit(queue, 1, &submit, done_));

@@ -184,7 +184,7 @@ bool ViewLoop::draw() {
     if (!frame) return false;
     is_coarse_ = !is_fine;
     // Wait until the frames in flight that may refer to it are done.
-    if (++frames_of_document_ > Renderer::k_frames_in_flight + 1) session_.forget_previous();
+    if (++frames_of_document_ > RendererOptions{}.frames_in_flight + 1) session_.forget_previous();
     if (captures_next_) captured_ = std::move(frame->picture);
     captures_next_ = false;
     if (frame->report.segments > 0) {

@@ -14,7 +14,7 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::uint32_t k_ring_slots = Renderer::k_frames_in_flight;
+constexpr std::uint32_t k_ring_slots = RendererOptions{}.frames_in_flight;
 
 constexpr StageAccess k_drawing{
     VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
@@ -28,9 +28,10 @@ constexpr StageAccess k_no_access{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
 // Members are in the order of their dependencies.
 struct WindowRenderer::OnDevice {
     struct RingSlot {
-        VkCommandBuffer commands = VK_NULL_HANDLE;
+        VkCommandBuffer commands = VK_NULL_HANDLE;  // All but what uses the swapchain's image:
+        VkCommandBuffer picture = VK_NULL_HANDLE;
         OwnedFence done;
-        Buffer pixels;  // The captured picture; `commands` write it.
+        Buffer pixels;  // The captured picture; `picture` writes it.
     };
 
     OnDevice(const VulkanInstance& instance, const Window& window, const std::string& request,
@@ -43,6 +44,7 @@ struct WindowRenderer::OnDevice {
         overlay.set_texture(font.width, font.height, font.opacity);
         for (RingSlot& slot : ring) {
             slot.commands = make_commands(device.context(), pool);
+            slot.picture = make_commands(device.context(), pool);
             slot.done = make_fence(device.context(), VK_FENCE_CREATE_SIGNALED_BIT);
         }
     }
@@ -60,10 +62,11 @@ struct WindowRenderer::OnDevice {
     }
 
     void record_overlay(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing);
-    void prepare(const ViewPicture& scene, std::uint32_t scale);
-    FrameReport record_picture(Commands commands, const ViewPicture& scene,
-                               const PictureTarget& target);
-    void submit(const RingSlot& slot);
+    void make_renderer(const ViewPicture& scene, std::uint32_t scale);
+    UploadPoint prepare(const ViewPicture& scene, const PictureTarget& target);
+    FrameReport record_scene(Commands commands, Commands picture, const ViewPicture& scene,
+                             const PictureTarget& target);
+    void submit(const RingSlot& slot, const UploadPoint& uploaded);
 
     WindowSurface surface;
     TestedDevice device;
@@ -99,7 +102,7 @@ void WindowRenderer::OnDevice::record_overlay(Commands commands, std::uint32_t r
     commands->CmdEndRendering(commands);
 }
 
-void WindowRenderer::OnDevice::prepare(const ViewPicture& scene, std::uint32_t scale) {
+void WindowRenderer::OnDevice::make_renderer(const ViewPicture& scene, std::uint32_t scale) {
     const bool is_model = std::holds_alternative<Scene>(scene);
     if (is_model ? !renderer : !splat_renderer) {
         wait_for_all();
@@ -114,25 +117,33 @@ void WindowRenderer::OnDevice::prepare(const ViewPicture& scene, std::uint32_t s
     if (splat_renderer) splat_renderer->set_scale(scale);
 }
 
-FrameReport WindowRenderer::OnDevice::record_picture(Commands commands, const ViewPicture& scene,
-                                                     const PictureTarget& target) {
+UploadPoint WindowRenderer::OnDevice::prepare(const ViewPicture& scene,
+                                              const PictureTarget& target) {
+    if (const Scene* model = std::get_if<Scene>(&scene)) return renderer->prepare(*model, target);
+    return splat_renderer->prepare(std::get<SplatScene>(scene), target);
+}
+
+FrameReport WindowRenderer::OnDevice::record_scene(Commands commands, Commands picture,
+                                                   const ViewPicture& scene,
+                                                   const PictureTarget& target) {
     if (const Scene* model = std::get_if<Scene>(&scene))
-        return renderer->record(commands, *model, target);
-    splat_renderer->record(commands, std::get<SplatScene>(scene), target);
+        return renderer->record(commands, picture, *model, target);
+    splat_renderer->record(commands, picture, std::get<SplatScene>(scene), target);
     return {};
 }
 
-void WindowRenderer::OnDevice::submit(const RingSlot& slot) {
+void WindowRenderer::OnDevice::submit(const RingSlot& slot, const UploadPoint& uploaded) {
     const VkFence fence = slot.done;
     vk_check(device.context().vk->ResetFences(device.context().device, 1, &fence), "vkResetFences");
-    // Shadows and surfaces do not wait for the swapchain's image.
-    submit_commands(device.context(),
-                    {.queue = device.context().queue,
-                     .commands = slot.commands,
-                     .wait = SemaphorePoint{swapchain.acquired(), 0,
-                                            VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT},
-                     .signal = SemaphorePoint{swapchain.drawn()},
-                     .fence = fence});
+    // What does not use the swapchain's image does not wait for it.
+    Submission scene{.queue = device.context().queue, .commands = slot.commands};
+    if (uploaded.value > 0) scene.waits.push_back(uploaded);
+    submit_commands(device.context(), scene);
+    submit_commands(device.context(), {.queue = device.context().queue,
+                                       .commands = slot.picture,
+                                       .waits = {swapchain.acquired()},
+                                       .signal = swapchain.drawn(),
+                                       .fence = fence});
 }
 
 WindowRenderer::WindowRenderer(const VulkanInstance& instance, const Window& window,
@@ -189,28 +200,31 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
         gpu_->wait_for_all();
     gpu_->last_extent = extent;
     gpu_->last_scale = scale;
-    gpu_->prepare(scene, scale);
+    gpu_->make_renderer(scene, scale);
 
-    const Commands commands = begin_commands(gpu_->device.context(), slot.commands);
     const PictureTarget target{.image = gpu_->swapchain.image(),
                                .view = gpu_->swapchain.view(),
                                .format = gpu_->swapchain.format(),
                                .extent = extent};
-    Frame frame{.report = gpu_->record_picture(commands, scene, target), .picture = {}};
-    gpu_->record_overlay(commands, ring_slot, overlay);
+    const UploadPoint uploaded = gpu_->prepare(scene, target);
+    const Commands commands = begin_commands(gpu_->device.context(), slot.commands);
+    const Commands picture = begin_commands(gpu_->device.context(), slot.picture);
+    Frame frame{.report = gpu_->record_scene(commands, picture, scene, target), .picture = {}};
+    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
+    gpu_->record_overlay(picture, ring_slot, overlay);
     constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
     if (capture) {
         slot.pixels = make_picture_buffer(gpu_->device.context(), extent);
-        record_barrier(commands, k_drawing, k_copying, {{target, k_drawn, k_copied}});
-        record_read_back(commands, target.image, extent, slot.pixels);
-        record_barrier(commands, k_copying, k_no_access, {{target, k_copied, k_shown}});
+        record_barrier(picture, k_drawing, k_copying, {{target, k_drawn, k_copied}});
+        record_read_back(picture, target.image, extent, slot.pixels);
+        record_barrier(picture, k_copying, k_no_access, {{target, k_copied, k_shown}});
     } else {
-        record_barrier(commands, k_drawing, k_no_access, {{target, k_drawn, k_shown}});
+        record_barrier(picture, k_drawing, k_no_access, {{target, k_drawn, k_shown}});
     }
-    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
-    gpu_->submit(slot);
+    vk_check(picture->EndCommandBuffer(picture), "vkEndCommandBuffer");
+    gpu_->submit(slot, uploaded);
     ++gpu_->frames;
     gpu_->swapchain.present();
     if (capture) {
@@ -226,7 +240,7 @@ Picture WindowRenderer::picture(const ViewPicture& scene, std::uint32_t width,
     gpu_->wait_for_all();
     // This picture has another size, so the next frame must recreate the renderer's targets.
     gpu_->last_extent = {};
-    gpu_->prepare(scene, RendererOptions{}.scale);
+    gpu_->make_renderer(scene, RendererOptions{}.scale);
     if (const Scene* model = std::get_if<Scene>(&scene))
         return gpu_->renderer->render(*model, width, height);
     return gpu_->splat_renderer->render(std::get<SplatScene>(scene), width, height);

@@ -139,15 +139,16 @@ RIMLINE_FAULT_SCENARIO("frames recorded into a caller's commands") {
         scene.camera.eye.x += 0.05;
         scene.lights[1].vector.y += 0.1;
         if (frame == 2) scene.instances.push_back({.octree = &stage.models().box.octree});
+        const PictureTarget target{.image = image.handle(),
+                                   .view = image.attachment_view(),
+                                   .format = k_format,
+                                   .extent = k_extent,
+                                   .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
         stage.step([&] {
             renderer->forget_recorded();
-            run_commands(stage.context(), [&](Commands commands) {
-                renderer->record(commands, scene,
-                                 {.image = image.handle(),
-                                  .view = image.attachment_view(),
-                                  .format = k_format,
-                                  .extent = k_extent,
-                                  .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL});
+            const UploadPoint uploaded = renderer->prepare(scene, target);
+            const auto record = [&](Commands commands) {
+                renderer->record(commands, scene, target);
                 const VkBufferImageCopy region{
                     .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                     .imageExtent = {k_extent.width, k_extent.height, 1}};
@@ -157,7 +158,8 @@ RIMLINE_FAULT_SCENARIO("frames recorded into a caller's commands") {
                 record_barrier(commands,
                                {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                                {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
-            });
+            };
+            run_commands(stage.context(), record, uploaded);
         });
         stage.show(std::vector<std::byte>(pixels.mapped(), pixels.mapped() + pixels.size()));
     }

@@ -66,7 +66,10 @@ public:
     // What a call that allocates answers instead of being made, or VK_SUCCESS to be made.
     VkResult before(const char* call, std::initializer_list<VkResult> results) {
         const Books books(mutex_);
-        if (!is_turn(FaultKind::failure, call)) return VK_SUCCESS;
+        if (!is_turn(FaultKind::failure, call)) {
+            ++calls_[call];
+            return VK_SUCCESS;
+        }
         const VkResult result = results.begin()[fault_.result % results.size()];
         report_ = {true, call, result};
         return result;
@@ -113,6 +116,19 @@ public:
         return queues_.at(queue);
     }
 
+    std::uint64_t calls_of(const std::string& function) {
+        const Books books(mutex_);
+        return calls_[function];
+    }
+    void add_waits(std::uint64_t count) {
+        const Books books(mutex_);
+        semaphore_waits_ += count;
+    }
+    std::uint64_t semaphore_waits() {
+        const Books books(mutex_);
+        return semaphore_waits_;
+    }
+
     std::vector<std::string> live() {
         const Books books(mutex_);
         std::vector<std::string> names;
@@ -136,6 +152,8 @@ private:
     Fault fault_;
     FaultReport report_;
     std::uint64_t count_ = 0;
+    std::map<std::string, std::uint64_t> calls_;
+    std::uint64_t semaphore_waits_ = 0;
     std::map<std::pair<std::string, void*>, int> live_;
     std::set<VkDevice> lost_;
     std::map<VkQueue, VkDevice> queues_;
@@ -371,9 +389,14 @@ RIMLINE_CALL(vkGetSwapchainImagesKHR, RIMLINE_NO_MEMORY,
 RIMLINE_QUEUE_CALL(vkQueueSubmit, faults().device_of(queue),
                    (VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence),
                    (queue, count, infos, fence))
-RIMLINE_QUEUE_CALL(vkQueueSubmit2, faults().device_of(queue),
-                   (VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos, VkFence fence),
-                   (queue, count, infos, fence))
+RIMLINE_HOOK VkResult vkQueueSubmit2(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos,
+                                     VkFence fence) {
+    VkResult fault = faults().before_queue("vkQueueSubmit2", faults().device_of(queue));
+    if (fault == VK_SUCCESS) fault = faults().before("vkQueueSubmit2", {RIMLINE_NO_MEMORY});
+    if (fault != VK_SUCCESS) return fault;
+    for (std::uint32_t i = 0; i < count; ++i) faults().add_waits(infos[i].waitSemaphoreInfoCount);
+    return RIMLINE_NEXT(vkQueueSubmit2)(queue, count, infos, fence);
+}
 RIMLINE_QUEUE_CALL(vkQueueWaitIdle, faults().device_of(queue), (VkQueue queue), (queue))
 RIMLINE_QUEUE_CALL(vkDeviceWaitIdle, device, (VkDevice device), (device))
 RIMLINE_QUEUE_CALL(vkWaitSemaphores, device,
@@ -526,6 +549,8 @@ FaultReport disarm() { return faults().disarm(); }
 NoFaults::NoFaults() : was_armed_(faults().set_armed(false)) {}
 NoFaults::~NoFaults() { faults().set_armed(was_armed_); }
 std::vector<std::string> live_objects() { return faults().live(); }
+std::uint64_t calls_of(const std::string& function) { return faults().calls_of(function); }
+std::uint64_t semaphore_waits() { return faults().semaphore_waits(); }
 bool is_keeping_books() noexcept { return keeping_books; }
 
 PFN_vkVoidFunction VKAPI_CALL failing_loader(VkInstance instance, const char* name) {

@@ -57,6 +57,11 @@ private:
     bool was_armed_;
 };
 
+/// How often `function` has been called, of those that may fail, and was not made to fail.
+std::uint64_t calls_of(const std::string& function);
+/// Semaphores that submissions have waited for.
+std::uint64_t semaphore_waits();
+
 /// Whether this thread is in the bookkeeping here: what is allocated then is not the engine's.
 bool is_keeping_books() noexcept;
 

@@ -21,12 +21,8 @@ constexpr float k_crease = 0.7f;
 
 // The mesh on the GPU.
 GpuMesh uploaded(const DeviceContext& context, const Mesh& mesh, float crease_angle_rad) {
-    Uploads uploads(context);
-    UploadBatch batch(context, uploads);
-    GpuMesh gpu_mesh(batch, mesh, crease_angle_rad);
-    batch.send();
-    uploads.wait();
-    return gpu_mesh;
+    return upload_at_once(
+        context, [&](UploadBatch& batch) { return GpuMesh(batch, mesh, crease_angle_rad); });
 }
 
 class Subject {
@@ -35,8 +31,14 @@ public:
         : context_(context),
           mesh_(source),
           gpu_mesh_(uploaded(context, mesh_, crease_angle_rad)),
-          deforming_(context, mesh_, gpu_mesh_, crease_angle_rad, 2),
-          silhouette_(context, deforming_.topology(), deforming_.faces()) {}
+          deforming_(upload_at_once(context,
+                                    [&](UploadBatch& batch) {
+                                        return DeformingMesh(batch, mesh_, gpu_mesh_,
+                                                             crease_angle_rad, 2);
+                                    })),
+          silhouette_(upload_at_once(context, [&](UploadBatch& batch) {
+              return GpuSilhouette(batch, deforming_.topology(), deforming_.faces());
+          })) {}
 
     const Mesh& mesh() const { return mesh_; }
     const GpuSilhouette& silhouette() const { return silhouette_; }
@@ -211,7 +213,9 @@ TEST_CASE("a deformation that leaves the range of coordinates is refused") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(tests::tetrahedron());
     const GpuMesh gpu_mesh = uploaded(gpu->context(), mesh, k_crease);
-    DeformingMesh deforming(gpu->context(), mesh, gpu_mesh, k_crease, 1);
+    DeformingMesh deforming = upload_at_once(gpu->context(), [&](UploadBatch& batch) {
+        return DeformingMesh(batch, mesh, gpu_mesh, k_crease, 1);
+    });
     Wave wave = default_wave(mesh, {0, 1, 0}, 0.0);
     deforming.move(wave, 0);
     wave.amplitude = 0x1p60;

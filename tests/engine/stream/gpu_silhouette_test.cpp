@@ -64,12 +64,16 @@ public:
           planes_(upload_buffer(context, mesh.planes(), "planes")),
           positions_(upload_buffer(context, mesh.positions(), "positions")),
           triangles_(upload_buffer(context, mesh.triangles(), "triangles")),
-          topology_(context, mesh),
-          silhouette_(context, topology_,
-                      bits == Bits::from_planes ? FaceSource{.planes = planes_.address()}
-                                                : FaceSource{.positions = positions_.address(),
-                                                             .triangles = triangles_.address()},
-                      GpuSilhouette::Changes::listed) {}
+          topology_(upload_at_once(
+              context, [&](UploadBatch& batch) { return SilhouetteTopology(batch, mesh); })),
+          silhouette_(upload_at_once(context, [&](UploadBatch& batch) {
+              return GpuSilhouette(batch, topology_,
+                                   bits == Bits::from_planes
+                                       ? FaceSource{.planes = planes_.address()}
+                                       : FaceSource{.positions = positions_.address(),
+                                                    .triangles = triangles_.address()},
+                                   GpuSilhouette::Changes::listed);
+          })) {}
 
     const GpuSilhouette& silhouette() const { return silhouette_; }
 

@@ -189,10 +189,12 @@ TEST_CASE("a limit of the device is named with the model that exceeds it") {
 TEST_CASE("what deforms counts in the budget with its silhouettes, and is refused by name") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("knot", 3000));
-    const SilhouetteTopology topology(gpu->context(), mesh);
+    Uploads uploads(gpu->context());
+    UploadBatch batch(gpu->context(), uploads);
+    const SilhouetteTopology topology(batch, mesh);
     const std::uint64_t one = GpuSilhouette::size_bytes(topology);
     for (const auto changes : {GpuSilhouette::Changes::counted, GpuSilhouette::Changes::listed}) {
-        const GpuSilhouette silhouette(gpu->context(), topology, {}, changes);
+        const GpuSilhouette silhouette(batch, topology, {}, changes);
         CHECK(silhouette.size_bytes() == GpuSilhouette::size_bytes(topology, changes));
     }
     Scene scene{.camera = {.eye = {0, 1, 4}}};
@@ -255,7 +257,8 @@ TEST_CASE("trackers beyond their budget are refused by name, and give it back wh
 TEST_CASE("a scene beyond the renderer's budget is refused by name, and a smaller one then drawn") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("knot", 3000));
-    const std::uint64_t one = StreamSize::of(model.mesh).first_bytes(Renderer::k_frames_in_flight);
+    const std::uint64_t one =
+        StreamSize::of(model.mesh).first_bytes(RendererOptions{}.frames_in_flight);
     const RendererOptions plain{.samples = 1, .scale = 1};
     Renderer free(gpu->context(), plain);
     Renderer bounded(gpu->context(),

@@ -40,9 +40,9 @@ TEST_CASE(
             sent.push_back(random_words(std::size_t{i} * 5000 + 1, 4 * number + i));
             buffers.push_back(batch.add(std::span<const std::uint32_t>(sent.back()), "a test"));
         }
-        const std::uint64_t before = uploads.sent_value();
+        const std::uint64_t before = uploads.sent().value;
         batch.send();
-        CHECK(uploads.sent_value() == before + 1);
+        CHECK(uploads.sent().value == before + 1);
     }
     // One that reads on the queue that draws waits there, not here.
     const std::size_t last = buffers.size() - 1;
@@ -55,7 +55,7 @@ TEST_CASE(
     const OwnedSemaphore drawn = make_timeline(context);
     submit_commands(context, {.queue = context.queue,
                               .commands = commands,
-                              .wait = SemaphorePoint{uploads.timeline(), uploads.sent_value()},
+                              .waits = {uploads.sent()},
                               .signal = SemaphorePoint{drawn, 1}});
     wait_for_timeline(context, drawn, 1);
     CHECK(std::memcmp(result.mapped(), sent[last].data(), 4 * sent[last].size()) == 0);
@@ -77,7 +77,7 @@ TEST_CASE("a batch that is not sent, and one without data, leave nothing behind"
     UploadBatch empty(gpu->context(), uploads);
     CHECK(empty.add(std::span<const std::uint32_t>(), "a test").size() == 4);
     empty.send();
-    CHECK(uploads.sent_value() == 0);
+    CHECK(uploads.sent().value == 0);
     CHECK(uploads.is_done());
 }
 
@@ -90,9 +90,9 @@ TEST_CASE("a batch larger than what may be staged at once is sent in parts") {
     for (std::uint32_t i = 0; i < 3; ++i)
         buffers.push_back(
             batch.add(std::span<const std::uint32_t>(random_words(k_count, i)), "a test"));
-    CHECK(uploads.sent_value() == 2);
+    CHECK(uploads.sent().value == 2);
     batch.send();
-    CHECK(uploads.sent_value() == 3);
+    CHECK(uploads.sent().value == 3);
     uploads.wait();
     for (std::uint32_t i = 0; i < 3; ++i)
         CHECK(read(*gpu, buffers[i], k_count) == random_words(k_count, i));
