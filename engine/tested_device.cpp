@@ -4,7 +4,8 @@
 
 namespace rimline {
 
-TestedDevice::TestedDevice(const VulkanInstance& instance, const DeviceRequest& request)
-    : Device(instance, request), face_bits_agree_(test_face_bits(context())) {}
+TestedDevice::TestedDevice(const VulkanInstance& instance, const DeviceRequest& request,
+                           const std::filesystem::path& cache_folder)
+    : Device(instance, request, cache_folder), face_bits_agree_(test_face_bits(context())) {}
 
 }  // namespace rimline

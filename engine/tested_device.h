@@ -11,7 +11,8 @@ class TestedDevice : public Device {
 public:
     /// Opens a device as Device does, and tests it. Throws as Device, and Error{too_large} or
     /// Error{device_lost} where the test runs out of memory or loses the device.
-    explicit TestedDevice(const VulkanInstance& instance, const DeviceRequest& request = {});
+    explicit TestedDevice(const VulkanInstance& instance, const DeviceRequest& request = {},
+                          const std::filesystem::path& cache_folder = {});
 
     /// Whether the device's face bits equal the CPU's.
     bool face_bits_agree() const noexcept { return face_bits_agree_; }

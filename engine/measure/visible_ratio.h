@@ -31,7 +31,7 @@
 #include "engine/measure/ratio_drawing.h"
 #include "engine/measure/ratio_view.h"
 #include "engine/measure/visible_ratio_options.h"
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "silhouette/hough/hough_octree.h"
 
 namespace rimline {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/pipeline.h"
 #include "silhouette/mesh/plane.h"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/upload_point.h"
 #include "engine/vulkan/vulkan_handle.h"

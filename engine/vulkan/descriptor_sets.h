@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/vulkan/functions.h"
+#include "engine/vulkan/pipeline_cache.h"
 #include "engine/vulkan/queue_choice.h"
 #include "engine/vulkan/vulkan_result.h"
 
@@ -67,15 +68,6 @@ bool has_depth_stencil_format(const InstanceFunctions& vk, VkPhysicalDevice devi
     return (properties.optimalTilingFeatures & k_needed) == k_needed;
 }
 
-std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits) {
-    const VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
-                                      limits.framebufferDepthSampleCounts &
-                                      limits.framebufferStencilSampleCounts;
-    return (counts & VK_SAMPLE_COUNT_4_BIT) != 0   ? 4
-           : (counts & VK_SAMPLE_COUNT_2_BIT) != 0 ? 2
-                                                   : 1;
-}
-
 DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device) {
     VkPhysicalDeviceVulkan12Properties v12{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
@@ -119,39 +111,8 @@ std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance) {
     return facts;
 }
 
-DeviceContext make_device_context(const HostDevice& host) {
-    const InstanceFunctions instance =
-        load_instance_functions(host.loader ? host.loader : system_loader(), host.instance);
-    DeviceContext context{
-        .vk = std::make_shared<const DeviceFunctions>(load_device_functions(instance, host.device)),
-        .physical_device = host.physical_device,
-        .device = host.device,
-        .queue = host.queue,
-        .queue_family = host.queue_family,
-        .transfer_queue = host.queue,
-        .transfer_family = host.queue_family,
-        .queue_mutex = host.queue_mutex,
-        .features = host.features};
-    VkPhysicalDeviceMemoryProperties2 memory{
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2};
-    instance.GetPhysicalDeviceMemoryProperties2(host.physical_device, &memory);
-    context.memory = memory.memoryProperties;
-    VkPhysicalDeviceMaintenance4Properties maintenance4{
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
-    VkPhysicalDeviceMaintenance3Properties maintenance3{
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
-        .pNext = &maintenance4};
-    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
-                                           .pNext = &maintenance3};
-    instance.GetPhysicalDeviceProperties2(host.physical_device, &properties);
-    context.limits = properties.properties.limits;
-    context.max_buffer_bytes = maintenance4.maxBufferSize;
-    context.max_allocation_bytes = maintenance3.maxMemoryAllocationSize;
-    context.samples = common_samples(context.limits);
-    return context;
-}
-
-Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
+Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
+               const std::filesystem::path& cache_folder) {
     const std::vector<DeviceFacts> all = describe_devices(instance);
     const DeviceChoice choice = choose_device(all, request);
     const VkPhysicalDevice physical = physical_devices(instance).at(choice.index);
@@ -189,6 +150,21 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
     VkDevice device = VK_NULL_HANDLE;
     vk_check(instance.functions().CreateDevice(physical, &info, nullptr, &device),
              "vkCreateDevice");
+    try {
+        open_queues(instance, device, physical, queues, presents);
+        if (!cache_folder.empty()) {
+            pipeline_cache_ = std::make_unique<PipelineCache>(context_, cache_folder);
+            context_.pipeline_cache = pipeline_cache_->handle();
+        }
+    } catch (...) {
+        reinterpret_cast<PFN_vkDestroyDevice>(
+            instance.functions().GetDeviceProcAddr(device, "vkDestroyDevice"))(device, nullptr);
+        throw;
+    }
+}
+
+void Device::open_queues(const VulkanInstance& instance, VkDevice device, VkPhysicalDevice physical,
+                         const QueueChoice& queues, bool presents) {
     context_ = make_device_context(
         {.instance = instance.handle(),
          .physical_device = physical,
@@ -206,6 +182,7 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request) {
 Device::~Device() {
     // A lost device runs nothing any more.
     (void)repeat_wait([&] { return context_.vk->DeviceWaitIdle(context_.device); });
+    pipeline_cache_.reset();
     context_.vk->DestroyDevice(context_.device, nullptr);
 }
 

@@ -78,6 +78,7 @@
     X(CreateGraphicsPipelines)      \
     X(CreateImage)                  \
     X(CreateImageView)              \
+    X(CreatePipelineCache)          \
     X(CreatePipelineLayout)         \
     X(CreateQueryPool)              \
     X(CreateSampler)                \
@@ -92,6 +93,7 @@
     X(DestroyImage)                 \
     X(DestroyImageView)             \
     X(DestroyPipeline)              \
+    X(DestroyPipelineCache)         \
     X(DestroyPipelineLayout)        \
     X(DestroyQueryPool)             \
     X(DestroySampler)               \
@@ -104,6 +106,7 @@
     X(GetBufferMemoryRequirements)  \
     X(GetDeviceQueue)               \
     X(GetImageMemoryRequirements)   \
+    X(GetPipelineCacheData)         \
     X(GetQueryPoolResults)          \
     X(GetSemaphoreCounterValue)     \
     X(MapMemory)                    \

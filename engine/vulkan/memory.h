@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {

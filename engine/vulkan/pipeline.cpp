@@ -98,8 +98,8 @@ OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code
                                            .stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, module),
                                            .layout = layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    vk_check(context.vk->CreateComputePipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr,
-                                                &pipeline),
+    vk_check(context.vk->CreateComputePipelines(context.device, context.pipeline_cache, 1, &info,
+                                                nullptr, &pipeline),
              "vkCreateComputePipelines");
     return {context, pipeline};
 }
@@ -192,8 +192,8 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .pDynamicState = &dynamic,
         .layout = description.layout};
     VkPipeline pipeline = VK_NULL_HANDLE;
-    vk_check(context.vk->CreateGraphicsPipelines(context.device, VK_NULL_HANDLE, 1, &info, nullptr,
-                                                 &pipeline),
+    vk_check(context.vk->CreateGraphicsPipelines(context.device, context.pipeline_cache, 1, &info,
+                                                 nullptr, &pipeline),
              "vkCreateGraphicsPipelines");
     return {context, pipeline};
 }

@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <span>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {

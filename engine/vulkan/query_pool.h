@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/vulkan_handle.h"
 

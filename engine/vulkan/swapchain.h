@@ -15,9 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/vulkan_handle.h"
+#include "engine/vulkan/vulkan_instance.h"
 
 namespace rimline {
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "engine/vulkan/commands.h"
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/upload_point.h"

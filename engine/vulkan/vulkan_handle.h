@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/vulkan_result.h"
 
@@ -45,6 +45,7 @@ using OwnedImageView = DeviceHandle<VkImageView, &DeviceFunctions::DestroyImageV
 using OwnedMemory = DeviceHandle<VkDeviceMemory, &DeviceFunctions::FreeMemory>;
 using OwnedShaderModule = DeviceHandle<VkShaderModule, &DeviceFunctions::DestroyShaderModule>;
 using OwnedPipeline = DeviceHandle<VkPipeline, &DeviceFunctions::DestroyPipeline>;
+using OwnedPipelineCache = DeviceHandle<VkPipelineCache, &DeviceFunctions::DestroyPipelineCache>;
 using OwnedPipelineLayout = DeviceHandle<VkPipelineLayout, &DeviceFunctions::DestroyPipelineLayout>;
 using OwnedDescriptorSetLayout =
     DeviceHandle<VkDescriptorSetLayout, &DeviceFunctions::DestroyDescriptorSetLayout>;

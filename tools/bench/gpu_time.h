@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/query_pool.h"
 

@@ -6,6 +6,7 @@
 
 #include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
+#include "tools/options/cache_folder.h"
 #include "tools/options/picture_options.h"
 
 namespace rimline::tools {
@@ -13,7 +14,8 @@ namespace rimline::tools {
 struct DrawingDevice {
     /// Opens the device of --device and --validate. Throws Error{no_device}.
     explicit DrawingDevice(const PictureOptions& options)
-        : instance({.validate = options.validate}), device(instance, options.device) {}
+        : instance({.validate = options.validate}),
+          device(instance, options.device, user_cache_folder()) {}
 
     const DeviceContext& context() const noexcept { return device.context(); }
 

@@ -63,6 +63,7 @@ set(rimline_engine_headers
     engine/clouds/splat_renderer.h
     engine/vulkan/device.h
     engine/vulkan/device_choice.h
+    engine/vulkan/device_context.h
     engine/vulkan/picture_target.h
     engine/vulkan/upload_point.h
     engine/vulkan/vulkan_instance.h

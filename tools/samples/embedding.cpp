@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "engine/renderer.h"
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "sample_count_comp.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/brute_force.h"

@@ -9,6 +9,7 @@
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/device_loss.h"
 #include "engine/vulkan/image_barrier.h"
+#include "tools/options/cache_folder.h"
 
 namespace rimline::tools {
 
@@ -37,7 +38,7 @@ struct WindowRenderer::OnDevice {
     OnDevice(const VulkanInstance& instance, const Window& window, const std::string& request,
              const FontTexture& font)
         : surface(window.make_surface(instance)),
-          device(instance, request),
+          device(instance, request, user_cache_folder()),
           swapchain(device.context(), surface.get(), k_ring_slots),
           overlay(device.context(), swapchain.format(), k_ring_slots),
           pool(make_command_pool(device.context(), device.context().queue_family)) {

@@ -29,7 +29,7 @@
 
 #include "engine/renderer.h"
 #include "engine/tested_device.h"
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "silhouette/hough/hough_octree.h"
 #include "tests/engine/faults/failing_new.h"
 #include "tests/engine/faults/vulkan_faults.h"

@@ -1,5 +1,5 @@
-#include "engine/vulkan/device.h"
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/device_context.h"
 
 #include <cstring>
 

@@ -15,7 +15,7 @@
 
 #include "engine/tested_device.h"
 #include "engine/view_defaults.h"
-#include "engine/vulkan/device.h"
+#include "engine/vulkan/device_context.h"
 #include "tests/skip.h"
 #include "tests/tools/scratch_folder.h"
 #include "tests/tools/view/virtual_display.h"

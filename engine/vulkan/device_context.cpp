@@ -1,0 +1,49 @@
+#include "engine/vulkan/device_context.h"
+
+#include "engine/vulkan/functions.h"
+
+namespace rimline {
+
+std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits) {
+    const VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
+                                      limits.framebufferDepthSampleCounts &
+                                      limits.framebufferStencilSampleCounts;
+    return (counts & VK_SAMPLE_COUNT_4_BIT) != 0   ? 4
+           : (counts & VK_SAMPLE_COUNT_2_BIT) != 0 ? 2
+                                                   : 1;
+}
+
+DeviceContext make_device_context(const HostDevice& host) {
+    const InstanceFunctions instance =
+        load_instance_functions(host.loader ? host.loader : system_loader(), host.instance);
+    DeviceContext context{
+        .vk = std::make_shared<const DeviceFunctions>(load_device_functions(instance, host.device)),
+        .physical_device = host.physical_device,
+        .device = host.device,
+        .queue = host.queue,
+        .queue_family = host.queue_family,
+        .transfer_queue = host.queue,
+        .transfer_family = host.queue_family,
+        .queue_mutex = host.queue_mutex,
+        .pipeline_cache = host.pipeline_cache,
+        .features = host.features};
+    VkPhysicalDeviceMemoryProperties2 memory{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2};
+    instance.GetPhysicalDeviceMemoryProperties2(host.physical_device, &memory);
+    context.memory = memory.memoryProperties;
+    VkPhysicalDeviceMaintenance4Properties maintenance4{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
+    VkPhysicalDeviceMaintenance3Properties maintenance3{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
+        .pNext = &maintenance4};
+    VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+                                           .pNext = &maintenance3};
+    instance.GetPhysicalDeviceProperties2(host.physical_device, &properties);
+    context.limits = properties.properties.limits;
+    context.max_buffer_bytes = maintenance4.maxBufferSize;
+    context.max_allocation_bytes = maintenance3.maxMemoryAllocationSize;
+    context.samples = common_samples(context.limits);
+    return context;
+}
+
+}  // namespace rimline
