@@ -113,7 +113,7 @@ public:
     /// state of all silhouettes.
     void forget_recorded() noexcept;
 
-    /// Sets RendererOptions::scale of the following frames. For record(), a change of the scale counts as
+    /// Sets RendererOptions::scale of the following frames; 0: the device's default. For record(), a change of the scale counts as
     /// a change of the target's size.
     void set_scale(std::uint32_t scale) noexcept;
 
@@ -135,7 +135,7 @@ public:
     std::uint64_t tracker_bytes() const noexcept;
     /// The images of the passes (render_targets.h); null before the first frame. Their content is
     /// defined only within the rectangle around the scene (drawn_rect(), drawn_rect.h). After a
-    /// frame depth() is read-only; with one sample its stencil holds the count of the last light.
+    /// frame depth() is read-only; with one sample and RendererOptions::keeps_stencil its stencil holds the count of the last light.
     const RenderTargets* targets() const noexcept;
 
 private:

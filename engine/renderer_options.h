@@ -12,10 +12,9 @@ namespace rimline {
 class SilhouetteService;
 
 struct RendererOptions {
-    /// Samples per pixel of the surface pass: 1, 2 or 4. Limited to what the device supports.
-    std::uint32_t samples = 4;
-    /// The passes draw `scale` x `scale` pixels for each pixel of the picture.
-    std::uint32_t scale = 2;
+    /// As sampling_of() (sampling.h). 0: the device's default.
+    std::uint32_t samples = 0;
+    std::uint32_t scale = 0;
     /// Frames that may be recorded or submitted and not yet done, at least 1. Each takes its own ring slot of
     /// every stream.
     std::uint32_t frames_in_flight = 2;
@@ -33,6 +32,8 @@ struct RendererOptions {
     /// Moves the trackers. Several renderers may share one; it must outlive them. Null: the renderer makes
     /// its own.
     SilhouetteService* service = nullptr;
+    /// Keeps the stencil of Renderer::targets() after the frame, where there is one sample. For tests.
+    bool keeps_stencil = false;
     /// Reads slots, face bits and draw arguments back in every frame and compares them with the trackers
     /// (consistency_check.h).
     bool check_silhouettes = false;

@@ -9,6 +9,7 @@
 #include "engine/frame/render_targets.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/picture_readback.h"
+#include "engine/sampling.h"
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/uploads.h"
 
@@ -50,14 +51,13 @@ struct SplatRenderer::State {
 
     State(const DeviceContext& device_context, const SplatRendererOptions& asked)
         : context(device_context),
-          options{.samples = std::min(asked.samples, context.samples),
-                  .scale = asked.scale,
-                  .frames_in_flight = asked.frames_in_flight},
+          sampling(sampling_of(context, asked.samples, asked.scale)),
+          frames_in_flight(asked.frames_in_flight),
           splat_pass(context, {.color = k_surface_format,
                                .depth_stencil = k_depth_stencil_format,
-                               .samples = options.samples}),
+                               .samples = sampling.samples}),
           composite_pass(context),
-          strokes(options.frames_in_flight),
+          strokes(frames_in_flight),
           uploads(context) {}
 
     bool has_targets_for(VkExtent2D size) const;
@@ -66,7 +66,8 @@ struct SplatRenderer::State {
     void prepare_cloud(const SplatCloud* cloud);
 
     DeviceContext context;
-    SplatRendererOptions options;
+    Sampling sampling;
+    std::uint32_t frames_in_flight;
     SplatPass splat_pass;
     CompositePass composite_pass;
     std::unique_ptr<RenderTargets> targets;
@@ -83,20 +84,22 @@ SplatRenderer::~SplatRenderer() = default;
 SplatRenderer::SplatRenderer(SplatRenderer&&) noexcept = default;
 SplatRenderer& SplatRenderer::operator=(SplatRenderer&&) noexcept = default;
 
-void SplatRenderer::set_scale(std::uint32_t scale) noexcept { state_->options.scale = scale; }
+void SplatRenderer::set_scale(std::uint32_t scale) noexcept {
+    state_->sampling = sampling_of(state_->context, state_->sampling.samples, scale);
+}
 
 bool SplatRenderer::State::has_targets_for(VkExtent2D size) const {
     return targets && targets->size().width == size.width &&
            targets->size().height == size.height &&
-           targets->scale() == fitting_scale(context, size, options.scale, options.samples);
+           targets->scale() == fitting_scale(context, size, sampling.scale, sampling.samples);
 }
 
 void SplatRenderer::State::prepare_targets(VkExtent2D size) {
     if (has_targets_for(size)) return;
     targets.reset();  // Frees their memory before the new ones are made.
-    auto made = std::make_unique<RenderTargets>(
-        context, size, fitting_scale(context, size, options.scale, options.samples),
-        options.samples);
+    const std::uint32_t scale = fitting_scale(context, size, sampling.scale, sampling.samples);
+    auto made =
+        std::make_unique<RenderTargets>(context, size, Sampling{sampling.samples, scale}, false);
     composite_pass.set_surfaces(made->surfaces());
     targets = std::move(made);
 }
@@ -142,10 +145,10 @@ void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
     const CompositeKind kind{target.format, state.targets->scale()};
     RIMLINE_CHECK(state.composite_pass.is_prepared(kind));
     // The GPU is done with the frame that had this slot before.
-    Buffer& strokes = state.strokes[state.recorded % state.options.frames_in_flight];
+    Buffer& strokes = state.strokes[state.recorded % state.frames_in_flight];
     if (state.uploads.is_done())
         std::erase_if(state.retired, [&](const State::Retired& retired) {
-            return retired.last_frame + state.options.frames_in_flight <= state.recorded + 1;
+            return retired.last_frame + state.frames_in_flight <= state.recorded + 1;
         });
     const std::size_t bytes = scene.strokes.size() * sizeof(gpu::StrokeRecord);
     if (strokes.size() < std::max<std::size_t>(bytes, 4))

@@ -42,8 +42,8 @@ struct SplatScene {
 };
 
 struct SplatRendererOptions {
-    std::uint32_t samples = 4;  ///< As in RendererOptions.
-    std::uint32_t scale = 2;
+    std::uint32_t samples = 0;  ///< As in RendererOptions.
+    std::uint32_t scale = 0;
     std::uint32_t frames_in_flight = 2;
 };
 

@@ -27,16 +27,16 @@ DrawnArea drawn_area(const FrameView& view, const PictureTarget& target) {
 FramePasses::FramePasses(const DeviceContext& context, const RendererOptions& options,
                          VkDescriptorSetLayout draw_data)
     : context_(context),
-      samples_(std::min(options.samples, context.samples)),
-      scale_(options.scale),
-      surface_pass_(context, draw_data, surface_formats(samples_)),
-      shadow_pass_(context, draw_data, surface_formats(samples_), options.shadow_sides),
+      sampling_(sampling_of(context, options.samples, options.scale)),
+      keeps_stencil_(options.keeps_stencil),
+      surface_pass_(context, draw_data, surface_formats(sampling_.samples)),
+      shadow_pass_(context, draw_data, surface_formats(sampling_.samples), options.shadow_sides),
       line_pass_(context, draw_data, k_surface_format, options.line_path),
       ink_pass_(context, k_surface_format),
       composite_pass_(context) {}
 
 std::uint32_t FramePasses::scale_for(VkExtent2D size) const {
-    return fitting_scale(context_, size, scale_, samples_);
+    return fitting_scale(context_, size, sampling_.scale, sampling_.samples);
 }
 
 bool FramePasses::has_targets_for(VkExtent2D size) const {
@@ -46,7 +46,8 @@ bool FramePasses::has_targets_for(VkExtent2D size) const {
 
 void FramePasses::make_targets(VkExtent2D size) {
     targets_.reset();  // Frees their memory before the new ones are made.
-    auto targets = std::make_unique<RenderTargets>(context_, size, scale_for(size), samples_);
+    auto targets = std::make_unique<RenderTargets>(
+        context_, size, Sampling{sampling_.samples, scale_for(size)}, keeps_stencil_);
     line_pass_.set_surface_depth(targets->depth());
     composite_pass_.set_surfaces(targets->surfaces());
     targets_ = std::move(targets);

@@ -16,6 +16,7 @@
 #include "engine/passes/shadow_volume_pass.h"
 #include "engine/passes/surface_pass.h"
 #include "engine/renderer_options.h"
+#include "engine/sampling.h"
 #include "engine/vulkan/functions.h"
 
 namespace rimline {
@@ -29,7 +30,9 @@ public:
     LinePath line_path() const noexcept { return line_pass_.path(); }
 
     /// As Renderer::set_scale() and Renderer::targets().
-    void set_scale(std::uint32_t scale) noexcept { scale_ = scale; }
+    void set_scale(std::uint32_t scale) noexcept {
+        sampling_ = sampling_of(context_, sampling_.samples, scale);
+    }
     const RenderTargets* targets() const noexcept { return targets_.get(); }
 
     /// Whether the images fit a picture of `size`, at the scale set.
@@ -60,8 +63,8 @@ private:
                         const DrawnArea& area) const;
 
     DeviceContext context_;
-    std::uint32_t samples_;
-    std::uint32_t scale_;
+    Sampling sampling_;
+    bool keeps_stencil_;
     SurfacePass surface_pass_;
     ShadowVolumePass shadow_pass_;
     LinePass line_pass_;

@@ -41,14 +41,15 @@ constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
 
 void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area, float guard,
                      const VkRenderingAttachmentInfo& color,
-                     const VkRenderingAttachmentInfo* depth_stencil = nullptr) {
+                     const VkRenderingAttachmentInfo* depth = nullptr,
+                     const VkRenderingAttachmentInfo* stencil = nullptr) {
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                .renderArea = area,
                                .layerCount = 1,
                                .colorAttachmentCount = 1,
                                .pColorAttachments = &color,
-                               .pDepthAttachment = depth_stencil,
-                               .pStencilAttachment = depth_stencil};
+                               .pDepthAttachment = depth,
+                               .pStencilAttachment = stencil};
     commands->CmdBeginRendering(commands, &info);
     const float width = static_cast<float>(extent.width);
     const float height = static_cast<float>(extent.height);
@@ -92,13 +93,15 @@ std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::
     return scale;
 }
 
-RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
-                             std::uint32_t samples)
+RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
+                             const Sampling& sampling, bool keeps_stencil)
     : size_(size),
-      scale_(scale),
-      samples_(samples),
+      scale_(sampling.scale),
+      samples_(sampling.samples),
+      keeps_stencil_(keeps_stencil),
+      must_resolve_stencil_(!context.independent_resolve_none),
       guard_(fitting_guard(context.limits, pass_extent())) {
-    RIMLINE_CHECK(size.width > 0 && size.height > 0 && scale > 0);
+    RIMLINE_CHECK(size.width > 0 && size.height > 0 && scale_ > 0);
     const VkExtent2D extent = pass_extent();
     constexpr VkImageUsageFlags k_drawn_and_read =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
@@ -111,13 +114,17 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size, std:
                     .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
                    "the picture's depth");
     if (is_multisampled()) {
-        multisampled_surfaces_ =
-            Image(context, {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples},
-                  "the picture's samples");
-        multisampled_depth_ = Image(
+        // Resolved at the end of the pass, and never read: tiled GPUs need no memory for them.
+        constexpr VkImageUsageFlags k_transient = VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
+        multisampled_surfaces_ = Image(
             context,
-            {k_depth_stencil_format, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples},
-            "the depth of the picture's samples");
+            {k_surface_format, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | k_transient, samples_},
+            "the picture's samples");
+        multisampled_depth_ =
+            Image(context,
+                  {k_depth_stencil_format, extent,
+                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | k_transient, samples_},
+                  "the depth of the picture's samples");
     }
 }
 
@@ -140,15 +147,20 @@ void RenderTargets::begin_surfaces(Commands commands, const glm::vec3& backgroun
         .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
         .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
         .clearValue = {.depthStencil = {0.0f, 0}}};
+    VkRenderingAttachmentInfo stencil = depth;
+    if (!keeps_stencil_ || is_multisampled()) stencil.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
     if (is_multisampled()) {
+        color.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
         color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
         color.resolveImageView = surfaces_.attachment_view();
         color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
         depth.resolveMode = VK_RESOLVE_MODE_SAMPLE_ZERO_BIT;
         depth.resolveImageView = depth_.attachment_view();
         depth.resolveImageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+        if (must_resolve_stencil_) stencil = depth;
     }
-    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_, color, &depth);
+    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_, color, &depth, &stencil);
 }
 
 void RenderTargets::begin_lines(Commands commands, const DrawnArea& area) const {

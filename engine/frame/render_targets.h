@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "engine/sampling.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/picture_target.h"
@@ -34,10 +35,9 @@ struct DrawnArea {
 
 class RenderTargets {
 public:
-    /// `scale` pixels of the passes along each side of a pixel, each with `samples` samples.
-    /// Throws Error{too_large} naming the limit.
-    RenderTargets(const DeviceContext& context, VkExtent2D size, std::uint32_t scale,
-                  std::uint32_t samples);
+    /// `keeps_stencil`: as in RendererOptions. Throws Error{too_large} naming the limit.
+    RenderTargets(const DeviceContext& context, VkExtent2D size, const Sampling& sampling,
+                  bool keeps_stencil);
 
     VkExtent2D size() const noexcept { return size_; }
     /// The size of the images that the surface and line passes draw into.
@@ -78,6 +78,8 @@ private:
     VkExtent2D size_;
     std::uint32_t scale_;
     std::uint32_t samples_;
+    bool keeps_stencil_;
+    bool must_resolve_stencil_;  // Because depth is.
     float guard_;
     Image surfaces_, depth_;                            // One sample.
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.

@@ -4,13 +4,9 @@
 
 namespace rimline {
 
-std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits) {
-    const VkSampleCountFlags counts = limits.framebufferColorSampleCounts &
-                                      limits.framebufferDepthSampleCounts &
-                                      limits.framebufferStencilSampleCounts;
-    return (counts & VK_SAMPLE_COUNT_4_BIT) != 0   ? 4
-           : (counts & VK_SAMPLE_COUNT_2_BIT) != 0 ? 2
-                                                   : 1;
+VkSampleCountFlags common_samples(const VkPhysicalDeviceLimits& limits) noexcept {
+    return limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts &
+           limits.framebufferStencilSampleCounts;
 }
 
 DeviceContext make_device_context(const HostDevice& host) {
@@ -33,16 +29,20 @@ DeviceContext make_device_context(const HostDevice& host) {
     context.memory = memory.memoryProperties;
     VkPhysicalDeviceMaintenance4Properties maintenance4{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
-    VkPhysicalDeviceMaintenance3Properties maintenance3{
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
+    VkPhysicalDeviceDepthStencilResolveProperties resolve{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_STENCIL_RESOLVE_PROPERTIES,
         .pNext = &maintenance4};
+    VkPhysicalDeviceMaintenance3Properties maintenance3{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES, .pNext = &resolve};
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
                                            .pNext = &maintenance3};
     instance.GetPhysicalDeviceProperties2(host.physical_device, &properties);
     context.limits = properties.properties.limits;
     context.max_buffer_bytes = maintenance4.maxBufferSize;
     context.max_allocation_bytes = maintenance3.maxMemoryAllocationSize;
-    context.samples = common_samples(context.limits);
+    context.independent_resolve_none = resolve.independentResolveNone == VK_TRUE;
+    context.type = properties.properties.deviceType;
+    context.sample_counts = common_samples(context.limits);
     return context;
 }
 

@@ -51,7 +51,10 @@ struct DeviceContext {
     VkDeviceSize max_buffer_bytes = ~VkDeviceSize{0};
     VkDeviceSize max_allocation_bytes = ~VkDeviceSize{0};
     DeviceFeatures features{};
-    std::uint32_t samples = 1;  ///< Greatest sample count, at most 4, of all attachments.
+    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+    VkSampleCountFlags sample_counts = VK_SAMPLE_COUNT_1_BIT;  ///< Of all attachments.
+    /// Depth can be resolved without stencil (VkPhysicalDeviceDepthStencilResolveProperties).
+    bool independent_resolve_none = false;
 };
 
 /// A caller's device, for make_device_context().
@@ -74,8 +77,8 @@ struct HostDevice {
     PFN_vkGetInstanceProcAddr loader = nullptr;
 };
 
-/// Greatest sample count, at most 4, that color, depth and stencil share.
-std::uint32_t common_samples(const VkPhysicalDeviceLimits& limits);
+/// The sample counts that color, depth and stencil share.
+VkSampleCountFlags common_samples(const VkPhysicalDeviceLimits& limits) noexcept;
 
 /// Throws Error{no_device} naming a function that the loader or the device lacks.
 DeviceContext make_device_context(const HostDevice& host);

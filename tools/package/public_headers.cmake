@@ -53,6 +53,7 @@ set(rimline_engine_headers
     engine/picture_lines.h
     engine/renderer.h
     engine/renderer_options.h
+    engine/sampling.h
     engine/scene.h
     engine/shadow_choice.h
     engine/silhouette_changes.h

@@ -157,7 +157,7 @@ bool ViewLoop::is_frame_fine() const {
 // Half the resolution is four times as fast on a CPU device.
 std::uint32_t ViewLoop::scale(bool is_fine) const {
     const bool slow = renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    return is_fine || !slow ? RendererOptions{}.scale : 1;
+    return is_fine || !slow ? 0 : 1;
 }
 
 // The size of the picture, for lines with exact visibility; while something moves, lines are streamed.

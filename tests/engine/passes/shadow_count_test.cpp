@@ -121,7 +121,7 @@ TEST_CASE("the stencil counts the triangles between light and surface, of every 
     Random random(k_seed);
     const Model ground(square(20.0, -1.6));
     std::deque<Model> models;  // A renderer may keep what it has drawn.
-    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1, .keeps_stencil = true});
     struct Class {
         const char* name;
         MeshSource source;
