@@ -160,6 +160,7 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
             context_.pipeline_cache = pipeline_cache_->handle();
         }
     } catch (...) {
+        context_ = {};
         reinterpret_cast<PFN_vkDestroyDevice>(
             instance.functions().GetDeviceProcAddr(device, "vkDestroyDevice"))(device, nullptr);
         throw;
@@ -186,6 +187,7 @@ Device::~Device() {
     // A lost device runs nothing any more.
     (void)repeat_wait([&] { return context_.vk->DeviceWaitIdle(context_.device); });
     pipeline_cache_.reset();
+    context_.allocator.reset();
     context_.vk->DestroyDevice(context_.device, nullptr);
 }
 

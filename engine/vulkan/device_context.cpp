@@ -1,6 +1,7 @@
 #include "engine/vulkan/device_context.h"
 
 #include "engine/vulkan/functions.h"
+#include "engine/vulkan/memory_blocks.h"
 
 namespace rimline {
 
@@ -40,6 +41,11 @@ DeviceContext make_device_context(const HostDevice& host) {
     context.limits = properties.properties.limits;
     context.max_buffer_bytes = maintenance4.maxBufferSize;
     context.max_allocation_bytes = maintenance3.maxMemoryAllocationSize;
+    // A caller's is not owned.
+    context.allocator =
+        host.allocator ? std::shared_ptr<MemoryAllocator>(host.allocator, [](MemoryAllocator*) {})
+                       : std::make_shared<MemoryBlocks>(context.vk, context.memory,
+                                                        context.max_allocation_bytes);
     context.independent_resolve_none = resolve.independentResolveNone == VK_TRUE;
     context.type = properties.properties.deviceType;
     context.sample_counts = common_samples(context.limits);

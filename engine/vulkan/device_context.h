@@ -11,6 +11,7 @@
 namespace rimline {
 
 struct DeviceFunctions;
+class MemoryAllocator;
 
 /// The format of every depth attachment. Reversed depth needs floats.
 constexpr VkFormat k_depth_stencil_format = VK_FORMAT_D32_SFLOAT_S8_UINT;
@@ -51,6 +52,7 @@ struct DeviceContext {
     VkDeviceSize max_buffer_bytes = ~VkDeviceSize{0};
     VkDeviceSize max_allocation_bytes = ~VkDeviceSize{0};
     DeviceFeatures features{};
+    std::shared_ptr<MemoryAllocator> allocator;
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
     VkSampleCountFlags sample_counts = VK_SAMPLE_COUNT_1_BIT;  ///< Of all attachments.
     /// Depth can be resolved without stencil (VkPhysicalDeviceDepthStencilResolveProperties).
@@ -70,6 +72,9 @@ struct HostDevice {
     /// Must outlive the context. Null: the caller uses the queue on no other thread while Rimline submits
     /// (renderer.h says when it does).
     QueueMutex* queue_mutex = nullptr;
+    /// Gives the memory of all buffers and images; must outlive the context. Null: Rimline's own blocks, which
+    /// are freed with the last copy of the context: destroy the device after it.
+    MemoryAllocator* allocator = nullptr;
     /// All pipelines are made with it; it must outlive the context. Null: none.
     VkPipelineCache pipeline_cache = VK_NULL_HANDLE;
     /// The vkGetInstanceProcAddr of the caller's loader, which gives the vkGetDeviceProcAddr that all

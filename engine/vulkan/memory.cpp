@@ -24,44 +24,6 @@ void check_room(VkResult result, const char* call, VkDeviceSize size, const std:
     vk_check(result, call);
 }
 
-OwnedMemory allocate(const DeviceContext& context, const VkMemoryRequirements& requirements,
-                     VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags needed, bool addressable,
-                     const std::string& what) {
-    const auto find = [&](VkMemoryPropertyFlags flags) {
-        std::uint32_t type = 0;
-        while (type < context.memory.memoryTypeCount &&
-               ((requirements.memoryTypeBits >> type & 1u) == 0 ||
-                (context.memory.memoryTypes[type].propertyFlags & flags) != flags))
-            ++type;
-        return type;
-    };
-    std::uint32_t type = find(wanted | needed);
-    if (type == context.memory.memoryTypeCount) type = find(needed);
-    if (type == context.memory.memoryTypeCount)
-        throw Error(ErrorCode::no_device, "the device has no memory for " + what);
-    const auto fail_beyond = [&](VkDeviceSize limit, const char* of) {
-        if (requirements.size <= limit) return;
-        throw Error(ErrorCode::too_large, what + " needs " + size_text(requirements.size) +
-                                              ", more than the device's " + of + " of " +
-                                              size_text(limit));
-    };
-    fail_beyond(context.max_allocation_bytes, "maxMemoryAllocationSize");
-    const VkDeviceSize heap =
-        context.memory.memoryHeaps[context.memory.memoryTypes[type].heapIndex].size;
-    fail_beyond(heap, "memory");
-
-    const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
-                                          .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
-    const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                    .pNext = addressable ? &flags : nullptr,
-                                    .allocationSize = requirements.size,
-                                    .memoryTypeIndex = type};
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    check_room(context.vk->AllocateMemory(context.device, &info, nullptr, &memory),
-               "vkAllocateMemory", requirements.size, what);
-    return {context, memory};
-}
-
 VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
     switch (place) {
         case BufferPlace::device: return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
@@ -103,15 +65,15 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
         place == BufferPlace::device
             ? 0
             : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    memory_ = allocate(context, requirements, wanted_properties(place), needed, true, what);
-    check_room(context.vk->BindBufferMemory(context.device, handle, memory_, 0),
+    memory_ = OwnedMemory(context, {.requirements = requirements,
+                                    .needed = needed,
+                                    .wanted = wanted_properties(place),
+                                    .buffer = handle,
+                                    .what = what});
+    const MemoryPart& part = memory_.part();
+    check_room(context.vk->BindBufferMemory(context.device, handle, part.memory, part.offset),
                "vkBindBufferMemory", size_, what);
-    if (place != BufferPlace::device) {
-        void* mapped = nullptr;
-        check_room(context.vk->MapMemory(context.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
-                   "vkMapMemory", size_, what);
-        mapped_ = static_cast<std::byte*>(mapped);
-    }
+    mapped_ = part.mapped;
     const VkBufferDeviceAddressInfo address{.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
                                             .buffer = handle};
     address_ = context.vk->GetBufferDeviceAddress(context.device, &address);
@@ -174,9 +136,14 @@ Image::Image(const DeviceContext& context, const ImageDescription& description,
     image_ = {context, handle};
     VkMemoryRequirements requirements;
     context.vk->GetImageMemoryRequirements(context.device, handle, &requirements);
-    memory_ = allocate(context, requirements, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, false, what);
-    check_room(context.vk->BindImageMemory(context.device, handle, memory_, 0), "vkBindImageMemory",
-               requirements.size, what);
+    VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    if ((description.usage & VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT) != 0)
+        wanted |= VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT;
+    memory_ = OwnedMemory(
+        context, {.requirements = requirements, .wanted = wanted, .image = handle, .what = what});
+    const MemoryPart& part = memory_.part();
+    check_room(context.vk->BindImageMemory(context.device, handle, part.memory, part.offset),
+               "vkBindImageMemory", requirements.size, what);
 
     const auto view_of = [&](VkImageAspectFlags aspects) {
         const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,

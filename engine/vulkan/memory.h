@@ -8,8 +8,10 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "engine/vulkan/device_context.h"
+#include "engine/vulkan/memory_allocator.h"
 #include "engine/vulkan/vulkan_handle.h"
 
 namespace rimline {
@@ -20,6 +22,30 @@ enum class BufferPlace {
     device,
     upload,    ///< Persistently mapped; the host writes, the GPU reads.
     readback,  ///< Persistently mapped; the GPU writes, the host reads.
+};
+
+/// Owns a part of the memory of a context's allocator, which must outlive it.
+class OwnedMemory {
+public:
+    OwnedMemory() = default;
+    OwnedMemory(const DeviceContext& context, const MemoryRequest& request)
+        : allocator_(context.allocator.get()), part_(allocator_->allocate(request)) {}
+    OwnedMemory(OwnedMemory&& other) noexcept
+        : allocator_(std::exchange(other.allocator_, nullptr)), part_(other.part_) {}
+    OwnedMemory& operator=(OwnedMemory&& other) noexcept {
+        std::swap(allocator_, other.allocator_);
+        std::swap(part_, other.part_);
+        return *this;
+    }
+    ~OwnedMemory() {
+        if (allocator_) allocator_->free(part_);
+    }
+
+    const MemoryPart& part() const noexcept { return part_; }
+
+private:
+    MemoryAllocator* allocator_ = nullptr;
+    MemoryPart part_;
 };
 
 /// A buffer with its memory. Every buffer has a device address and can be a uniform buffer, a source and a

@@ -42,7 +42,6 @@ private:
 using OwnedBuffer = DeviceHandle<VkBuffer, &DeviceFunctions::DestroyBuffer>;
 using OwnedImage = DeviceHandle<VkImage, &DeviceFunctions::DestroyImage>;
 using OwnedImageView = DeviceHandle<VkImageView, &DeviceFunctions::DestroyImageView>;
-using OwnedMemory = DeviceHandle<VkDeviceMemory, &DeviceFunctions::FreeMemory>;
 using OwnedShaderModule = DeviceHandle<VkShaderModule, &DeviceFunctions::DestroyShaderModule>;
 using OwnedPipeline = DeviceHandle<VkPipeline, &DeviceFunctions::DestroyPipeline>;
 using OwnedPipelineCache = DeviceHandle<VkPipelineCache, &DeviceFunctions::DestroyPipelineCache>;

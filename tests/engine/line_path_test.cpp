@@ -161,7 +161,10 @@ public:
                                         .queue = queue,
                                         .queue_family = full.queue_family});
     }
-    ~PlainDevice() { context_.vk->DestroyDevice(device_, nullptr); }
+    ~PlainDevice() {
+        context_.allocator.reset();
+        context_.vk->DestroyDevice(device_, nullptr);
+    }
     PlainDevice(const PlainDevice&) = delete;
     PlainDevice& operator=(const PlainDevice&) = delete;
 

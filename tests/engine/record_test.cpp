@@ -140,7 +140,7 @@ private:
     DeviceContext context_;
     VkFormat format_;
     VkExtent2D extent_;
-    OwnedMemory memory_;
+    DeviceHandle<VkDeviceMemory, &DeviceFunctions::FreeMemory> memory_;
     OwnedImage image_;
     OwnedImageView view_;
     OwnedCommandPool pool_;

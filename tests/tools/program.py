@@ -5,6 +5,7 @@ run_case.py starts the cases; its first argument is the program.
 import json
 import math
 import os
+import resource
 import struct
 import subprocess
 import sys
@@ -36,6 +37,16 @@ def fail(status, *arguments):
     lines = result.stderr.splitlines()
     assert len(lines) == 1 and lines[0].startswith("rimline: error: "), (arguments, result.stderr)
     return lines[0]
+
+
+def fail_for_memory(*arguments):
+    """Runs with 3 GiB of address space, which pictures of 16384x16384 exceed, and returns the error."""
+    limit = 3 << 30
+    result = run(*arguments, "--size", "16384x16384",
+                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+    assert result.returncode == 1, (arguments, result.returncode, result.stderr)
+    assert result.stderr.startswith("rimline: error: ") and "picture" in result.stderr, result.stderr
+    return result.stderr
 
 
 def skip(reason):

@@ -65,6 +65,7 @@ set(rimline_engine_headers
     engine/vulkan/device.h
     engine/vulkan/device_choice.h
     engine/vulkan/device_context.h
+    engine/vulkan/memory_allocator.h
     engine/vulkan/picture_target.h
     engine/vulkan/upload_point.h
     engine/vulkan/vulkan_instance.h

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 import time
 
-from program import PROGRAM, SMALL, fail, have_device, is_count, png_rows, png_size, run, skip, succeed
+from program import PROGRAM, SMALL, fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
 
 
 def check_animate(result, output, frame_count, size):
@@ -89,10 +89,11 @@ def test_animate_leaves_nothing_behind_when_it_fails():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "frames")
-        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"], ["shape:box", "--path", "gone.txt"],
-                        ["shape:box", "--size", "16384x16384"]):
+        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"], ["shape:box", "--path", "gone.txt"]):
             fail(1, "animate", "-o", output, *options)
             assert os.listdir(folder) == []
+        fail_for_memory("animate", "shape:box", "-o", output)
+        assert os.listdir(folder) == []
         assert "gone" in fail(1, "animate", "shape:box", "-o", os.path.join(folder, "gone", "frames"))
         for options in (["--step", "1", "--path", "random"], ["--eye", "3,2,1", "--step", "2"], ["--wave-step", "3"],
                         ["--light-step", "1", "--light-follow"], ["--deform", "melt"], ["--frames", "0"]):

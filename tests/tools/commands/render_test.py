@@ -4,7 +4,7 @@ import math
 import os
 import tempfile
 
-from program import fail, have_device, is_count, png_rows, png_size, run, skip, succeed
+from program import fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
 
 
 def check_render(result, output, size):
@@ -131,10 +131,11 @@ def test_render_leaves_nothing_behind_when_it_fails():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "a.png")
-        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"],
-                        ["shape:box", "--size", "16384x16384"]):
+        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"]):
             fail(1, "render", "-o", output, *options)
             assert os.listdir(folder) == []
+        fail_for_memory("render", "shape:box", "-o", output)
+        assert os.listdir(folder) == []
         fail(1, "render", "shape:box", "-o", os.path.join(folder, "gone", "a.png"))
         for options in (["--eye", "0,0,0", "--target", "0,0,0"], ["--style", "oil"], ["--ortho", "0"], ["--crease", "9"],
                         ["--size", "0x5"], ["--sun", "0,0,0"], ["--shadows", "on"]):

@@ -5,7 +5,8 @@ import subprocess
 import tempfile
 import time
 
-from program import PROGRAM, SMALL, TRIANGLE, check_views, fail, have_device, png_size, run, succeed, write_faces
+from program import (PROGRAM, SMALL, TRIANGLE, check_views, fail, fail_for_memory, have_device, png_size, run, succeed,
+                     write_faces)
 
 
 def test_views_by_votes_alone_need_no_device():
@@ -50,10 +51,13 @@ def test_views_leave_nothing_behind_when_they_fail():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "views")
-        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"], ["shape:box", "--size", "16384x16384"]):
+        for options in (["gone.obj"], ["shape:box", "--device", "nowhere"]):
             fail(1, "views", "-o", output, *options)
             fail(1, "path", "--frames", "3", "-o", output, *options)
             assert os.listdir(folder) == []
+        fail_for_memory("views", "shape:box", "-o", output)
+        fail_for_memory("path", "shape:box", "--frames", "3", "-o", output)
+        assert os.listdir(folder) == []
         for options in (["-k", "0"], ["-k", "65"], ["--sun", "up"]):
             fail(2, "views", "shape:box", "-o", output, *options)
         fail(2, "path", "shape:box", "-k", "1")

@@ -1,0 +1,201 @@
+#include "engine/vulkan/memory_blocks.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "engine/vulkan/functions.h"
+#include "engine/vulkan/memory_budget.h"
+#include "engine/vulkan/vulkan_result.h"
+
+namespace rimline {
+
+namespace {
+
+constexpr VkDeviceSize k_first_block_bytes = VkDeviceSize{1} << 20;
+constexpr VkDeviceSize k_max_block_bytes = VkDeviceSize{64} << 20;
+
+// As vk_check(). If memory has run out, the message names what it was for.
+void check_room(VkResult result, const char* call, VkDeviceSize size, const std::string& what) {
+    if (is_out_of_memory(result))
+        throw Error(ErrorCode::too_large,
+                    (result == VK_ERROR_TOO_MANY_OBJECTS
+                         ? "the device allows no more allocations (maxMemoryAllocationCount), for "
+                         : "the device has no memory left for ") +
+                        what + " of " + size_text(size) + ": " + call + " failed with " +
+                        name_of(result));
+    vk_check(result, call);
+}
+
+}  // namespace
+
+// One VkDeviceMemory.
+struct MemoryBlocks::Block {
+    Block(MemoryBlocks& of, VkDeviceSize size) : ranges(size), blocks_(of) {}
+    ~Block() {
+        if (memory == VK_NULL_HANDLE) return;
+        blocks_.vk_->FreeMemory(blocks_.vk_->device, memory, nullptr);
+        --blocks_.allocations_;
+    }
+    Block(const Block&) = delete;
+    Block& operator=(const Block&) = delete;
+
+    Pool* pool = nullptr;  // Null: it serves one owner.
+    RangeAllocator ranges;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    std::byte* mapped = nullptr;
+
+private:
+    MemoryBlocks& blocks_;
+};
+
+struct MemoryBlocks::Pool {
+    std::uint32_t type;
+    bool for_images;
+    bool is_mapped;
+    VkDeviceSize next_block_bytes = k_first_block_bytes;
+    std::vector<std::unique_ptr<Block>> blocks;
+};
+
+// What MemoryPart::owner points at.
+struct MemoryBlocks::Owner {
+    Block* block = nullptr;
+    std::unique_ptr<Block> own;  // The block, where it serves nothing else.
+    RangeAllocator::Part* part = nullptr;
+};
+
+MemoryBlocks::MemoryBlocks(std::shared_ptr<const DeviceFunctions> vk,
+                           const VkPhysicalDeviceMemoryProperties& memory,
+                           VkDeviceSize max_allocation_bytes)
+    : vk_(std::move(vk)), memory_(memory), max_allocation_bytes_(max_allocation_bytes) {}
+
+MemoryBlocks::~MemoryBlocks() = default;
+
+std::uint32_t MemoryBlocks::type_for(const MemoryRequest& request) const {
+    const auto find = [&](VkMemoryPropertyFlags flags) {
+        std::uint32_t type = 0;
+        while (type < memory_.memoryTypeCount &&
+               ((request.requirements.memoryTypeBits >> type & 1u) == 0 ||
+                (memory_.memoryTypes[type].propertyFlags & flags) != flags))
+            ++type;
+        return type;
+    };
+    // Wanted properties are given up one after the other, from the rarest.
+    for (VkMemoryPropertyFlags wanted = request.wanted;; wanted &= ~std::bit_floor(wanted)) {
+        const std::uint32_t type = find(wanted | request.needed);
+        if (type < memory_.memoryTypeCount) return type;
+        if (wanted == 0)
+            throw Error(ErrorCode::no_device, "the device has no memory for " + request.what);
+    }
+}
+
+VkDeviceSize MemoryBlocks::block_limit(std::uint32_t type) const noexcept {
+    const VkDeviceSize heap = memory_.memoryHeaps[memory_.memoryTypes[type].heapIndex].size;
+    return std::min(
+        {k_max_block_bytes, std::max(k_first_block_bytes, heap / 8), max_allocation_bytes_});
+}
+
+std::unique_ptr<MemoryBlocks::Block> MemoryBlocks::make_block(const MemoryRequest& request,
+                                                              std::uint32_t type, VkDeviceSize size,
+                                                              bool dedicated) {
+    const auto fail_beyond = [&](VkDeviceSize limit, const char* of) {
+        if (size <= limit) return;
+        throw Error(ErrorCode::too_large, request.what + " needs " + size_text(size) +
+                                              ", more than the device's " + of + " of " +
+                                              size_text(limit));
+    };
+    fail_beyond(max_allocation_bytes_, "maxMemoryAllocationSize");
+    fail_beyond(memory_.memoryHeaps[memory_.memoryTypes[type].heapIndex].size, "memory");
+    auto block = std::make_unique<Block>(*this, size);
+    const VkMemoryDedicatedAllocateInfo owner{
+        .sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO,
+        .image = request.image,
+        .buffer = request.buffer};
+    VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                    .pNext = dedicated ? &owner : nullptr};
+    if (request.buffer != VK_NULL_HANDLE) flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+    const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                    .pNext = &flags,
+                                    .allocationSize = size,
+                                    .memoryTypeIndex = type};
+    check_room(vk_->AllocateMemory(vk_->device, &info, nullptr, &block->memory), "vkAllocateMemory",
+               size, request.what);
+    ++allocations_;
+    if ((request.needed & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0) {
+        void* mapped = nullptr;
+        check_room(vk_->MapMemory(vk_->device, block->memory, 0, VK_WHOLE_SIZE, 0, &mapped),
+                   "vkMapMemory", size, request.what);
+        block->mapped = static_cast<std::byte*>(mapped);
+    }
+    return block;
+}
+
+MemoryBlocks::Pool& MemoryBlocks::pool_of(const MemoryRequest& request, std::uint32_t type) {
+    const bool for_images = request.image != VK_NULL_HANDLE;
+    const bool is_mapped = (request.needed & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0;
+    for (const std::unique_ptr<Pool>& pool : pools_)
+        if (pool->type == type && pool->for_images == for_images && pool->is_mapped == is_mapped)
+            return *pool;
+    return *pools_.emplace_back(std::make_unique<Pool>(
+        Pool{.type = type, .for_images = for_images, .is_mapped = is_mapped, .blocks = {}}));
+}
+
+MemoryPart MemoryBlocks::allocate(const MemoryRequest& request) {
+    const std::uint32_t type = type_for(request);
+    const VkDeviceSize size = request.requirements.size;
+    auto owner = std::make_unique<Owner>();
+    const auto part_of = [&](Block& block, RangeAllocator::Part& part) {
+        owner->block = &block;
+        owner->part = &part;
+        return MemoryPart{.memory = block.memory,
+                          .offset = part.offset(),
+                          .size = size,
+                          .mapped = block.mapped ? block.mapped + part.offset() : nullptr,
+                          .owner = owner.release()};
+    };
+    // Lazily allocated memory is never shared: it may take no memory at all.
+    const bool is_lazy =
+        (memory_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT) != 0;
+    if (size > block_limit(type) / 2 || is_lazy) {
+        owner->own = make_block(request, type, size, true);
+        return part_of(*owner->own, *owner->own->ranges.allocate(size, 1));
+    }
+    const std::lock_guard lock(mutex_);
+    Pool& pool = pool_of(request, type);
+    const VkDeviceSize alignment = request.requirements.alignment;
+    for (const std::unique_ptr<Block>& block : pool.blocks)
+        if (RangeAllocator::Part* part = block->ranges.allocate(size, alignment))
+            return part_of(*block, *part);
+    const VkDeviceSize block_size =
+        std::min(std::max(pool.next_block_bytes, 4 * size), block_limit(type));
+    pool.blocks.reserve(pool.blocks.size() + 1);
+    std::unique_ptr<Block> block = make_block(request, type, block_size, false);
+    RangeAllocator::Part* const part = block->ranges.allocate(size, alignment);
+    block->pool = &pool;
+    pool.next_block_bytes = std::min(2 * block_size, block_limit(type));
+    return part_of(*pool.blocks.emplace_back(std::move(block)), *part);
+}
+
+void MemoryBlocks::free(const MemoryPart& part) noexcept {
+    const std::unique_ptr<Owner> owner(static_cast<Owner*>(part.owner));
+    if (!owner || owner->own) return;
+    const std::lock_guard lock(mutex_);
+    owner->block->ranges.free(*owner->part);
+    if (owner->block->ranges.used_size() > 0) return;
+    // One that is empty stays.
+    auto& blocks = owner->block->pool->blocks;
+    const auto is_empty = [](const auto& block) { return block->ranges.used_size() == 0; };
+    if (std::ranges::count_if(blocks, is_empty) > 1)
+        std::erase_if(blocks, [&](const auto& block) { return block.get() == owner->block; });
+}
+
+void MemoryBlocks::trim() noexcept {
+    const std::lock_guard lock(mutex_);
+    for (const std::unique_ptr<Pool>& pool : pools_) {
+        std::erase_if(pool->blocks,
+                      [](const auto& block) { return block->ranges.used_size() == 0; });
+        if (pool->blocks.empty()) pool->next_block_bytes = k_first_block_bytes;
+    }
+}
+
+}  // namespace rimline

@@ -1,0 +1,61 @@
+#pragma once
+
+// Memory in large blocks, of which buffers and images take parts: a device allows few allocations
+// (maxMemoryAllocationCount, 4096 on many), and each one is slow.
+//
+// There is a pool of blocks for each type of memory, one for buffers and one for images, which are not to lie
+// beside one another (bufferImageGranularity). Blocks grow from 1 MiB to 64 MiB, or an eighth of the heap. What
+// is larger than half a block has a VkDeviceMemory of its own, as images that the driver wants so. One empty block a
+// pool is kept for what comes next.
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/vulkan/functions.h"
+#include "engine/vulkan/memory_allocator.h"
+#include "engine/vulkan/range_allocator.h"
+
+namespace rimline {
+
+class MemoryBlocks : public MemoryAllocator {
+public:
+    explicit MemoryBlocks(std::shared_ptr<const DeviceFunctions> vk,
+                          const VkPhysicalDeviceMemoryProperties& memory,
+                          VkDeviceSize max_allocation_bytes);
+    /// All parts must be freed, and the device still be there.
+    ~MemoryBlocks() override;
+    MemoryBlocks(const MemoryBlocks&) = delete;
+    MemoryBlocks& operator=(const MemoryBlocks&) = delete;
+
+    MemoryPart allocate(const MemoryRequest& request) override;
+    void free(const MemoryPart& part) noexcept override;
+
+    /// Frees the empty blocks that were kept.
+    void trim() noexcept;
+    /// Device memories there are now.
+    std::size_t allocation_count() const noexcept { return allocations_; }
+
+private:
+    struct Pool;
+    struct Block;
+    struct Owner;
+
+    std::uint32_t type_for(const MemoryRequest& request) const;
+    VkDeviceSize block_limit(std::uint32_t type) const noexcept;
+    std::unique_ptr<Block> make_block(const MemoryRequest& request, std::uint32_t type,
+                                      VkDeviceSize size, bool dedicated);
+    Pool& pool_of(const MemoryRequest& request, std::uint32_t type);
+
+    std::shared_ptr<const DeviceFunctions> vk_;
+    VkPhysicalDeviceMemoryProperties memory_;
+    VkDeviceSize max_allocation_bytes_;
+    std::atomic<std::size_t> allocations_ = 0;
+    std::mutex mutex_;  // Of the pools.
+    std::vector<std::unique_ptr<Pool>> pools_;
+};
+
+}  // namespace rimline
