@@ -40,14 +40,14 @@ class Mesh;
 enum class ShadowMethod : std::uint8_t {
     automatic,  ///< Depth pass where it is proven right, else depth fail.
     fail,       ///< Those behind the surface. Always right.
-    pass,       ///< As automatic: depth pass is used only where it is proven right.
+    pass,       ///< Those before the surface: of a choice. Asked for, it is automatic.
 };
 
 /// Which faces cast.
 enum class ShadowForm : std::uint8_t {
     automatic,  ///< Single where it is proven right, else general.
     general,    ///< Every face, front or back. Always right.
-    single,     ///< As automatic: single is used only where it is proven right.
+    single,     ///< Front faces: of a choice. Asked for, it is automatic.
 };
 
 /// The stage that makes sides of edge records. Both draw the same triangles. A driver may transform the

@@ -87,11 +87,12 @@ void InstanceStates::make(InstanceState& state, const SceneInstance& instance, U
         batch.send();
         state.deforming = std::move(made);
     }
+    state.mesh = &mesh;
+    state.is_closed_chain = is_closed_chain(source);
+    if (!instance.deforming) state.caster = &casters_.try_emplace(&source, source).first->second;
+    // Last, because it says that all of the above has been made.
     state.source = &source;
     state.octree = instance.deforming ? nullptr : instance.octree;
-    state.mesh = &mesh;
-    if (state.octree) state.caster = &casters_.try_emplace(&source, source).first->second;
-    state.is_closed_chain = is_closed_chain(source);
 }
 
 void InstanceStates::prepare(const Scene& scene, const Frames& frames, Uploaded& uploaded) {

@@ -142,14 +142,19 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
     features.v13.maintenance4 = VK_TRUE;  // glslang writes LocalSizeId.
     features.v13.synchronization2 = VK_TRUE;
     const bool presents = instance.presents() && facts_.swapchain;
-    const char* const swapchain_extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    std::vector<const char*> extensions;
+    if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    // A device that has it must be opened with it. Its name is in a header for beta extensions.
+    constexpr const char* k_portability_subset = "VK_KHR_portability_subset";
+    if (has_extension(instance.functions(), physical, k_portability_subset))
+        extensions.push_back(k_portability_subset);
     const VkDeviceCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
         .pNext = &features.v10,
         .queueCreateInfoCount = queues.transfer_family == queues.family ? 1u : 2u,
         .pQueueCreateInfos = queue_infos.data(),
-        .enabledExtensionCount = presents ? 1u : 0u,
-        .ppEnabledExtensionNames = &swapchain_extension};
+        .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+        .ppEnabledExtensionNames = extensions.data()};
     VkDevice device = VK_NULL_HANDLE;
     vk_check(instance.functions().CreateDevice(physical, &info, nullptr, &device),
              "vkCreateDevice");

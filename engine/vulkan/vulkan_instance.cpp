@@ -15,6 +15,19 @@ namespace {
 
 constexpr const char* k_validation_layer = "VK_LAYER_KHRONOS_validation";
 
+// Loaders list devices that lack parts of Vulkan, as MoltenVK's, only to those who ask for them.
+bool can_enumerate_portability(const GlobalFunctions& vk) {
+    const auto extensions = enumerate<VkExtensionProperties>(
+        [&vk](std::uint32_t* count, VkExtensionProperties* all) {
+            return vk.EnumerateInstanceExtensionProperties(nullptr, count, all);
+        },
+        "vkEnumerateInstanceExtensionProperties");
+    return std::ranges::any_of(extensions, [](const VkExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName,
+                           VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME) == 0;
+    });
+}
+
 bool has_validation_layer(const GlobalFunctions& vk) {
     const std::vector<VkLayerProperties> layers = enumerate<VkLayerProperties>(
         [&vk](std::uint32_t* count, VkLayerProperties* all) {
@@ -78,6 +91,8 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
         .pEnabledValidationFeatures = k_checks.data()};
     std::vector<const char*> extensions;
     for (const std::string& name : options.window_extensions) extensions.push_back(name.c_str());
+    const bool is_portable = can_enumerate_portability(vk);
+    if (is_portable) extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     if (options.validate)
         extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
                                              VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
@@ -86,25 +101,26 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
         .pApplicationInfo = &application,
         .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
         .ppEnabledExtensionNames = extensions.data()};
+    if (is_portable) info.flags = VK_INSTANCE_CREATE_ENUMERATE_PORTABILITY_BIT_KHR;
     if (options.validate) {
         info.pNext = &features;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &k_validation_layer;
     }
+    functions_ = std::make_unique<InstanceFunctions>();  // Before the instance: it may throw.
     const VkResult created = vk.CreateInstance(&info, nullptr, &instance_);
     // The loader's result if no driver is installed.
     if (created == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw Error(ErrorCode::no_device, k_no_device_advice);
     vk_check(created, "vkCreateInstance");
     try {
-        functions_ =
-            std::make_unique<InstanceFunctions>(load_instance_functions(loader_, instance_));
+        *functions_ = load_instance_functions(loader_, instance_);
         if (options.validate)
             vk_check(functions_->CreateDebugUtilsMessengerEXT(instance_, &messenger, nullptr,
                                                               &messenger_),
                      "vkCreateDebugUtilsMessengerEXT");
     } catch (...) {
-        if (functions_) functions_->DestroyInstance(instance_, nullptr);
+        if (functions_->DestroyInstance) functions_->DestroyInstance(instance_, nullptr);
         throw;
     }
 }

@@ -38,10 +38,10 @@ void SceneOptions::add_to(CLI::App& app) {
         ->group(k_group);
     app.add_flag("--hidden", hidden, "Draw hidden lines too, dashed and fainter")->group(k_group);
     app.add_option("--shadows", shadows,
-                   "Method of shadow volumes: depth fail, depth pass (only if that is proved to be "
-                   "right), or the cheaper of both (auto). All give the same picture. off: no "
-                   "shadows")
-        ->check(CLI::IsMember({"auto", "fail", "pass", "off"}))
+                   "Method of shadow volumes: depth fail, or for each volume the cheaper of depth "
+                   "pass, if that is proved to be right, and depth fail (auto). Both give the same "
+                   "picture. off: no shadows")
+        ->check(CLI::IsMember({"auto", "fail", "off"}))
         ->capture_default_str()
         ->group(k_group);
     app.add_flag(
@@ -113,9 +113,7 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
                 .style = style_value(),
                 .palette = default_palette(style_value(), background(picture)),
                 .shadows = shadows != "off",
-                .shadow_method = shadows == "fail"   ? ShadowMethod::fail
-                                 : shadows == "pass" ? ShadowMethod::pass
-                                                     : ShadowMethod::automatic,
+                .shadow_method = shadows == "fail" ? ShadowMethod::fail : ShadowMethod::automatic,
                 .lines = lines == "on",
                 .line_width_px = float(line_width.value_or(defaults.line_width_px)),
                 .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,

@@ -19,8 +19,8 @@ namespace rimline::tools {
 namespace {
 
 constexpr std::array k_styles{"ink", "toon", "mask", "blueprint", "hatch"};
-// The first turns shadows off; the others are the values of ShadowMethod, in order.
-constexpr std::array k_shadows{"off", "automatic", "depth fail", "depth pass"};
+// The first turns shadows off; the others are the values of ShadowMethod that can be asked for, in order.
+constexpr std::array k_shadows{"off", "automatic", "depth fail"};
 constexpr std::array k_axes{"x", "y", "z", "as given"};
 
 bool section(const char* name, bool open = true) {

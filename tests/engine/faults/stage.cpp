@@ -134,6 +134,7 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
         {
             const TestedDevice device(gpu->instance());
             Stage stage(gpu->instance(), device.context(), models);
+            stage.end_with_device();
             arm({.kind = FaultKind::lost_device, .call = calls, .result = 0});
             try {
                 scenario(stage);
@@ -146,9 +147,10 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
             if (!ended) {
                 CHECK(code == ErrorCode::device_lost);
             } else {
-                // Destructors wait too, and swallow it; nobody submits in vain.
+                // Destructors wait too, and swallow it, as the empty submissions that they wait for; nobody
+                // submits work in vain.
                 CHECK(stage.shown() == expected);
-                CHECK(std::string(report.call).find("Submit") == std::string::npos);
+                CHECK(std::string(report.call) != "vkQueueSubmit2");
             }
         }
         injected = report.injected;

@@ -62,7 +62,7 @@ public:
             return call();
         } catch (const Error& error) {
             note(error);
-            if (error.code() == ErrorCode::device_lost) throw;
+            if (ends_with_device_ && error.code() == ErrorCode::device_lost) throw;
         } catch (const std::bad_alloc&) {
             note_bad_alloc();
         }
@@ -80,6 +80,9 @@ public:
     std::unique_ptr<T> make(const Arguments&... arguments) {
         return step([&] { return std::make_unique<T>(arguments...); });
     }
+
+    /// Says that a lost device ends the scenario. Else the step is made again, with another device.
+    void end_with_device() noexcept { ends_with_device_ = true; }
 
     /// Adds to what the scenario comes to.
     template <typename T>
@@ -103,6 +106,7 @@ private:
     std::vector<std::byte> shown_;
     std::vector<ErrorCode> errors_;
     int bad_allocs_ = 0;
+    bool ends_with_device_ = false;
 };
 
 using Scenario = void (*)(Stage& stage);

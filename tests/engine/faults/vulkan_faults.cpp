@@ -391,7 +391,9 @@ RIMLINE_QUEUE_CALL(vkQueueSubmit, faults().device_of(queue),
                    (queue, count, infos, fence))
 RIMLINE_HOOK VkResult vkQueueSubmit2(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos,
                                      VkFence fence) {
-    VkResult fault = faults().before_queue("vkQueueSubmit2", faults().device_of(queue));
+    const bool is_empty = count == 1 && infos->commandBufferInfoCount == 0;
+    VkResult fault = faults().before_queue(
+        is_empty ? "vkQueueSubmit2 of nothing" : "vkQueueSubmit2", faults().device_of(queue));
     if (fault == VK_SUCCESS) fault = faults().before("vkQueueSubmit2", {RIMLINE_NO_MEMORY});
     if (fault != VK_SUCCESS) return fault;
     for (std::uint32_t i = 0; i < count; ++i) faults().add_waits(infos[i].waitSemaphoreInfoCount);

@@ -1,5 +1,6 @@
 #include "engine/vulkan/memory_budget.h"
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/memory_blocks.h"
 
 #include <algorithm>
 #include <numeric>
@@ -175,7 +176,7 @@ TEST_CASE("a limit of the device is named with the model that exceeds it") {
     CHECK(contains(message, "the silhouette slots of bunny.obj"));
     CHECK(contains(message, "maxBufferSize of 1.0 MiB"));
     context = gpu->context();
-    context.max_allocation_bytes = 2 << 20;
+    context.allocator = std::make_shared<MemoryBlocks>(context.vk, context.memory, 2 << 20);
     message = too_large_message([&] { ChangeStream(context, size, 2, nullptr, "bunny.obj"); });
     CHECK(contains(message, "the silhouette slots of bunny.obj"));
     CHECK(contains(message, "maxMemoryAllocationSize of 2.0 MiB"));
