@@ -22,7 +22,10 @@ public:
 
     // A statement names one library whose name may hold spaces, or several.
     void read_named(const NamedLine& statement) {
-        if (statement.text.empty()) return;
+        if (statement.text.empty()) {
+            libraries_.is_complete = false;
+            return;
+        }
         const auto whole = path_of(statement.text);
         std::error_code ignored;
         if (statement.text.find_first_of(" \t") == std::string::npos ||

@@ -29,7 +29,7 @@ struct MaterialLibraries {
     /// The color of each material in linear light, or nothing if its library names none. If a name occurs
     /// twice, the first counts.
     std::map<std::string, std::optional<glm::vec3>, std::less<>> colors;
-    bool is_complete = true;  ///< Every library could be read.
+    bool is_complete = true;  ///< Every statement names a library, and all could be read.
 
     /// The entry of a material as `usemtl` names it, or null. A '#' in the name may begin a comment.
     const std::optional<glm::vec3>* find(std::string_view name) const;
