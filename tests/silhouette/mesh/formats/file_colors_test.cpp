@@ -1,6 +1,8 @@
 // Colors of files: of materials and of vertices, in every format that has them.
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
@@ -133,13 +135,17 @@ TEST_CASE(
         CHECK(source.materials == FaceMaterials{});
         return source.warnings;
     };
-    for (const std::string name : {"gone.mtl", ".", "..", "../secret.mtl", "/dev/zero",
-                                   "C:\\secret.mtl", "x/../../secret.mtl"}) {
+    for (const std::string name :
+         {std::string("gone.mtl"), std::string("."), std::string(".."),
+          std::string("../secret.mtl"), std::string("/dev/zero"),
+          (folder.path() / "secret.mtl").string(), std::string("C:\\secret.mtl"),
+          std::string("x/../../secret.mtl")}) {
         CAPTURE(name);
         const std::vector<std::string> given = warnings(name);
         REQUIRE(given.size() == 1);
         CHECK(given[0].starts_with((folder.path() / "inner/a.obj").string() + ":5: "));
-        CHECK(has(given[0], name == "." ? "directory" : name));
+        // Long names are shortened.
+        CHECK(has(given[0], name == "." ? "directory" : name.substr(0, 40)));
     }
     CHECK(warnings("gone.mtl lost.mtl").size() == 2);
     CHECK(warnings("gone.mtl ./gone.mtl gone.mtl").size() == 1);
@@ -340,4 +346,48 @@ TEST_CASE("faces keep their colors when vertices are welded and faces are divide
     REQUIRE(are_materials_of(fine.materials, fine.triangles.size()));
     for (std::size_t f = 0; f < fine.triangles.size(); ++f)
         CHECK(fine.materials.of_face[f] == source.materials.of_face[f / 16]);
+}
+
+TEST_CASE("damaged colors are an error, or those of the file, and damaged libraries are warnings") {
+    const std::string obj =
+        "mtllib colors.mtl\nv 0 0 0 1 0 0\nv 1 0 0 .5 1 0\nv 1 1 0\nusemtl red\nf 1 2 3\n";
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float z\n"
+        "property float red\nproperty uchar green\nproperty int blue\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n0 0 0 1 2 3\n1 0 0 .5 6 7\n1 1 0 -9 "
+        "200 1\n3 0 1 2\n";
+    const std::string document =
+        strips({R"(, "COLOR_0": 1}})", R"(, "COLOR_0": 2}, "material": 0})"},
+               R"([{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 1, 1]}}])");
+    const std::uint32_t seed = 3;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const ScratchFolder folder;
+    const auto check = [&](const std::string& name, const std::string& bytes) {
+        try {
+            CHECK(is_sound(
+                read_mesh_file(folder.write(name, bytes), FaceRequirement::faces_or_points)));
+        } catch (const Error& e) {
+            CHECK(has(e.what(), name + ":"));
+        }
+    };
+    const auto for_each_damage = [&](const std::string& bytes, auto&& visit) {
+        for (std::size_t size = 0; size < bytes.size(); ++size) visit(bytes.substr(0, size));
+        for (int i = 0; i < 2000; ++i) {
+            std::string damaged = bytes;
+            damaged[random() % damaged.size()] = random() % 2
+                                                     ? static_cast<char>(random())
+                                                     : "0123456789-.,[]{}\" \nN"[random() % 21];
+            visit(damaged);
+        }
+    };
+    folder.write("colors.mtl", k_library);
+    for_each_damage(obj, [&](const std::string& bytes) { check("a.obj", bytes); });
+    for_each_damage(ply, [&](const std::string& bytes) { check("a.ply", bytes); });
+    for_each_damage(document, [&](const std::string& bytes) { check("a.gltf", bytes); });
+    for_each_damage(k_library, [&](const std::string& bytes) {
+        folder.write("colors.mtl", bytes);
+        CHECK(is_sound(read_mesh_file(folder.write("a.obj", obj))));
+    });
 }
