@@ -135,7 +135,7 @@ TEST_CASE(
         CHECK(source.materials == FaceMaterials{});
         return source.warnings;
     };
-    for (const std::string name :
+    for (const std::string& name :
          {std::string("gone.mtl"), std::string("."), std::string(".."),
           std::string("../secret.mtl"), std::string("/dev/zero"),
           (folder.path() / "secret.mtl").string(), std::string("C:\\secret.mtl"),
@@ -366,8 +366,9 @@ TEST_CASE("damaged colors are an error, or those of the file, and damaged librar
     const ScratchFolder folder;
     const auto check = [&](const std::string& name, const std::string& bytes) {
         try {
-            CHECK(is_sound(
-                read_mesh_file(folder.write(name, bytes), FaceRequirement::faces_or_points)));
+            const MeshSource source =
+                read_mesh_file(folder.write(name, bytes), FaceRequirement::faces_or_points);
+            CHECK(is_sound(source));
         } catch (const Error& e) {
             CHECK(has(e.what(), name + ":"));
         }
