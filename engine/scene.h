@@ -24,7 +24,11 @@ struct PictureLines;
 
 /// The colors of an instance, in linear light.
 struct Material {
+    /// Of its surfaces.
     glm::vec3 color{1.0f};
+    /// Whether faces have the colors of the mesh (silhouette/mesh/face_materials.h) instead of `color`, where
+    /// the mesh has some. Only in styles that show colors: ink, toon and hatch.
+    bool shows_mesh_colors = true;
     /// Color of its lines, and of the strokes that shade it in Style::hatch; default: the palette's ink.
     /// Each further color of lines in a scene costs one draw over the whole picture.
     std::optional<glm::vec3> line_color;

@@ -92,6 +92,7 @@ struct SlotArguments {
 
 #ifndef __cplusplus
 const uint k_no_face = 0xffffffffu;
+const uint k_no_material = 0xffffffffu;
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Positions {
     vec3 at[];
@@ -116,6 +117,10 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Fac
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceList {
     uint at[];
 };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer MaterialList {
+    uint at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colors { vec3 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LineList {
     LineEnds at[];
 };
@@ -172,6 +177,11 @@ struct InstanceData {
     RIMLINE_ADDRESS(Planes) planes;                    // For line paths without slots, else 0.
     RIMLINE_ADDRESS(FacePairRecords) irregular_pairs;  // For line paths without slots, else 0.
     RIMLINE_ADDRESS(LineSegments) segments;  // Of lines whose visibility is known, else 0.
+    // For surfaces in the colors of their mesh, else 0.
+    RIMLINE_ADDRESS(Colors) materials;  // Base colors.
+    RIMLINE_ADDRESS(MaterialList)
+    face_materials;                         // Index in `materials` of each face, or k_no_material.
+    RIMLINE_ADDRESS(Colors) corner_colors;  // If has_corner_colors is 1.
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
     vec4 viewpoint;        // The camera's silhouette point, homogeneous.
@@ -180,7 +190,7 @@ struct InstanceData {
     vec3 ink;           // Color of its strokes.
     float fade_radius;  // If > 0, the surface fades into the background at this distance from ...
     vec3 fade_center;   // ... this point.
-    uint padding;
+    uint has_corner_colors;
 };
 
 // One per pair of instance and light.
@@ -219,7 +229,7 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 25);
-static_assert(sizeof(InstanceData) == 11 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
+static_assert(sizeof(InstanceData) == 14 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 4);
 }  // namespace rimline::gpu

@@ -3,15 +3,24 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace rimline::tools {
 
-void print_error(std::string message) {
+namespace {
+
+void print_message(const char* kind, std::string message) {
     while (!message.empty() && message.back() == '\n') message.pop_back();
     std::replace(message.begin(), message.end(), '\n', ' ');
     std::fflush(stdout);
-    std::fprintf(stderr, "rimline: error: %s\n", message.c_str());
+    std::fprintf(stderr, "rimline: %s: %s\n", kind, message.c_str());
 }
+
+}  // namespace
+
+void print_error(std::string message) { print_message("error", std::move(message)); }
+
+void print_warning(std::string message) { print_message("warning", std::move(message)); }
 
 ExitStatus report_check(const std::string& failure) {
     if (failure.empty()) return ExitStatus::success;

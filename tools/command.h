@@ -56,6 +56,8 @@ public:
 
 /// Flushes standard output, then writes `message` to standard error as one line; line breaks become spaces.
 void print_error(std::string message);
+/// The same for a warning.
+void print_warning(std::string message);
 /// Prints `failure`, of a --verify or --check, and returns check_failed. Returns success where it is empty.
 ExitStatus report_check(const std::string& failure);
 

@@ -92,6 +92,7 @@ private:
                             .has_lines = has_lines(scene_, instance),
                             .segment_count = {},
                             .fades = instance.fade_radius > 0.0,
+                            .has_mesh_colors = has_mesh_colors(scene_, instance),
                             .ink = 0,
                             .silhouette = {},
                             .every_edge = {},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/frame/drawn_rect.h"
+#include "engine/frame/scene_data.h"
 
 namespace rimline {
 
@@ -55,12 +56,15 @@ void FramePasses::make_targets(VkExtent2D size) {
 
 void FramePasses::prepare(const Scene& scene, VkFormat format) {
     composite_pass_.prepare(context_, {format, targets_->scale()});
-    surface_pass_.prepare(context_, scene.style);
+    for (const SceneInstance& instance : scene.instances)
+        surface_pass_.prepare(context_, {scene.style, has_mesh_colors(scene, instance)});
 }
 
 bool FramePasses::is_prepared(const Scene& scene, VkFormat format) const {
     return composite_pass_.is_prepared({format, targets_->scale()}) &&
-           surface_pass_.is_prepared(scene.style);
+           std::ranges::all_of(scene.instances, [&](const SceneInstance& instance) {
+               return surface_pass_.is_prepared({scene.style, has_mesh_colors(scene, instance)});
+           });
 }
 
 void FramePasses::record(Commands commands, Commands picture, const FrameView& view,

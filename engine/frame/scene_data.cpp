@@ -83,6 +83,13 @@ const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance) {
     return instance.material.line_color ? *instance.material.line_color : scene.palette.ink;
 }
 
+bool has_mesh_colors(const Scene& scene, const SceneInstance& instance) {
+    const bool style_shows_colors =
+        scene.style == Style::ink || scene.style == Style::toon || scene.style == Style::hatch;
+    return style_shows_colors && instance.material.shows_mesh_colors &&
+           !instance.mesh().materials().empty();
+}
+
 std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh) {
     if (scene.crease_angle_deg <= 0.0f) return 0;
     return mesh.crease_count(creases_of(scene), glm::radians(scene.crease_angle_deg));
@@ -119,6 +126,9 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
     // float.
     const HomogeneousPoint eye =
         HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, view.scene.camera.eye)));
+    // Otherwise null, and the shaders do not read them.
+    const GpuMaterials* colors =
+        has_mesh_colors(view.scene, instance) ? &*mesh.materials() : nullptr;
     return {.positions = mesh.positions(),
             .triangles = mesh.triangles(),
             .corner_normals = mesh.corner_normals(),
@@ -130,6 +140,9 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .planes = mesh.comparator() ? mesh.comparator()->planes() : 0,
             .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
             .segments = 0,
+            .materials = colors ? colors->base_colors() : 0,
+            .face_materials = colors ? colors->of_face() : 0,
+            .corner_colors = colors ? colors->corner_colors() : 0,
             .eye_from_object = glm::mat3(view.eye_from_world * instance.rotation),
             .camera = eye.xyz(),
             .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},
@@ -138,7 +151,7 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .ink = line_color(view.scene, instance),
             .fade_radius = float(instance.fade_radius),
             .fade_center = glm::vec3(point_in_object(instance, instance.fade_center)),
-            .padding = 0};
+            .has_corner_colors = colors && colors->has_corner_colors() ? 1u : 0u};
 }
 
 }  // namespace rimline

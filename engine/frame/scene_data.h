@@ -19,6 +19,9 @@ namespace rimline {
 /// The color of an instance's lines and strokes.
 const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance);
 
+/// Whether the surfaces of an instance are drawn in the colors of its mesh.
+bool has_mesh_colors(const Scene& scene, const SceneInstance& instance);
+
 /// Limit of LightData.extrusion for a point light. A light's volumes in an orthographic view reach behind
 /// everything in the scene, and no farther than needed: a longer volume lowers the precision of its sides'
 /// depth.

@@ -49,10 +49,11 @@ struct DrawnInstance {
     /// Set: its lines are these segments, instead of its silhouette, borders and creases.
     std::optional<std::uint32_t> segment_count;
     bool fades = false;
-    bool shows_backs = true;   ///< False: back faces are hidden behind front faces.
-    std::size_t ink = 0;       ///< Index in DrawList::inks: the color of its lines.
-    IndirectDraw silhouette;   ///< Draws its slots; only if has_lines and the path draws slots.
-    EveryEdgeDraw every_edge;  ///< Only if has_lines and the path draws no slots.
+    bool has_mesh_colors = false;  ///< Of surfaces: InstanceData.materials.
+    bool shows_backs = true;       ///< False: back faces are hidden behind front faces.
+    std::size_t ink = 0;           ///< Index in DrawList::inks: the color of its lines.
+    IndirectDraw silhouette;       ///< Draws its slots; only if has_lines and the path draws slots.
+    EveryEdgeDraw every_edge;      ///< Only if has_lines and the path draws no slots.
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
 };
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "surface_colored_frag.h"
+#include "surface_colored_vert.h"
 #include "surface_frag.h"
 #include "surface_unlit_vert.h"
 #include "surface_vert.h"
@@ -28,16 +30,19 @@ SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout dra
       layout_(
           make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages, {draw_data})) {}
 
-void SurfacePass::prepare(const DeviceContext& context, Style style) {
-    const auto number = static_cast<std::uint32_t>(style);
-    if (pipelines_.contains(number)) return;
-    const auto make = [&](bool has_shade, bool has_light, bool fades,
-                          SpirvCode vertex = surface_vert) {
+void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind) {
+    if (pipelines_.contains(kind)) return;
+    const auto number = static_cast<std::uint32_t>(kind.style);
+    const SpirvCode corners =
+        kind.has_mesh_colors ? SpirvCode(surface_colored_vert) : SpirvCode(surface_vert);
+    const SpirvCode shading =
+        kind.has_mesh_colors ? SpirvCode(surface_colored_frag) : SpirvCode(surface_frag);
+    const auto make = [&](bool has_shade, bool has_light, bool fades, SpirvCode vertex) {
         const std::array<std::uint32_t, 4> constants{number, has_shade, has_light, fades};
         return make_graphics_pipeline(
             context, {.vertex = vertex,
                       .geometry = {},
-                      .fragment = surface_frag,
+                      .fragment = shading,
                       .fragment_constants = constants,
                       .formats = formats_,
                       .blend = has_shade ? Blend::replace : Blend::add,
@@ -48,20 +53,31 @@ void SurfacePass::prepare(const DeviceContext& context, Style style) {
                       .layout = layout_});
     };
     const auto make_by_vertices = [&](bool fades) {
-        return style == Style::hatch ? OwnedPipeline()
-                                     : make(true, false, fades, surface_unlit_vert);
+        return kind.style == Style::hatch || kind.has_mesh_colors
+                   ? OwnedPipeline()
+                   : make(true, false, fades, surface_unlit_vert);
+    };
+    const auto make_by_corners = [&](bool has_shade, bool has_light, bool fades) {
+        return make(has_shade, has_light, fades, corners);
     };
     pipelines_.emplace(
-        number, Pipelines{.unlit = {make(true, false, false), make(true, false, true)},
-                          .lit = {make(false, true, false), make(false, true, true)},
-                          .shadowless = {make(true, true, false), make(true, true, true)},
-                          .unlit_by_vertices = {make_by_vertices(false), make_by_vertices(true)}});
+        kind,
+        Pipelines{
+            .unlit = {make_by_corners(true, false, false), make_by_corners(true, false, true)},
+            .lit = {make_by_corners(false, true, false), make_by_corners(false, true, true)},
+            .shadowless = {make_by_corners(true, true, false), make_by_corners(true, true, true)},
+            .unlit_by_vertices = {make_by_vertices(false), make_by_vertices(true)}});
 }
 
-void SurfacePass::record(Commands commands, const DrawList& list,
-                         const OwnedPipeline (&pipelines)[2], std::size_t light) const {
+const SurfacePass::Pipelines& SurfacePass::pipelines_of(const DrawList& list,
+                                                        const DrawnInstance& instance) const {
+    return pipelines_.at({static_cast<Style>(list.style), instance.has_mesh_colors});
+}
+
+void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines pipelines,
+                         std::size_t light) const {
     for (const DrawnInstance& instance : list.instances) {
-        bind(commands, pipelines[instance.fades], instance);
+        bind(commands, (pipelines_of(list, instance).*pipelines)[instance.fades], instance);
         const DrawnLight& drawn = instance.lights[light];
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 2);
         commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
@@ -69,8 +85,8 @@ void SurfacePass::record(Commands commands, const DrawList& list,
 }
 
 void SurfacePass::record_unlit(Commands commands, const DrawList& list) const {
-    const Pipelines& pipelines = pipelines_.at(list.style);
     for (const DrawnInstance& instance : list.instances) {
+        const Pipelines& pipelines = pipelines_of(list, instance);
         const VkPipeline by_vertices = pipelines.unlit_by_vertices[instance.fades];
         const bool indexed = by_vertices != VK_NULL_HANDLE && can_draw_by_vertices(instance);
         bind(commands, indexed ? by_vertices : VkPipeline(pipelines.unlit[instance.fades]),
@@ -86,11 +102,11 @@ void SurfacePass::record_unlit(Commands commands, const DrawList& list) const {
 }
 
 void SurfacePass::record_lit(Commands commands, const DrawList& list, std::size_t light) const {
-    record(commands, list, pipelines_.at(list.style).lit, light);
+    record(commands, list, &Pipelines::lit, light);
 }
 
 void SurfacePass::record_shadowless(Commands commands, const DrawList& list) const {
-    record(commands, list, pipelines_.at(list.style).shadowless, 0);
+    record(commands, list, &Pipelines::shadowless, 0);
 }
 
 }  // namespace rimline

@@ -3,7 +3,7 @@
 // Depth and shading. First the color of every surface in shadow, with depth; then, for each light, the light
 // it adds where the stencil is zero. Both in one draw if there is one light without shadows.
 //
-// Each style has its own pipelines. With a common one that branches on the style in the fragment stage,
+// Each style has its own pipelines, for surfaces in one color and for surfaces in the colors of their mesh. With a common one that branches on the style in the fragment stage,
 // lavapipe computed the strokes of hatch for every pixel and discarded them: two thirds of a frame's time.
 
 #include <map>
@@ -15,17 +15,23 @@
 
 namespace rimline {
 
+/// Surfaces that the same pipelines draw.
+struct SurfaceKind {
+    Style style;
+    bool has_mesh_colors;
+    auto operator<=>(const SurfaceKind&) const = default;
+};
+
 class SurfacePass {
 public:
     SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                 const AttachmentFormats& formats);
 
-    /// Makes the pipelines of `style`, if there are none yet. Needed before a list of that style is recorded.
-    void prepare(const DeviceContext& context, Style style);
+    /// Makes the pipelines of `kind`, if there are none yet. Needed before a list with an instance of that
+    /// kind is recorded.
+    void prepare(const DeviceContext& context, const SurfaceKind& kind);
 
-    bool is_prepared(Style style) const {
-        return pipelines_.contains(static_cast<std::uint32_t>(style));
-    }
+    bool is_prepared(const SurfaceKind& kind) const { return pipelines_.contains(kind); }
 
     /// Writes color and depth. Inside a rendering scope with cleared attachments.
     void record_unlit(Commands commands, const DrawList& list) const;
@@ -35,18 +41,21 @@ public:
     void record_lit(Commands commands, const DrawList& list, std::size_t light) const;
 
 private:
-    // Of one style. Index 1 is for instances that fade.
+    // Of one kind. Index 1 is for instances that fade.
     struct Pipelines {
         OwnedPipeline unlit[2], lit[2], shadowless[2];
-        OwnedPipeline unlit_by_vertices[2];  // Null if the style shades with strokes.
+        // Null if the style shades with strokes, or if corners have colors.
+        OwnedPipeline unlit_by_vertices[2];
     };
+    using LightPipelines = OwnedPipeline (Pipelines::*)[2];
 
-    void record(Commands commands, const DrawList& list, const OwnedPipeline (&pipelines)[2],
+    void record(Commands commands, const DrawList& list, LightPipelines pipelines,
                 std::size_t light) const;
+    const Pipelines& pipelines_of(const DrawList& list, const DrawnInstance& instance) const;
 
     AttachmentFormats formats_;
     OwnedPipelineLayout layout_;
-    std::map<std::uint32_t, Pipelines> pipelines_;
+    std::map<SurfaceKind, Pipelines> pipelines_;
 };
 
 }  // namespace rimline

@@ -15,8 +15,22 @@ namespace {
 constexpr float k_min_clear_rad = 30.0f * std::numbers::pi_v<float> / 180.0f;
 
 static_assert(sizeof(Triangle) == sizeof(gpu::TriangleRecord));
+// As the buffer of base colors.
+static_assert(sizeof(SurfaceMaterial) == sizeof(gpu::vec3));
 
 }  // namespace
+
+GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
+    : base_colors_(batch.add(std::span<const SurfaceMaterial>(materials.materials), "base colors")),
+      of_face_(batch.add(std::span<const MaterialId>(materials.of_face), "materials of faces")) {
+    if (!materials.corner_colors.empty())
+        corner_colors_ =
+            batch.add(std::span<const glm::vec3>(materials.corner_colors), "corner colors");
+}
+
+std::uint64_t GpuMaterials::size_bytes() const noexcept {
+    return base_colors_.size() + of_face_.size() + corner_colors_.size();
+}
 
 GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, LinePath line_path)
     : vertex_count_(mesh.vertex_count()),
@@ -49,11 +63,13 @@ GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, L
     const std::span<const Crease> sharp(creases.data(),
                                         crease_count(Creases::all, k_min_clear_rad));
     clear_creases_ = add_creases(clear_creases(mesh, sharp), clear_bends_rad_);
+    if (!mesh.materials().empty()) materials_.emplace(batch, mesh.materials());
     if (!draws_slots(line_path)) comparator_.emplace(batch, mesh);
 }
 
 std::uint64_t GpuMesh::size_bytes() const noexcept {
     std::uint64_t size = comparator_ ? comparator_->size_bytes() : 0;
+    if (materials_) size += materials_->size_bytes();
     for (const Buffer* buffer : {&positions_, &triangles_, &corner_normals_, &edges_, &loose_edges_,
                                  &creases_, &clear_creases_})
         size += buffer->size();

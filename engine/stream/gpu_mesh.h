@@ -1,7 +1,7 @@
 #pragma once
 
 // The data of a mesh on the GPU that does not depend on a silhouette: positions, triangles, normals for
-// shading, and edge records (shaders/layout.h).
+// shading, colors of faces, and edge records (shaders/layout.h).
 
 #include <optional>
 #include <vector>
@@ -16,6 +16,22 @@ namespace rimline {
 
 /// The least bend of a crease, 10 degrees. With a smaller one every edge of a smooth mesh would be a crease.
 constexpr float k_min_crease_rad = 0.17f;
+
+/// The colors of a mesh that has some (silhouette/mesh/face_materials.h).
+class GpuMaterials {
+public:
+    GpuMaterials(UploadBatch& batch, const FaceMaterials& materials);
+
+    std::uint64_t size_bytes() const noexcept;
+    VkDeviceAddress base_colors() const noexcept { return base_colors_.address(); }
+    VkDeviceAddress of_face() const noexcept { return of_face_.address(); }
+    bool has_corner_colors() const noexcept { return corner_colors_.size() > 0; }
+    /// 0 without corner colors.
+    VkDeviceAddress corner_colors() const noexcept { return corner_colors_.address(); }
+
+private:
+    Buffer base_colors_, of_face_, corner_colors_;
+};
 
 class GpuMesh {
 public:
@@ -56,6 +72,8 @@ public:
     VkDeviceAddress creases(Creases which) const noexcept {
         return which == Creases::all ? creases_.address() : clear_creases_.address();
     }
+    /// Empty if no face has a color.
+    const std::optional<GpuMaterials>& materials() const noexcept { return materials_; }
     /// Empty if the line path draws slots.
     const std::optional<LineComparatorMesh>& comparator() const noexcept { return comparator_; }
 
@@ -73,6 +91,7 @@ private:
     Buffer loose_edges_;
     Buffer creases_, clear_creases_;
     std::vector<float> crease_bends_rad_, clear_bends_rad_;  // Descending.
+    std::optional<GpuMaterials> materials_;
     std::optional<LineComparatorMesh> comparator_;
 };
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "silhouette/error.h"
+#include "silhouette/mesh/face_materials.h"
 #include "silhouette/mesh/ids.h"
 #include "silhouette/mesh/mesh_source.h"
 #include "silhouette/mesh/plane.h"
@@ -53,7 +54,8 @@ enum class Welding : std::uint8_t {
 class Mesh {
 public:
     /// Throws Error{too_large} for more than 2^30 triangles, and Error{cancelled}. A source without
-    /// triangles gives an empty mesh. Indices must be in range, and coordinates as MeshSource requires.
+    /// triangles gives an empty mesh. Indices must be in range, and coordinates and materials as MeshSource
+    /// requires.
     explicit Mesh(const MeshSource& source, Welding welding = Welding::equal_positions,
                   const LongCall& call = {});
 
@@ -102,6 +104,8 @@ public:
     /// Whether no edge is inconsistent.
     bool is_oriented() const noexcept;
     UpAxis up() const noexcept { return up_; }
+    /// The source's: faces keep their materials.
+    const FaceMaterials& materials() const noexcept { return materials_; }
 
     /// Bounds of the used vertices. All zero for an empty mesh.
     const Bounds& bounds() const noexcept { return bounds_; }
@@ -135,6 +139,7 @@ private:
     bool closed_ = false;
     Welding welding_;
     UpAxis up_;
+    FaceMaterials materials_;
     Bounds bounds_{};
     double radius_ = 0.0;
 };

@@ -5,7 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
+
+#include "silhouette/mesh/face_materials.h"
 
 namespace rimline {
 
@@ -25,6 +28,11 @@ struct MeshSource {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     /// The up axis of the file format.
     UpAxis up = UpAxis::y;
+    /// Of the faces in `triangles`. Empty if the file gives no face a color.
+    FaceMaterials materials = {};
+    /// What the reader could not use, one sentence each, with the file and the place. It concerns colors
+    /// only: a fault of positions or faces is an Error.
+    std::vector<std::string> warnings = {};
 };
 
 }  // namespace rimline

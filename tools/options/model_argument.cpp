@@ -6,6 +6,7 @@
 #include <new>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
@@ -80,16 +81,21 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
         source = read_mesh_file(model, requirement, begin("reading " + model));
     if (subdivide > 0 && !source.triangles.empty()) {
         const LongCall call = begin("subdividing " + model);
-        source = about_model(model, [&] { return subdivide_loop(source, subdivide, call); });
+        MeshSource refined =
+            about_model(model, [&] { return subdivide_loop(source, subdivide, call); });
+        refined.warnings = std::move(source.warnings);
+        source = std::move(refined);
     }
     return source;
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context) {
-    return follow_progress(context, [&](const BeginCall& begin) {
+    MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
         return load_model(model, subdivide, requirement, begin);
     });
+    for (const std::string& warning : source.warnings) print_warning(warning);
+    return source;
 }
 
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context) {

@@ -25,11 +25,11 @@ bool is_built_in_shape(const std::string& model);
 /// shape. Does not check whether a file exists.
 void check_model_name(const std::string& text);
 
-/// Reads a file or makes a built-in shape, and shows progress. Throws Error.
+/// Reads a file or makes a built-in shape, shows progress, and prints the warnings. Throws Error.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context);
 
-/// The same with progress of another kind: `begin` is called before each part of the work.
+/// The same with progress of another kind: `begin` is called before each part of the work. Prints no warnings.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const BeginCall& begin);
 

@@ -1,28 +1,12 @@
 #include "tools/options/picture_scene.h"
 
-#include <cmath>
-
 #include "tools/command.h"
 
 namespace rimline::tools {
 
-glm::vec3 linear_from_srgb(const glm::vec3& srgb) {
-    const auto linear = [](float c) {
-        return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-    };
-    return {linear(srgb.x), linear(srgb.y), linear(srgb.z)};
-}
-
 glm::vec3 linear_from_srgb(const Color& color) {
     return linear_from_srgb(glm::vec3(float(color.red) / 255.0f, float(color.green) / 255.0f,
                                       float(color.blue) / 255.0f));
-}
-
-glm::vec3 srgb_from_linear(const glm::vec3& linear) {
-    const auto encoded = [](float c) {
-        return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
-    };
-    return {encoded(linear.x), encoded(linear.y), encoded(linear.z)};
 }
 
 glm::dvec3 up_of(const Subject& subject, const PictureOptions& options) {

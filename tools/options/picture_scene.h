@@ -8,6 +8,7 @@
 #include "engine/scene.h"
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/srgb.h"
 #include "tools/options/default_view.h"
 #include "tools/options/picture_options.h"
 
@@ -17,10 +18,8 @@ namespace rimline::tools {
 constexpr double k_ground_fade = 7.0;
 constexpr double k_ground_end = 8.0;
 
+using rimline::linear_from_srgb;
 glm::vec3 linear_from_srgb(const Color& color);
-/// Channels are in [0, 1].
-glm::vec3 linear_from_srgb(const glm::vec3& srgb);
-glm::vec3 srgb_from_linear(const glm::vec3& linear);
 
 /// --up, or the up axis of the file format.
 glm::dvec3 up_of(const Subject& subject, const PictureOptions& options);

@@ -21,7 +21,14 @@ void SceneOptions::add_to(CLI::App& app) {
         ->check(CLI::IsMember({"ink", "toon", "blueprint", "hatch", "mask"}))
         ->capture_default_str()
         ->group(k_group);
-    add_color(app, "--color", color, "Color of surfaces (default: the style's own)")
+    add_color(
+        app, "--color", color,
+        "Color of surfaces (default: in ink, toon and hatch that of the model's file; where it "
+        "has none, the style's own)")
+        ->group(k_group);
+    app.add_option("--materials", materials, "Use the colors of the model's file")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str()
         ->group(k_group);
     add_color(app, "--line-color", line_color, "Color of lines (default: the style's own)")
         ->group(k_group);
@@ -88,7 +95,8 @@ glm::vec3 SceneOptions::background(const PictureOptions& picture) const {
 
 Material SceneOptions::material(const PictureOptions& picture) const {
     Material material{.color = color ? linear_from_srgb(*color)
-                                     : default_surface_color(style_value(), background(picture))};
+                                     : default_surface_color(style_value(), background(picture)),
+                      .shows_mesh_colors = shows_mesh_colors()};
     if (line_color) material.line_color = linear_from_srgb(*line_color);
     return material;
 }

@@ -21,6 +21,7 @@ struct SceneOptions {
     // Values that are not set are the style's own.
     std::optional<Color> color;  ///< Of surfaces.
     std::optional<Color> line_color;
+    std::string materials = "on";
     std::string lines = "on";
     std::optional<double> line_width;  ///< In pixels.
     std::optional<double> crease_degrees;
@@ -38,6 +39,8 @@ struct SceneOptions {
     /// computed for `mesh`.
     Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
     LineStyle line_style() const;
+    /// Whether surfaces have the colors of the model's file, if it has some.
+    bool shows_mesh_colors() const { return materials == "on" && !color; }
     /// The material of the model.
     Material material(const PictureOptions& picture) const;
 

@@ -7,6 +7,7 @@ set(rimline_silhouette_headers
     silhouette/picture.h
     silhouette/mesh/brute_force.h
     silhouette/mesh/face_bits.h
+    silhouette/mesh/face_materials.h
     silhouette/mesh/homogeneous_point.h
     silhouette/mesh/ids.h
     silhouette/mesh/mesh.h

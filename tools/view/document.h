@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tools/view/cloud_document.h"
 #include "tools/view/model_document.h"
@@ -24,6 +25,7 @@ public:
 
     /// Not for an empty document.
     const std::string& name() const noexcept { return content().name(); }
+    const std::vector<std::string>& warnings() const noexcept { return content().warnings(); }
     Subject subject() const { return content().subject(); }
 
 private:

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/view_defaults.h"
 #include "tools/options/model_argument.h"
@@ -19,11 +20,14 @@ public:
 
     /// The file or shape:NAME[:FACES] that was opened.
     const std::string& name() const noexcept { return name_; }
+    /// Of the file's reader (MeshSource::warnings).
+    const std::vector<std::string>& warnings() const noexcept { return warnings_; }
     /// What a camera is fitted to. It holds a span of positions: the document must outlive it.
     virtual Subject subject() const = 0;
 
 protected:
-    explicit DocumentBase(std::string name) : name_(std::move(name)) {}
+    explicit DocumentBase(std::string name, std::vector<std::string> warnings = {})
+        : name_(std::move(name)), warnings_(std::move(warnings)) {}
 
     /// Returns make(begin(task)). Errors of `make` name the document.
     template <typename Make>
@@ -33,6 +37,7 @@ protected:
 
 private:
     std::string name_;
+    std::vector<std::string> warnings_;
 };
 
 }  // namespace rimline::tools

@@ -29,7 +29,7 @@ ModelDocument::ModelDocument(std::string name, std::uint32_t subdivide, const Be
     : ModelDocument(name, load_model(name, subdivide, FaceRequirement::faces, begin), begin) {}
 
 ModelDocument::ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin)
-    : DocumentBase(std::move(name)),
+    : DocumentBase(std::move(name), source.warnings),
       mesh_(make_part(
           begin, "joining the faces",
           [&](const LongCall& call) { return Mesh(source, Welding::equal_positions, call); })),

@@ -103,6 +103,7 @@ private:
         argument.subdivide = model_.subdivide;
         Document document = follow_progress(
             context, [&](const BeginCall& begin) { return open_document(argument, begin); });
+        for (const std::string& warning : document.warnings()) print_warning(warning);
         if (document.cloud() != nullptr)
             show_cloud(session, std::move(document));
         else
@@ -145,6 +146,7 @@ private:
         session.appearance.background = scene.palette.background;
         if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
         if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
+        session.appearance.materials = scene_.materials == "on";
         session.appearance.lines = scene.lines;
         session.appearance.line_width_px = scene.line_width_px;
         session.appearance.hidden = scene_.hidden;

@@ -79,6 +79,13 @@ bool ViewLoop::show_loaded() {
     frames_of_document_ = 0;
     fit();
     window_.set_title("Rimline - " + session_.document().name());
+    const std::vector<std::string>& warnings = session_.document().warnings();
+    if (!warnings.empty())
+        panel_.show_message(
+            warnings.size() == 1
+                ? warnings[0]
+                : warnings[0] + " (and " + std::to_string(warnings.size() - 1) + " more warnings)",
+            false);
     return true;
 }
 

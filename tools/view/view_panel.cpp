@@ -190,6 +190,14 @@ void ViewPanel::draw_colors(ViewSession& session) {
     const glm::vec3 ink = default_palette(appearance.style, appearance.background).ink;
     if (const auto color = chosen_color("ink", appearance.line_color.value_or(ink)))
         appearance.line_color = color;
+    const ModelDocument* const model = session.document().model();
+    if (!model || model->mesh().materials().empty()) return;
+    // A color of surfaces that the user has chosen hides those of the file.
+    bool shows_file_colors = appearance.materials && !appearance.color;
+    if (ImGui::Checkbox("colors of the file", &shows_file_colors)) {
+        appearance.materials = shows_file_colors;
+        if (shows_file_colors) appearance.color.reset();
+    }
 }
 
 void ViewPanel::draw_lights(ViewSession& session) {

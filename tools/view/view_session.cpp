@@ -151,6 +151,7 @@ Scene ViewSession::scene() const {
          .name = model.name(),
          .material = {.color = appearance.color.value_or(
                           default_surface_color(appearance.style, appearance.background)),
+                      .shows_mesh_colors = appearance.materials && !appearance.color,
                       .line_color = appearance.line_color},
          .is_solid = model.is_solid()});
     if (appearance.ground)

@@ -28,6 +28,7 @@ struct ViewAppearance {
     glm::vec3 background{1.0f};  ///< Linear, as the two colors below.
     /// Of surfaces and of lines. Not set: the style's own.
     std::optional<glm::vec3> color, line_color;
+    bool materials = true;  ///< Surfaces have the colors of the model's file unless `color` is set.
     bool lines = true;
     float line_width_px = 2.5f;
     bool hidden = false;  ///< Draws hidden lines too, dashed.

@@ -14,6 +14,7 @@
 #include <map>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
+#include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/gltf_accessor.h"
 #include "silhouette/mesh/formats/gltf_buffers.h"
 #include "silhouette/mesh/formats/gltf_scene.h"
@@ -82,18 +83,31 @@ glm::dmat4 local_transform(const std::string& file, const tinygltf::Node& node,
 
 class Flattener {
 public:
-    Flattener(const SourceFile& file, const tinygltf::Model& model, const GltfBuffers& buffers,
-              BadPoints bad, const LongCall& call)
+    Flattener(const SourceFile& file, const tinygltf::Model& model, const GltfScene& scene,
+              const GltfBuffers& buffers, BadPoints bad, const LongCall& call)
         : file_(file.name),
+          base_colors_(scene.base_colors),
           model_(model),
           bad_(bad),
           call_(call),
           accessors_(file_, model, buffers, file.bytes.size() + buffers.bytes_read()) {}
 
     MeshSource run() {
+        for (const std::optional<glm::vec3>& color : base_colors_)
+            source_.materials.materials.push_back({color.value_or(glm::vec3(1.0f))});
+        visit_all();
+        if (!vertex_colors_.empty()) {
+            vertex_colors_.resize(source_.positions.size(), glm::vec3(1.0f));
+            color_corners(source_, vertex_colors_);
+        }
+        return std::move(source_);
+    }
+
+private:
+    void visit_all() {
         if (model_.nodes.empty()) {
             for (std::size_t i = 0; i < model_.meshes.size(); ++i) add_mesh(i, glm::dmat4(1.0));
-            return std::move(source_);
+            return;
         }
         visited_.assign(model_.nodes.size(), false);
         std::vector<int> roots = root_nodes();
@@ -117,10 +131,8 @@ public:
             }
             push(node.children, transform);
         }
-        return std::move(source_);
     }
 
-private:
     struct Visit {
         int node;
         glm::dmat4 parent;
@@ -216,6 +228,33 @@ private:
         }
         const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
         add_triangles(primitive.mode, corners, first, mirrored);
+        if (primitive.mode >= TINYGLTF_MODE_TRIANGLES)
+            add_colors(primitive, positions.size(), first);
+    }
+
+    // Call it after add_triangles().
+    void add_colors(const tinygltf::Primitive& primitive, std::size_t count, std::uint32_t first) {
+        MaterialId material = k_no_material;
+        if (primitive.material >= 0) {
+            const auto number = static_cast<std::size_t>(primitive.material);
+            if (number >= base_colors_.size())
+                fail("material " + std::to_string(number) + " does not exist");
+            if (base_colors_[number]) material = MaterialId{static_cast<std::uint32_t>(number)};
+        }
+        const auto color = primitive.attributes.find("COLOR_0");
+        if (color != primitive.attributes.end()) {
+            const std::vector<glm::vec3> colors = accessors_.colors(color->second);
+            if (colors.size() != count)
+                fail("COLOR_0 has " + std::to_string(colors.size()) + " colors for " +
+                     std::to_string(count) + " vertices");
+            vertex_colors_.resize(first, glm::vec3(1.0f));
+            vertex_colors_.insert(vertex_colors_.end(), colors.begin(), colors.end());
+            if (material == k_no_material) {
+                if (white_ == k_no_material) white_ = add_white_material(source_.materials);
+                material = white_;
+            }
+        }
+        source_.materials.of_face.resize(source_.triangles.size(), material);
     }
 
     void add_triangles(int mode, const std::vector<std::uint32_t>& corners, std::uint32_t first,
@@ -242,11 +281,14 @@ private:
     }
 
     const std::string& file_;
+    const std::vector<std::optional<glm::vec3>>& base_colors_;
     const tinygltf::Model& model_;
     BadPoints bad_;
     const LongCall& call_;
     GltfAccessors accessors_;
     MeshSource source_;
+    std::vector<glm::vec3> vertex_colors_;  // Of the first positions; white where they end.
+    MaterialId white_ = k_no_material;      // Made for the first primitive that needs it.
     std::vector<bool> visited_;
     std::map<int, std::uint64_t> min_vertices_;  // The vertices that an index accessor requires.
     std::string place_;
@@ -259,7 +301,7 @@ MeshSource read_document(const SourceFile& file, std::string_view json, std::siz
     const GltfBuffers buffers(file, scene.buffers, binary_chunk, call.stop);
     const tinygltf::Model model = parse_model(file, scene);
     parse_checkpoint(call, 0.6);
-    return Flattener(file, model, buffers, bad, call).run();
+    return Flattener(file, model, scene, buffers, bad, call).run();
 }
 
 }  // namespace

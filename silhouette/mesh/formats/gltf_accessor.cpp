@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
+#include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/source_file.h"
 #include "silhouette/mesh/formats/tinygltf.h"
 
@@ -77,14 +78,19 @@ GltfAccessors::Elements GltfAccessors::elements(int accessor, const char* part, 
     return {data.data() + view.byteOffset + offset, stride};
 }
 
-const tinygltf::Accessor& GltfAccessors::accessor_of_type(int accessor, int type,
-                                                          const char* name) const {
+const tinygltf::Accessor& GltfAccessors::checked(int accessor) const {
     if (accessor < 0 || static_cast<std::size_t>(accessor) >= model_.accessors.size())
         fail(accessor, "does not exist");
     const tinygltf::Accessor& a = model_.accessors[static_cast<std::size_t>(accessor)];
-    if (a.type != type) fail(accessor, std::string("should be of type ") + name);
     if (!scalar_type(a.componentType))
         fail(accessor, "componentType " + std::to_string(a.componentType) + " is not glTF's");
+    return a;
+}
+
+const tinygltf::Accessor& GltfAccessors::accessor_of_type(int accessor, int type,
+                                                          const char* name) const {
+    const tinygltf::Accessor& a = checked(accessor);
+    if (a.type != type) fail(accessor, std::string("should be of type ") + name);
     return a;
 }
 
@@ -152,6 +158,19 @@ std::vector<glm::dvec3> GltfAccessors::positions(int accessor) const {
     for (std::size_t i = 0; i < values.size(); i += 3)
         positions.emplace_back(values[i], values[i + 1], values[i + 2]);
     return positions;
+}
+
+std::vector<glm::vec3> GltfAccessors::colors(int accessor) const {
+    const tinygltf::Accessor& a = checked(accessor);
+    if (a.type != TINYGLTF_TYPE_VEC3 && a.type != TINYGLTF_TYPE_VEC4)
+        fail(accessor, "should be of type VEC3 or VEC4, as it holds colors");
+    const std::size_t width = a.type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
+    const std::vector<double> values = numbers(accessor, static_cast<int>(width));
+    std::vector<glm::vec3> colors;
+    colors.reserve(values.size() / width);
+    for (std::size_t i = 0; i < values.size(); i += width)
+        colors.push_back(clamped_color(glm::dvec3(values[i], values[i + 1], values[i + 2])));
+    return colors;
 }
 
 std::vector<std::uint32_t> GltfAccessors::indices(int accessor) const {

@@ -26,10 +26,13 @@ public:
 
     /// Three numbers per element, of any component type, normalized if the accessor says so.
     std::vector<glm::dvec3> positions(int accessor) const;
+    /// The first three of three or four numbers per element, likewise, limited to [0, 1].
+    std::vector<glm::vec3> colors(int accessor) const;
     /// One unsigned integer per element.
     std::vector<std::uint32_t> indices(int accessor) const;
 
 private:
+    const tinygltf::Accessor& checked(int accessor) const;
     const tinygltf::Accessor& accessor_of_type(int accessor, int type, const char* name) const;
     // Elements that lie `stride` bytes apart.
     struct Elements {

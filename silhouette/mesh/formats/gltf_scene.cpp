@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "silhouette/mesh/formats/file_colors.h"
+
 namespace rimline {
 
 namespace {
@@ -113,14 +115,24 @@ json mesh(const Place& place) {
     if (places.empty()) place.fail("has no primitives");
     for (const Place& primitive : places) {
         json copy;
-        copy_integers(primitive.object(), copy, {}, {"mode"});
+        copy_integers(primitive.object(), copy, {}, {"mode", "material"});
         json& attributes = copy["attributes"] = json::object();
-        copy_integers(primitive.at("attributes").object(), attributes, {}, {"POSITION"});
+        copy_integers(primitive.at("attributes").object(), attributes, {}, {"POSITION", "COLOR_0"});
         if (const auto indices = primitive.find("indices"))
             attributes[k_gltf_indices] = indices->integer();
         primitives.push_back(std::move(copy));
     }
     return {{"primitives", std::move(primitives)}};
+}
+
+std::optional<glm::vec3> base_color(const Place& material) {
+    const auto pbr = material.find("pbrMetallicRoughness");
+    if (!pbr) return std::nullopt;
+    const auto factor = pbr->object().find("baseColorFactor");
+    if (!factor) return std::nullopt;
+    const json numbers = factor->numbers(4);
+    return clamped_color(
+        {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()});
 }
 
 json node(const Place& place) {
@@ -214,6 +226,8 @@ GltfScene read_gltf_scene(const std::string& name, std::string_view text, std::s
     for (const Place& place : root.objects("accessors"))
         copy["accessors"].push_back(accessor(place));
     for (const Place& place : root.objects("meshes")) copy["meshes"].push_back(mesh(place));
+    for (const Place& place : root.objects("materials"))
+        scene.base_colors.push_back(base_color(place));
     for (const Place& place : root.objects("nodes")) copy["nodes"].push_back(node(place));
     for (const Place& place : root.objects("scenes")) {
         json nodes = json::array();

@@ -10,6 +10,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +31,8 @@ struct GltfBuffer {
 struct GltfScene {
     std::string document;  ///< The document for tinygltf.
     std::vector<GltfBuffer> buffers;
+    /// baseColorFactor of each material, in linear light, if it names one.
+    std::vector<std::optional<glm::vec3>> base_colors;
 };
 
 /// `json` is the document and `first_byte` its offset in the file. Throws Error{bad_input}. The message names

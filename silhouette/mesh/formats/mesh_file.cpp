@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/file_format.h"
 #include "silhouette/mesh/formats/readers.h"
 
@@ -37,6 +38,7 @@ MeshSource read_mesh_file(const std::filesystem::path& path, FaceRequirement req
                               : std::to_string(source.positions.size()) + " points only") +
                          "; a model with faces is needed");
         if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
+        drop_unused_materials(source);
         call.checkpoint(1.0);
         return source;
     } catch (const std::bad_alloc&) {

@@ -8,8 +8,16 @@
 // so a wrong count cannot exhaust memory. Polygons are triangulated (triangulate.h).
 //
 // Vertices are numbered as in the file. STL: 3 * facet + corner. glTF: primitives in scene order, once
-// for each node that references them. Normals, colors, texture coordinates, materials, images and lines
-// are ignored, because they do not affect faces. Skins and morph targets of glTF are ignored, too.
+// for each node that references them.
+//
+// Faces get the colors that the file gives them (face_materials.h):
+//   OBJ         Kd of the material libraries (mtllib) in the file's folder, and colors of vertices
+//   PLY         red, green and blue of vertices
+//   glTF, GLB   baseColorFactor of materials, and COLOR_0 of vertices
+// Colors of vertices become those of the corners of faces. Numbers of OBJ and PLY are taken as sRGB; those of
+// glTF are linear light. If both kinds of color are given, they are multiplied. A material library that is
+// missing or faulty is a warning, not an error. Normals, texture coordinates, images and lines are ignored, as
+// are skins and morph targets of glTF.
 
 #include <filesystem>
 

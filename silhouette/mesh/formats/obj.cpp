@@ -1,18 +1,22 @@
 // OBJ: obj_scan.h checks the file, tinyobjloader parses its faces, triangulate.h triangulates them.
 //
-// The triangulation of tinyobjloader is not used, because it loses or damages concave polygons. Its
-// materials are not used: `mtllib` opens no file. Lines and points are checked, but a mesh has
-// none.
+// The triangulation of tinyobjloader is not used, because it loses or damages concave polygons. mtl.h reads the
+// materials, because tinyobjloader reads a word for a number as 0. Lines and points are checked, but a mesh
+// has none.
 
 #include <tiny_obj_loader.h>
 
+#include <cmath>
 #include <istream>
 #include <streambuf>
 #include <utility>
 
+#include "silhouette/mesh/formats/file_colors.h"
+#include "silhouette/mesh/formats/mtl.h"
 #include "silhouette/mesh/formats/obj_scan.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/triangulate.h"
+#include "silhouette/srgb.h"
 
 namespace rimline {
 
@@ -30,9 +34,66 @@ public:
     }
 };
 
+// The materials of faces in their order.
+class FaceMaterialReader {
+public:
+    // Without any color, there are no materials.
+    FaceMaterialReader(const SourceFile& file, const ObjScan& scan, const LongCall& call,
+                       MeshSource& source)
+        : uses_(scan.material_uses), source_(source) {
+        if (scan.libraries.empty()) return;
+        const MaterialLibraries libraries =
+            read_material_libraries(file, scan.libraries, call, source.warnings);
+        std::vector<SurfaceMaterial>& materials = source.materials.materials;
+        for (const NamedLine& name : scan.material_names) {
+            const std::optional<glm::vec3>* color = libraries.find(name.text);
+            ids_.push_back(k_no_material);
+            if (color && *color) {
+                ids_.back() = MaterialId{static_cast<std::uint32_t>(materials.size())};
+                materials.push_back({**color});
+            }
+            // A library that is missing has its own warning.
+            if (!color && libraries.is_complete)
+                add_warning(source.warnings, file.name + ":" + std::to_string(name.line) +
+                                                 ": no material library has a material " +
+                                                 excerpt(name.text));
+        }
+        has_colors_ = !materials.empty();
+    }
+
+    // Call it after the triangles of face `number`, counted from 0, were appended.
+    void end_face(std::uint64_t number) {
+        if (!has_colors_) return;
+        for (; next_ < uses_.size() && uses_[next_].first_face <= number; ++next_)
+            current_ = ids_[uses_[next_].name];
+        source_.materials.of_face.resize(source_.triangles.size(), current_);
+    }
+
+private:
+    std::span<const ObjMaterialUse> uses_;
+    MeshSource& source_;
+    std::vector<MaterialId> ids_;  // By index in ObjScan::material_names.
+    bool has_colors_ = false;
+    std::size_t next_ = 0;
+    MaterialId current_ = k_no_material;
+};
+
+// Numbers in [0, 1], or in [0, 255] if one is above 1, as linear light. A missing color becomes white.
+std::vector<glm::vec3> linear_colors(std::vector<glm::vec3> colors) {
+    float largest = 0.0f;
+    for (const glm::vec3& c : colors)
+        for (int i = 0; i < 3; ++i)
+            if (c[i] > largest) largest = c[i];
+    const float scale = largest > 1.0f ? 1.0f / 255.0f : 1.0f;
+    for (glm::vec3& c : colors)
+        c = std::isnan(c.x) ? glm::vec3(1.0f) : linear_from_srgb(clamped_color(scale * c));
+    return colors;
+}
+
 struct FaceReader {
     const LongCall& call;
     const TextBuffer& text;
+    FaceMaterialReader& materials;
     MeshSource& source;
     std::uint64_t vertex_count = 0;
     std::uint64_t face_count = 0;
@@ -54,6 +115,7 @@ struct FaceReader {
             polygon.push_back(static_cast<std::uint32_t>(v));
         }
         triangulator.triangulate(source.positions, polygon, source.triangles);
+        materials.end_face(face_count - 1);
     }
 };
 
@@ -65,9 +127,11 @@ MeshSource read_obj(const SourceFile& file, const LongCall& call) {
     source.positions = std::move(scan.positions);
     source.triangles.reserve(scan.corner_count - 2 * scan.face_count);
 
+    FaceMaterialReader materials(file, scan, call, source);
+
     TextBuffer buffer(scan.statements);
     std::istream stream(&buffer);
-    FaceReader reader{call, buffer, source, 0, 0, 0, {}, Triangulator(call.stop)};
+    FaceReader reader{call, buffer, materials, source, 0, 0, 0, {}, Triangulator(call.stop)};
     tinyobj::callback_t callback;
     callback.vertex_cb = [](void* user, float, float, float, float) {
         ++static_cast<FaceReader*>(user)->vertex_count;
@@ -83,6 +147,10 @@ MeshSource read_obj(const SourceFile& file, const LongCall& call) {
     RIMLINE_CHECK(reader.vertex_count == source.positions.size());
     RIMLINE_CHECK(reader.face_count == scan.face_count);
     RIMLINE_CHECK(reader.corner_count == scan.corner_count);
+    if (!scan.colors.empty()) {
+        whiten_triangles(source);
+        color_corners(source, linear_colors(std::move(scan.colors)));
+    }
     return source;
 }
 

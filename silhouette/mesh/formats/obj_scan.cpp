@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <limits>
+#include <map>
 #include <span>
 
 #include "silhouette/mesh/formats/readers.h"
@@ -47,8 +50,11 @@ public:
         }
         check_forward_references();
         if (!colors_.empty()) {
-            colors_.resize(vertices_.count, glm::vec3(0.0f));
-            points_->colors = point_colors(colors_);
+            colors_.resize(vertices_.count, missing_color());
+            if (points_)
+                points_->colors = point_colors(colors_);
+            else
+                result_.colors = std::move(colors_);
         }
         if (points_ && normals_are_points_ && normals_.count == vertices_.count)
             points_->normals = std::move(normal_values_);
@@ -86,6 +92,10 @@ private:
             read_references("a line", 2, [](std::string_view) {});
         else if (keyword == "p")
             read_references("a point element", 1, [](std::string_view) {});
+        else if (keyword == "mtllib" && !points_)
+            result_.libraries.push_back({std::string(scanner_.free_text()), scanner_.line()});
+        else if (keyword == "usemtl" && !points_)
+            use_material(scanner_.free_text());
         else if (holds(k_named, keyword))
             scanner_.skip_free_text();
         else if (holds(k_unsupported, keyword))
@@ -113,10 +123,22 @@ private:
         if (vertices_.count == k_max_file_vertices)
             throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 vertices");
         ++vertices_.count;
-        if (!points_ || more < 3) return;
-        // Most files give a color to all vertices or to none. A vertex without a color is black.
-        colors_.resize(vertices_.count, glm::vec3(0.0f));
+        if (more < 3) return;
+        // Most files give a color to all vertices or to none.
+        colors_.resize(vertices_.count, missing_color());
         colors_.back() = color;
+    }
+
+    // A point without a color is black.
+    glm::vec3 missing_color() const {
+        return glm::vec3(points_ ? 0.0f : std::numeric_limits<float>::quiet_NaN());
+    }
+
+    void use_material(std::string_view name) {
+        const auto [entry, is_new] =
+            name_numbers_.try_emplace(std::string(name), result_.material_names.size());
+        if (is_new) result_.material_names.push_back({entry->first, scanner_.line()});
+        result_.material_uses.push_back({result_.face_count, entry->second});
     }
 
     void read_position() {
@@ -242,8 +264,9 @@ private:
     BadPoints bad_;
     TextScanner scanner_;
     ObjScan result_;
-    std::vector<glm::vec3> colors_;  // As in the file. Used for points only, as are the normals.
-    std::vector<glm::vec3> normal_values_;
+    std::vector<glm::vec3> colors_;                                 // As in the file.
+    std::vector<glm::vec3> normal_values_;                          // Used for points only.
+    std::map<std::string, std::size_t, std::less<>> name_numbers_;  // Of material_names.
     bool normals_are_points_ = true;  // Every normal index equals its corner's vertex index.
     Numbered vertices_{"the vertices", "a vertex's coordinate"};
     Numbered textures_{"the texture coordinates", "a texture coordinate"};

@@ -13,16 +13,29 @@
 #include <string_view>
 #include <vector>
 
+#include "silhouette/mesh/formats/mtl.h"
 #include "silhouette/mesh/formats/source_file.h"
 
 namespace rimline {
 
+/// `usemtl`: the faces from `first_face` on have material `name`, an index in ObjScan::material_names.
+struct ObjMaterialUse {
+    std::uint64_t first_face;
+    std::size_t name;
+};
+
 struct ObjScan {
     std::vector<glm::vec3> positions;
+    /// As in the file, one for each position; NaN for a position without a color. Empty if none has one.
+    std::vector<glm::vec3> colors;
     std::uint64_t face_count = 0;
     std::uint64_t corner_count = 0;  ///< Sum over all faces.
     /// The file's `v` and `f` statements, one per line, in order. A corner holds only its vertex.
     std::string statements;
+    std::vector<NamedLine> libraries;  ///< The `mtllib` statements.
+    std::vector<NamedLine>
+        material_names;  ///< Of `usemtl` statements, each once, with its first line.
+    std::vector<ObjMaterialUse> material_uses;
 };
 
 /// Throws Error{bad_input} with the line of the fault. Faults are: words instead of numbers,

@@ -1,14 +1,18 @@
 // PLY: an element is a record of typed properties, and a file is a list of elements in any order.
-// Only `vertex` (x, y, z), `face` (vertex_indices or vertex_index) and `tristrips` (vertex_indices,
-// strips separated by -1) are used. Everything else is skipped by its declared type.
+// Only `vertex` (x, y, z and red, green, blue), `face` (vertex_indices or vertex_index) and `tristrips`
+// (vertex_indices, strips separated by -1) are used. Everything else is skipped by its declared type. Colors
+// are sRGB.
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
 
+#include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/ply_body.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/triangulate.h"
+#include "silhouette/srgb.h"
 
 namespace rimline {
 
@@ -40,29 +44,54 @@ public:
                                       std::span(early_polygons_).subspan(i + 1, early_polygons_[i]),
                                       source_.triangles);
         }
+        if (!vertex_colors_.empty()) {
+            whiten_triangles(source_);
+            color_corners(source_, vertex_colors_);
+        }
         return std::move(source_);
     }
 
 private:
+    // The channel of each property, or -1. Colors are used only if all three channels exist.
+    static std::vector<int> channels_of(const PlyElement& element) {
+        constexpr std::array<const char*, 3> k_names{"red", "green", "blue"};
+        std::vector<int> channels(element.properties.size(), -1);
+        int count = 0;
+        for (const char* name : k_names)
+            if (const auto p = element.find(name); p && !element.properties[*p].is_list())
+                channels[*p] = count++;
+        if (count < 3) std::ranges::fill(channels, -1);
+        return channels;
+    }
+
     void read_vertices(const PlyElement& element) {
         constexpr std::array<const char*, 3> k_axes{"x", "y", "z"};
         std::vector<int> axis_of(element.properties.size(), -1);
         for (int axis = 0; axis < 3; ++axis)
             axis_of[element.require_value(file_, k_axes[axis])] = axis;
+        const std::vector<int> channel_of = channels_of(element);
+        const bool has_colors = std::ranges::find(channel_of, 0) != channel_of.end();
         source_.positions.reserve(element.count);
+        if (has_colors) vertex_colors_.reserve(element.count);
         for (std::uint64_t i = 0; i < element.count; ++i) {
             elements_.checkpoint(i);
             body_.begin_element("another vertex");
             glm::vec3 position;
+            glm::vec3 color;
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
-                if (axis_of[p] < 0)
-                    elements_.skip_property(element.properties[p]);
+                const ScalarType type = element.properties[p].type;
+                if (axis_of[p] >= 0)
+                    position[axis_of[p]] = body_.coordinate(type, k_axes[axis_of[p]]);
+                else if (channel_of[p] >= 0)
+                    color[channel_of[p]] = color_scale(type) *
+                                           static_cast<float>(body_.number(type, "a color")) /
+                                           255.0f;
                 else
-                    position[axis_of[p]] =
-                        body_.coordinate(element.properties[p].type, k_axes[axis_of[p]]);
+                    elements_.skip_property(element.properties[p]);
             }
             body_.end_element("a vertex");
             source_.positions.push_back(position);
+            if (has_colors) vertex_colors_.push_back(linear_from_srgb(clamped_color(color)));
         }
         has_positions_ = true;
     }
@@ -157,6 +186,7 @@ private:
     PlyElements<Body> elements_;
     Body& body_ = elements_.body;
     MeshSource source_;
+    std::vector<glm::vec3> vertex_colors_;  // Empty if the vertices have none.
     std::uint64_t vertex_count_ = 0;
     bool has_positions_ = false;
     std::vector<std::uint32_t> polygon_;

@@ -20,6 +20,12 @@ constexpr bool is_floating(ScalarType type) noexcept {
     return type == ScalarType::float32 || type == ScalarType::float64;
 }
 
+/// Scales a color of this type to [0, 255].
+constexpr float color_scale(ScalarType type) noexcept {
+    if (is_floating(type)) return 255.0f;
+    return type == ScalarType::uint16 ? 255.0f / 65535.0f : 1.0f;
+}
+
 // The minimum and maximum value of a type. A floating-point type, which occurs only for indices,
 // has no limit here.
 constexpr std::pair<std::int64_t, std::int64_t> range_of(ScalarType type) noexcept {

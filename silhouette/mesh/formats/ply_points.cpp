@@ -16,12 +16,6 @@ constexpr std::array<const char*, 9> k_names{"x",  "y",   "z",     "nx",  "ny",
 constexpr std::size_t k_first_normal = 3;
 constexpr std::size_t k_first_color = 6;
 
-// Scales a color of this type to [0, 255].
-float color_scale(ScalarType type) {
-    if (is_floating(type)) return 255.0f;
-    return type == ScalarType::uint16 ? 255.0f / 65535.0f : 1.0f;
-}
-
 template <typename Body>
 class PlyPointReader {
 public:

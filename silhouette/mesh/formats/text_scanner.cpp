@@ -127,9 +127,18 @@ void TextScanner::finish_line() {
 
 void TextScanner::skip_line() { finish_line(); }
 
+std::string_view TextScanner::free_text() {
+    if (state_ != State::in_line) return {};
+    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+    const std::size_t begin = at_;
+    std::size_t end = at_;
+    for (; at_ < text_.size() && !is_newline(text_[at_]); ++at_)
+        if (!is_space(text_[at_])) end = at_ + 1;
+    return text_.substr(begin, end - begin);
+}
+
 void TextScanner::skip_free_text() {
-    if (state_ != State::in_line) return;
-    while (at_ < text_.size() && !is_newline(text_[at_])) ++at_;
+    free_text();
     finish_line();
 }
 

@@ -41,6 +41,9 @@ public:
     /// Throws an error if the current line holds another token. `what` names what should end the
     /// line.
     void expect_end_of_line(const char* what);
+    /// The rest of the current line without spaces at its ends. Also '#' and a backslash at the end are part of
+    /// it, because names of files and materials may hold them.
+    std::string_view free_text();
     /// Skips the rest of the current line.
     void skip_line();
     /// The same for free text: a backslash at its end does not continue the line.

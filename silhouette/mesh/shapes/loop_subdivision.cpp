@@ -41,6 +41,29 @@ VertexId opposite_corner(const Triangle& t, const Edge& edge) {
     return t[0];  // Not reached: triangles with equal corners have no edges.
 }
 
+// The materials of the four faces that each face becomes: its own. Corners on edges get the mean color of the
+// edge's two corners.
+FaceMaterials refined_materials(const FaceMaterials& materials) {
+    FaceMaterials refined;
+    refined.materials = materials.materials;
+    refined.of_face.reserve(4 * materials.of_face.size());
+    for (const MaterialId material : materials.of_face)
+        refined.of_face.insert(refined.of_face.end(), 4, material);
+    refined.corner_colors.reserve(4 * materials.corner_colors.size());
+    for (std::size_t i = 0; i < materials.corner_colors.size(); i += 3) {
+        const glm::vec3& a = materials.corner_colors[i];
+        const glm::vec3& b = materials.corner_colors[i + 1];
+        const glm::vec3& c = materials.corner_colors[i + 2];
+        const glm::vec3 ab = 0.5f * (a + b);
+        const glm::vec3 bc = 0.5f * (b + c);
+        const glm::vec3 ca = 0.5f * (c + a);
+        // In the order of the faces of refine().
+        for (const glm::vec3& color : {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca})
+            refined.corner_colors.push_back(color);
+    }
+    return refined;
+}
+
 /// One step. Calls `checkpoint` at intervals with the step's finished share.
 template <typename Checkpoint>
 MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
@@ -101,6 +124,7 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
         refined.triangles.push_back({on_ca, on_bc, index(c)});
         refined.triangles.push_back({on_ab, on_bc, on_ca});
     }
+    refined.materials = refined_materials(mesh.materials());
     return refined;
 }
 

@@ -115,6 +115,52 @@ def test_render_chooses_lines_by_style_and_option():
             fail(2, "render", "shape:box:12", "-o", output, *options)
 
 
+def write_colored_cube(folder, library):
+    """A cube whose front is red, back green and other sides blue, in folder/cube.obj."""
+    path = os.path.join(folder, "cube.obj")
+    with open(path, "w") as file:
+        file.write("mtllib cube.mtl\n" + "".join(f"v {x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)))
+        file.write("usemtl red\nf 2 6 8 4\nusemtl green\nf 1 3 7 5\n")
+        file.write("usemtl blue\nf 5 7 8 6\nf 3 4 8 7\nf 1 2 4 3\nf 1 5 6 2\n")
+    if library:
+        with open(os.path.join(folder, "cube.mtl"), "w") as file:
+            file.write("newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\nnewmtl blue\nKd 0 0 1\n")
+    return path
+
+
+def test_render_shows_the_colors_of_the_file():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        cube = write_colored_cube(folder, library=True)
+        output = os.path.join(folder, "a.png")
+
+        def middle(eye, *options):
+            succeed("render", cube, "-o", output, "--size", "64x64", "--eye", eye, "--ortho", "4", "--sun", eye,
+                    *options)
+            return tuple(png_rows(output)[32][32][:3])
+
+        for style in ("ink", "toon", "hatch"):
+            for eye, color in (("0,0,5", (255, 0, 0)), ("0,0,-5", (0, 255, 0)), ("5,0,0", (0, 0, 255))):
+                assert middle(eye, "--style", style) == color
+                # Faces that --subdivide makes inherit. The middle of the front stays in the middle.
+                assert middle(eye, "--style", style, "--subdivide", "2") == color
+            assert middle("0,0,5", "--style", style, "--color", "green") == middle("5,0,0", "--style", style,
+                                                                                 "--color", "green")
+            plain = middle("0,0,5", "--style", style, "--materials", "off")
+            assert plain == middle("5,0,0", "--style", style, "--materials", "off") != (255, 0, 0)
+            os.remove(os.path.join(folder, "cube.mtl"))
+            result = run("render", cube, "-o", output, "--size", "64x64", "--eye", "0,0,5", "--ortho", "4", "--sun",
+                         "0,0,5", "--style", style, "--json")
+            assert result.returncode == 0 and json.loads(result.stdout)
+            [warning] = result.stderr.splitlines()
+            assert warning.startswith(f"rimline: warning: {cube}:1: ") and "cube.mtl" in warning
+            assert tuple(png_rows(output)[32][32][:3]) == plain
+            write_colored_cube(folder, library=True)
+        for style in ("blueprint", "mask"):
+            assert middle("0,0,5", "--style", style) == middle("5,0,0", "--style", style)
+        fail(2, "render", cube, "-o", output, "--materials", "maybe")
+
+
 def test_render_is_silent_under_validation():
     have_device()
     with tempfile.TemporaryDirectory() as folder:

@@ -42,6 +42,20 @@ TEST_CASE("a model is opened beside its window and wakes it when it is there") {
     CHECK_FALSE(loader.take());
 }
 
+TEST_CASE("a model whose colors are missing opens with a warning") {
+    tests::ScratchFolder folder;
+    const std::string name = (folder / "a.obj").string();
+    std::ofstream(name) << "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+    ModelLoader loader;
+    loader.open(name);
+    const ModelLoader::Result result = wait_for(loader);
+    REQUIRE(result.document.model());
+    REQUIRE(result.document.warnings().size() == 1);
+    CHECK(result.document.warnings()[0].find("gone.mtl") != std::string::npos);
+    loader.open("shape:box");
+    CHECK(wait_for(loader).document.warnings().empty());
+}
+
 TEST_CASE("what cannot be opened is told in words that name it and the next model opens") {
     tests::ScratchFolder folder;
     const std::string broken = (folder / "broken.obj").string();

@@ -59,6 +59,21 @@ TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look s
 }
 
 TEST_CASE(
+    "a model has the colors of its file until the user chooses a color or switches them off") {
+    ViewSession session;
+    session.show(open("shape:spring"), 1.0);
+    const auto shows_mesh_colors = [&] {
+        return session.scene().instances[0].material.shows_mesh_colors;
+    };
+    CHECK(shows_mesh_colors());
+    session.appearance.color = glm::vec3(0.5f);
+    CHECK_FALSE(shows_mesh_colors());
+    session.appearance.color.reset();
+    session.appearance.materials = false;
+    CHECK_FALSE(shows_mesh_colors());
+}
+
+TEST_CASE(
     "a cloud is wholly in view, and its lines are the silhouette from the camera or where it "
     "froze") {
     ViewSession session;

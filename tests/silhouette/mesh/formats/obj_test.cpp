@@ -8,7 +8,7 @@ const std::string k_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 }
 
 TEST_CASE(
-    "OBJ: vertices keep their numbers and a material library that is missing does not matter") {
+    "OBJ: vertices keep their numbers and a material library that is missing changes no face") {
     const MeshSource source = read_text("a.obj", sample_obj());
     CHECK(source.positions == sample_positions());
     CHECK(source.triangles == sample_triangles());

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -80,7 +81,14 @@ inline bool is_sound(const MeshSource& source) {
     for (const auto& triangle : source.triangles)
         for (const std::uint32_t corner : triangle)
             if (corner >= source.positions.size()) return false;
-    return true;
+    const auto is_color = [](const glm::vec3& color) {
+        return std::min({color.x, color.y, color.z}) >= 0.0f &&
+               std::max({color.x, color.y, color.z}) <= 1.0f;
+    };
+    const FaceMaterials& materials = source.materials;
+    return are_materials_of(materials, source.triangles.size()) &&
+           std::ranges::all_of(materials.materials, is_color, &SurfaceMaterial::base_color) &&
+           std::ranges::all_of(materials.corner_colors, is_color);
 }
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;

@@ -1,0 +1,10 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "surface_shading.glsl"
+
+// Surfaces in the colors of the mesh.
+
+layout(location = 3) in vec3 surface_color;
+layout(location = 0) out vec4 color;
+
+void main() { color = shaded_surface(surface_color); }

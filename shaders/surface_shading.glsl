@@ -1,0 +1,66 @@
+#ifndef RIMLINE_SHADERS_SURFACE_SHADING_GLSL
+#define RIMLINE_SHADERS_SURFACE_SHADING_GLSL
+
+// Surfaces in one style. Each style is its own pipeline, because a CPU device executes both sides of every
+// dynamic branch. The output is the shaded surface (as in shadow), or the light added where the stencil
+// test passes, or both at once for a single light without shadows. The sum over all lights is the fully lit
+// surface. For light, draw.choice is 1 or 2. With 1 the face's bit is also used if the light grazes the
+// face (surface_corner.glsl). 2 is for surfaces that cast no shadow.
+
+#include "draw.glsl"
+#include "hatch.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) flat in uint grazed_side;
+
+layout(constant_id = 0) const uint k_style = RIMLINE_STYLE_INK;
+layout(constant_id = 1) const bool k_has_shade = true;
+layout(constant_id = 2) const bool k_has_light = false;
+layout(constant_id = 3) const bool k_fades = false;  // The instance's fade_radius is > 0.
+
+// The share of the light that a style shows at this cosine. It is 0 up to a positive cosine, so that the
+// facets at a shadow boundary are in the dark part already.
+float tone(float cosine) {
+    if (k_style == RIMLINE_STYLE_MASK) return 1.0;
+    if (k_style == RIMLINE_STYLE_INK)
+        return 0.86 * smoothstep(0.14, 0.17, cosine) + 0.14 * smoothstep(0.34, 0.40, cosine);
+    if (k_style == RIMLINE_STYLE_BLUEPRINT || k_style == RIMLINE_STYLE_HATCH)
+        return clamp((cosine - 0.14) / 0.6, 0.0, 1.0);
+    return 0.55 * smoothstep(0.14, 0.17, cosine) + 0.45 * smoothstep(0.52, 0.56, cosine);
+}
+
+// The color of a surface that is `lit` in full light, if a share `amount` of the light arrives.
+vec3 shown(vec3 lit, float amount, vec3 facing_normal) {
+    const vec3 shade = frame.shade;
+    if (k_style != RIMLINE_STYLE_HATCH) return lit * mix(shade, vec3(1.0), amount);
+    const float density = (1.0 - dot(shade, vec3(1.0 / 3.0))) * (1.0 - amount);
+    return mix(lit, instance.ink, hatch_ink(position, facing_normal, density));
+}
+
+// The output for a surface that is `lit` in full light.
+vec4 shaded_surface(vec3 lit) {
+    vec3 n = normalize(normal);
+    // Open sheets are lit on the visible side.
+    if (!gl_FrontFacing) n = -n;
+    const vec3 shaded = shown(lit, 0.0, n);
+    vec4 color = vec4(k_has_shade ? shaded : vec3(0.0), 0.0);  // No line coverage yet.
+    if (k_has_light) {
+        const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
+        const vec4 light_point = light.point;
+        const vec3 to_light = normalize(light_point.xyz - light_point.w * position);
+        float amount = reached ? tone(dot(n, to_light)) : 0.0;
+        // A surface that only receives shadows is paper, so it gets no strokes outside shadows.
+        if (k_style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
+            amount = smoothstep(0.14, 0.17, dot(n, to_light));
+        color.rgb += (shown(lit, amount, n) - shaded) * light.color;
+    }
+    if (k_fades) {
+        const float away = distance(position, instance.fade_center);
+        const float fade = smoothstep(0.45, 1.0, away / instance.fade_radius);
+        color.rgb = mix(color.rgb, k_has_shade ? frame.background : vec3(0.0), fade);
+    }
+    return color;
+}
+
+#endif

@@ -1,0 +1,48 @@
+#include "silhouette/mesh/formats/file_colors.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "silhouette/error.h"
+
+namespace rimline {
+
+glm::vec3 clamped_color(const glm::vec3& color) noexcept {
+    const auto clamped = [](float c) { return c > 0.0f ? (c < 1.0f ? c : 1.0f) : 0.0f; };
+    return {clamped(color.x), clamped(color.y), clamped(color.z)};
+}
+
+MaterialId add_white_material(FaceMaterials& materials) {
+    materials.materials.emplace_back();
+    return MaterialId{static_cast<std::uint32_t>(materials.materials.size() - 1)};
+}
+
+void whiten_triangles(MeshSource& source) {
+    FaceMaterials& materials = source.materials;
+    materials.of_face.resize(source.triangles.size(), k_no_material);
+    const MaterialId white = add_white_material(materials);
+    std::ranges::replace(materials.of_face, k_no_material, white);
+}
+
+void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors) {
+    RIMLINE_CHECK(vertex_colors.size() == source.positions.size());
+    std::vector<glm::vec3>& colors = source.materials.corner_colors;
+    colors.reserve(3 * source.triangles.size());
+    for (const auto& triangle : source.triangles)
+        for (const std::uint32_t corner : triangle) colors.push_back(vertex_colors[corner]);
+}
+
+void drop_unused_materials(MeshSource& source) noexcept {
+    const auto has_none = [](MaterialId material) { return material == k_no_material; };
+    if (std::ranges::all_of(source.materials.of_face, has_none)) source.materials = {};
+}
+
+void add_warning(std::vector<std::string>& warnings, std::string warning) {
+    constexpr std::size_t k_max_warnings = 20;
+    if (warnings.size() < k_max_warnings)
+        warnings.push_back(std::move(warning));
+    else if (warnings.size() == k_max_warnings)
+        warnings.emplace_back("there are more warnings about this file");
+}
+
+}  // namespace rimline

@@ -1,0 +1,33 @@
+#pragma once
+
+// Colors of a file as materials of its faces, and warnings about what cannot be used.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "silhouette/mesh/mesh_source.h"
+
+namespace rimline {
+
+/// Channels in [0, 1]. Larger ones become 1; negative ones and NaN become 0.
+glm::vec3 clamped_color(const glm::vec3& color) noexcept;
+
+/// Appends a white material.
+MaterialId add_white_material(FaceMaterials& materials);
+
+/// Gives all triangles that have no material a white one.
+void whiten_triangles(MeshSource& source);
+
+/// Gives the corners of all triangles the colors of their vertices, in linear light. There must be a color for
+/// each position. Triangles without a material stay without a color.
+void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors);
+
+/// Makes the materials empty if no face has one.
+void drop_unused_materials(MeshSource& source) noexcept;
+
+/// Appends a warning. A file can have one in each line: after 20, one more says that others follow.
+void add_warning(std::vector<std::string>& warnings, std::string warning);
+
+}  // namespace rimline

@@ -1,0 +1,150 @@
+#include "silhouette/mesh/formats/mtl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "silhouette/mesh/formats/file_colors.h"
+#include "silhouette/mesh/formats/text_scanner.h"
+#include "silhouette/srgb.h"
+
+namespace rimline {
+
+namespace {
+
+class LibraryReader {
+public:
+    LibraryReader(const SourceFile& obj, const LongCall& call, std::vector<std::string>& warnings)
+        : obj_(obj), call_(call), warnings_(warnings) {}
+
+    // A statement names one library whose name may hold spaces, or several.
+    void read_named(const NamedLine& statement) {
+        if (statement.text.empty()) {
+            libraries_.is_complete = false;
+            return;
+        }
+        const auto whole = path_of(statement.text);
+        std::error_code ignored;
+        if (statement.text.find_first_of(" \t") == std::string::npos ||
+            (whole && std::filesystem::exists(obj_.folder / *whole, ignored))) {
+            read_library(statement.text, whole, statement.line);
+            return;
+        }
+        TextScanner names(obj_.name, statement.text);
+        for (std::string_view name = names.word(); !name.empty(); name = names.word())
+            read_library(name, path_of(name), statement.line);
+    }
+
+    MaterialLibraries take() { return std::move(libraries_); }
+
+private:
+    // The path below the folder of the OBJ, or nothing. Windows writes '\' between folders.
+    static std::optional<std::filesystem::path> path_of(std::string_view name) {
+        constexpr std::size_t k_longest = 4096;
+        if (name.size() > k_longest || std::ranges::any_of(name, [](char c) {
+                return static_cast<unsigned char>(c) < 0x20 || c == ':';
+            }))
+            return std::nullopt;
+        std::string slashed(name);
+        std::ranges::replace(slashed, '\\', '/');
+        const std::filesystem::path path(slashed);
+        if (path.is_absolute() || std::ranges::find(path, "..") != path.end()) return std::nullopt;
+        return path.lexically_normal();
+    }
+
+    void read_library(std::string_view name, const std::optional<std::filesystem::path>& path,
+                      std::uint64_t line) {
+        const std::string place = obj_.name + ":" + std::to_string(line) + ": ";
+        if (!path) {
+            libraries_.is_complete = false;
+            add_warning(warnings_,
+                        place + "mtllib " + excerpt(name) +
+                            " does not name a file beside this one; its colors are missing");
+            return;
+        }
+        if (!known_.insert(*path).second) return;
+        try {
+            SourceFile library = read_source_file(obj_.folder / *path, {call_.stop, {}});
+            if (library.bytes.starts_with("\xef\xbb\xbf")) library.text_begin = 3;
+            read_text(library);
+        } catch (const Error& e) {
+            if (e.code() == ErrorCode::cancelled) throw;
+            libraries_.is_complete = false;
+            add_warning(warnings_, place + "the material library " + e.what());
+        }
+    }
+
+    void read_text(const SourceFile& library) {
+        TextScanner scanner(library.name, library.text(), {.comment = '#'});
+        // Of the current material. Null before the first one, and for a second one of the same name.
+        std::optional<glm::vec3>* color = nullptr;
+        for (std::uint64_t i = 1; scanner.next_line(); ++i) {
+            if (i % k_checkpoint_interval == 0 && call_.stop.stop_requested())
+                throw Error(ErrorCode::cancelled, "cancelled");
+            const std::string_view keyword = scanner.token();
+            if (keyword == "newmtl") {
+                const auto [entry, is_new] =
+                    libraries_.colors.try_emplace(std::string(scanner.free_text()));
+                color = is_new ? &entry->second : nullptr;
+            } else if (keyword == "Kd" && color) {
+                try {
+                    *color = read_color(scanner);
+                } catch (const Error& e) {
+                    add_warning(warnings_, e.what());
+                }
+            }
+        }
+    }
+
+    // Kd r g b, or Kd r for a gray.
+    static glm::vec3 read_color(TextScanner& scanner) {
+        constexpr const char* k_what = "a channel of Kd";
+        const std::string_view first = scanner.token();
+        if (first == "spectral" || first == "xyz")
+            scanner.fail("Kd " + std::string(first) + " is not supported; write Kd r g b");
+        glm::vec3 color(static_cast<float>(scanner.number(first, k_what)));
+        if (const std::string_view second = scanner.token(); !second.empty()) {
+            color.y = static_cast<float>(scanner.number(second, k_what));
+            color.z = static_cast<float>(scanner.number(k_what));
+            scanner.expect_end_of_line("Kd r g b");
+        }
+        for (int i = 0; i < 3; ++i)
+            if (!std::isfinite(color[i])) scanner.fail("a channel of Kd is not a finite number");
+        return linear_from_srgb(clamped_color(color));
+    }
+
+    const SourceFile& obj_;
+    const LongCall& call_;
+    std::vector<std::string>& warnings_;
+    std::set<std::filesystem::path> known_;
+    MaterialLibraries libraries_;
+};
+
+}  // namespace
+
+const std::optional<glm::vec3>* MaterialLibraries::find(std::string_view name) const {
+    auto found = colors.find(name);
+    if (found == colors.end()) {
+        const std::size_t comment = name.find('#');
+        if (comment == std::string_view::npos) return nullptr;
+        name = name.substr(0, comment);
+        name = name.substr(0, name.find_last_not_of(" \t") + 1);
+        found = colors.find(name);
+        if (found == colors.end()) return nullptr;
+    }
+    return &found->second;
+}
+
+MaterialLibraries read_material_libraries(const SourceFile& obj,
+                                          std::span<const NamedLine> statements,
+                                          const LongCall& call,
+                                          std::vector<std::string>& warnings) {
+    LibraryReader reader(obj, call, warnings);
+    for (const NamedLine& statement : statements) reader.read_named(statement);
+    return reader.take();
+}
+
+}  // namespace rimline
