@@ -6,6 +6,7 @@
 
 #include "engine/frame/drawn_rect.h"
 #include "engine/frame/scene_data.h"
+#include "engine/vulkan/debug_names.h"
 
 namespace rimline {
 
@@ -81,14 +82,17 @@ void FramePasses::record(Commands commands, Commands picture, const FrameView& v
 
 void FramePasses::record_surfaces(Commands commands, const Scene& scene, const DrawList& list,
                                   const DrawnArea& area) const {
+    const PassLabel label(commands, "surfaces");
     targets_->begin_surfaces(commands, scene.palette.background, area);
     if (!list.shadows && list.light_count == 1) {
         surface_pass_.record_shadowless(commands, list);
     } else {
         surface_pass_.record_unlit(commands, list);
         for (std::size_t light = 0; light < list.light_count; ++light) {
-            if (list.shadows)
+            if (list.shadows) {
+                const PassLabel shadows(commands, "shadow volumes");
                 shadow_pass_.record(commands, list, light, targets_->in_pass(area.rect));
+            }
             surface_pass_.record_lit(commands, list, light);
         }
     }
@@ -97,6 +101,7 @@ void FramePasses::record_surfaces(Commands commands, const Scene& scene, const D
 
 void FramePasses::record_lines(Commands commands, const Scene& scene, const DrawList& list,
                                const DrawnArea& area) const {
+    const PassLabel label(commands, "lines");
     const Palette& palette = scene.palette;
     targets_->begin_lines(commands, area);
     if (palette.grid_strength > 0.0f)
@@ -111,6 +116,7 @@ void FramePasses::record_lines(Commands commands, const Scene& scene, const Draw
 
 void FramePasses::record_picture(Commands commands, const DrawList& list,
                                  const PictureTarget& target, const DrawnArea& area) const {
+    const PassLabel label(commands, "picture");
     RenderTargets::begin_picture(commands, target, area);
     composite_pass_.record(commands, {target.format, targets_->scale()}, list.inks.back());
     commands->CmdEndRendering(commands);

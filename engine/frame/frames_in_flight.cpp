@@ -6,6 +6,7 @@
 #include "engine/frame/scene_data.h"
 #include "engine/picture_readback.h"
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/debug_names.h"
 
 namespace rimline {
 
@@ -144,6 +145,7 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
 
 // Makes slots, face bits and draw arguments of all silhouettes complete on the GPU.
 void FramesInFlight::record_silhouettes(Commands commands, RecordedFrame& frame) const {
+    const PassLabel label(commands, "silhouettes");
     if (!frame.deformed.is_empty())
         frame.deformed.record(context_, commands, instances_.deform_passes());
     ChangeStream::record_before(commands);

@@ -174,15 +174,16 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
 
 void Device::open_queues(const VulkanInstance& instance, VkDevice device, VkPhysicalDevice physical,
                          const QueueChoice& queues, bool presents) {
-    context_ = make_device_context(
-        {.instance = instance.handle(),
-         .physical_device = physical,
-         .device = device,
-         .queue_family = queues.family,
-         .features = {.geometry_shader = facts_.geometry_shader,
-                      .swapchain = presents,
-                      .occlusion_query_precise = facts_.occlusion_query_precise},
-         .loader = instance.loader()});
+    context_ =
+        make_device_context({.instance = instance.handle(),
+                             .physical_device = physical,
+                             .device = device,
+                             .queue_family = queues.family,
+                             .features = {.geometry_shader = facts_.geometry_shader,
+                                          .swapchain = presents,
+                                          .occlusion_query_precise = facts_.occlusion_query_precise,
+                                          .debug_names = instance.has_debug_utils()},
+                             .loader = instance.loader()});
     context_.vk->GetDeviceQueue(device, queues.family, 0, &context_.queue);
     context_.transfer_family = queues.transfer_family;
     context_.vk->GetDeviceQueue(device, queues.transfer_family, 0, &context_.transfer_queue);

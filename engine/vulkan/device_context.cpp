@@ -13,17 +13,23 @@ VkSampleCountFlags common_samples(const VkPhysicalDeviceLimits& limits) noexcept
 DeviceContext make_device_context(const HostDevice& host) {
     const InstanceFunctions instance =
         load_instance_functions(host.loader ? host.loader : system_loader(), host.instance);
-    DeviceContext context{
-        .vk = std::make_shared<const DeviceFunctions>(load_device_functions(instance, host.device)),
-        .physical_device = host.physical_device,
-        .device = host.device,
-        .queue = host.queue,
-        .queue_family = host.queue_family,
-        .transfer_queue = host.queue,
-        .transfer_family = host.queue_family,
-        .queue_mutex = host.queue_mutex,
-        .pipeline_cache = host.pipeline_cache,
-        .features = host.features};
+    DeviceFunctions functions = load_device_functions(instance, host.device);
+    // Layers give these to everybody.
+    if (!host.features.debug_names) {
+        functions.CmdBeginDebugUtilsLabelEXT = nullptr;
+        functions.CmdEndDebugUtilsLabelEXT = nullptr;
+        functions.SetDebugUtilsObjectNameEXT = nullptr;
+    }
+    DeviceContext context{.vk = std::make_shared<const DeviceFunctions>(functions),
+                          .physical_device = host.physical_device,
+                          .device = host.device,
+                          .queue = host.queue,
+                          .queue_family = host.queue_family,
+                          .transfer_queue = host.queue,
+                          .transfer_family = host.queue_family,
+                          .queue_mutex = host.queue_mutex,
+                          .pipeline_cache = host.pipeline_cache,
+                          .features = host.features};
     VkPhysicalDeviceMemoryProperties2 memory{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2};
     instance.GetPhysicalDeviceMemoryProperties2(host.physical_device, &memory);

@@ -22,6 +22,7 @@ struct DeviceFeatures {
     bool geometry_shader = false;
     bool swapchain = false;  ///< Enabled only for an instance that presents.
     bool occlusion_query_precise = false;
+    bool debug_names = false;  ///< The instance has enabled VK_EXT_debug_utils.
 };
 
 /// A lock around every use of a caller's queues, for callers that use them on other threads too.

@@ -118,13 +118,16 @@
     X(WaitForFences)                \
     X(WaitSemaphores)
 
-// Of VK_KHR_swapchain: null where the device has not enabled it.
+// Of extensions: null where the device, or for names and labels the instance, has not enabled them.
 #define RIMLINE_DEVICE_EXTENSION_FUNCTIONS(X) \
     X(AcquireNextImageKHR)                    \
+    X(CmdBeginDebugUtilsLabelEXT)             \
+    X(CmdEndDebugUtilsLabelEXT)               \
     X(CreateSwapchainKHR)                     \
     X(DestroySwapchainKHR)                    \
     X(GetSwapchainImagesKHR)                  \
-    X(QueuePresentKHR)
+    X(QueuePresentKHR)                        \
+    X(SetDebugUtilsObjectNameEXT)
 
 namespace rimline {
 

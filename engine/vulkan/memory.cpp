@@ -6,6 +6,7 @@
 
 #include "engine/vulkan/barrier.h"
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/debug_names.h"
 #include "engine/vulkan/memory_budget.h"
 
 namespace rimline {
@@ -59,6 +60,7 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
     check_room(context.vk->CreateBuffer(context.device, &info, nullptr, &handle), "vkCreateBuffer",
                size_, what);
     buffer_ = {context, handle};
+    set_name(*context.vk, VK_OBJECT_TYPE_BUFFER, handle, what);
     VkMemoryRequirements requirements;
     context.vk->GetBufferMemoryRequirements(context.device, handle, &requirements);
     const VkMemoryPropertyFlags needed =
@@ -134,6 +136,7 @@ Image::Image(const DeviceContext& context, const ImageDescription& description,
     check_room(context.vk->CreateImage(context.device, &info, nullptr, &handle), "vkCreateImage",
                4 * pixels * description.samples, what);
     image_ = {context, handle};
+    set_name(*context.vk, VK_OBJECT_TYPE_IMAGE, handle, what);
     VkMemoryRequirements requirements;
     context.vk->GetImageMemoryRequirements(context.device, handle, &requirements);
     VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;

@@ -15,16 +15,14 @@ namespace {
 
 constexpr const char* k_validation_layer = "VK_LAYER_KHRONOS_validation";
 
-// Loaders list devices that lack parts of Vulkan, as MoltenVK's, only to those who ask for them.
-bool can_enumerate_portability(const GlobalFunctions& vk) {
+bool has_extension(const GlobalFunctions& vk, const char* name) {
     const auto extensions = enumerate<VkExtensionProperties>(
-        [&vk](std::uint32_t* count, VkExtensionProperties* all) {
+        [&](std::uint32_t* count, VkExtensionProperties* all) {
             return vk.EnumerateInstanceExtensionProperties(nullptr, count, all);
         },
         "vkEnumerateInstanceExtensionProperties");
-    return std::ranges::any_of(extensions, [](const VkExtensionProperties& extension) {
-        return std::strcmp(extension.extensionName,
-                           VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME) == 0;
+    return std::ranges::any_of(extensions, [name](const VkExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
     });
 }
 
@@ -91,11 +89,13 @@ VulkanInstance::VulkanInstance(const InstanceOptions& options)
         .pEnabledValidationFeatures = k_checks.data()};
     std::vector<const char*> extensions;
     for (const std::string& name : options.window_extensions) extensions.push_back(name.c_str());
-    const bool is_portable = can_enumerate_portability(vk);
+    // Loaders list devices that lack parts of Vulkan, as MoltenVK's, only to those who ask for them.
+    const bool is_portable = has_extension(vk, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     if (is_portable) extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
-    if (options.validate)
-        extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
-                                             VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
+    // For messages, and for names (debug_names.h).
+    has_debug_utils_ = options.validate || has_extension(vk, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (has_debug_utils_) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (options.validate) extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     VkInstanceCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
         .pApplicationInfo = &application,

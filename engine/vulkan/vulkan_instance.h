@@ -41,6 +41,9 @@ public:
     /// Whether it was made with the extensions of a window system.
     bool presents() const noexcept { return presents_; }
 
+    /// Whether VK_EXT_debug_utils is enabled: where the loader or a layer has it.
+    bool has_debug_utils() const noexcept { return has_debug_utils_; }
+
     /// The number of warnings and errors of the validation layer so far; std::nullopt if it is off. Any
     /// thread.
     std::optional<std::uint32_t> validation_message_count() const noexcept;
@@ -55,6 +58,7 @@ private:
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     bool presents_;
+    bool has_debug_utils_ = false;
     std::unique_ptr<Messages> messages_;  // Its address is the messenger's user data.
 };
 
