@@ -68,8 +68,8 @@ public:
 
     /// render() in two halves, so that the CPU prepares a frame while the GPU draws the previous one:
     /// submit() queues a frame, finish() waits for the oldest one queued. At most
-    /// RendererOptions::frames_in_flight may be queued at a time. A frame whose submit() throws is not queued, and one whose finish() throws is
-    /// over.
+    /// RendererOptions::frames_in_flight may be queued at a time. A frame whose submit() throws is not
+    /// queued, and one whose finish() throws is over.
     void submit(const Scene& scene, std::uint32_t width, std::uint32_t height);
     Picture finish();
 
@@ -81,8 +81,8 @@ public:
     /// Makes what record() needs for `scene` and `target`, of which format and extent count: meshes and
     /// silhouettes on the GPU, the images and pipelines of the passes. Call it when a scene has other
     /// instances, lights, lines, shadows or another style, or when the target or the scale changes; where
-    /// nothing is missing it costs O(instances * lights), so also before every frame. Other scenes can be
-    /// prepared only when they are recorded next: what only the last one needed is freed.
+    /// nothing is missing it costs O(instances * lights), so also before every frame. Only the scene prepared
+    /// last can be recorded: what it does not need is freed when no frame uses it any more.
     ///
     /// Copies of new meshes are submitted to the context's queue for copies, under its lock. They are not
     /// waited for, but where more than UploadBatch::k_max_staged_bytes (uploads.h) are copied. The next
@@ -113,8 +113,8 @@ public:
     /// state of all silhouettes.
     void forget_recorded() noexcept;
 
-    /// Sets RendererOptions::scale of the following frames; 0: the device's default. For record(), a change of the scale counts as
-    /// a change of the target's size.
+    /// Sets RendererOptions::scale of the following frames; 0: the device's default. For prepare(), a change
+    /// of the scale counts as a change of the target's size.
     void set_scale(std::uint32_t scale) noexcept;
 
     /// The report of the frame finished last.
@@ -135,7 +135,8 @@ public:
     std::uint64_t tracker_bytes() const noexcept;
     /// The images of the passes (render_targets.h); null before the first frame. Their content is
     /// defined only within the rectangle around the scene (drawn_rect(), drawn_rect.h). After a
-    /// frame depth() is read-only; with one sample and RendererOptions::keeps_stencil its stencil holds the count of the last light.
+    /// frame depth() is read-only; with one sample and RendererOptions::keeps_stencil its stencil holds the
+    /// count of the last light.
     const RenderTargets* targets() const noexcept;
 
 private:

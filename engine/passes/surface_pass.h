@@ -3,8 +3,9 @@
 // Depth and shading. First the color of every surface in shadow, with depth; then, for each light, the light
 // it adds where the stencil is zero. Both in one draw if there is one light without shadows.
 //
-// Each style has its own pipelines, for surfaces in one color and for surfaces in the colors of their mesh. With a common one that branches on the style in the fragment stage,
-// lavapipe computed the strokes of hatch for every pixel and discarded them: two thirds of a frame's time.
+// Each style has its own pipelines, for surfaces in one color and for surfaces in the colors of their mesh. With
+// a common one that branches on the style in the fragment stage, lavapipe computed the strokes of hatch for
+// every pixel and discarded them: two thirds of a frame's time.
 
 #include <map>
 

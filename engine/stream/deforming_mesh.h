@@ -28,9 +28,9 @@ namespace rimline {
 class DeformingMesh {
 public:
     /// `gpu_mesh` is the same mesh, uploaded; it must outlive this. Surfaces are shaded smooth across
-    /// edges that bend by at most `crease_angle_rad` at rest. Its data is complete when the batch is done. Memory counts in `budget`,
-    /// which must outlive it; null for none. Messages name `model`. Throws Error{too_large} naming the
-    /// budget or the device's limit.
+    /// edges that bend by at most `crease_angle_rad` at rest. Its data is complete when the batch is done.
+    /// Memory counts in `budget`, which must outlive it; null for none. Messages name `model`. Throws
+    /// Error{too_large} naming the budget or the device's limit.
     DeformingMesh(UploadBatch& batch, const Mesh& mesh, const GpuMesh& gpu_mesh,
                   float crease_angle_rad, std::uint32_t ring_slots, MemoryBudget* budget = nullptr,
                   const std::string& model = "the model");

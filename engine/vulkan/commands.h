@@ -68,13 +68,13 @@ private:
 /// Submits, under the lock of the context's queues. Throws what vk_check() does; then nothing was submitted.
 void submit_commands(const DeviceContext& context, const Submission& submission);
 
-/// Waits until `queue` has done everything that was submitted to it before. It is not the same as
-/// vkQueueWaitIdle, which the owner of the queue may have locked out: the lock is not held while waiting.
+/// Waits until `queue` has done everything that was submitted to it before. Unlike
+/// vkQueueWaitIdle, it uses the queue, and holds its lock, only to submit.
 /// Returns on a lost device too, and where memory has run out.
 void drain(const DeviceContext& context, VkQueue queue) noexcept;
 
-/// Records commands, submits them after what was uploaded, and waits until they are done. For setup, not for frames. Throws what
-/// vk_check() does; then too, everything that the commands use may be freed.
+/// Records commands, submits them after what was uploaded, and waits until they are done. For setup, not for
+/// frames. Throws what vk_check() does; then too, everything that the commands use may be freed.
 void run_commands(const DeviceContext& context, const std::function<void(Commands)>& record,
                   const UploadPoint& uploaded = {});
 

@@ -13,18 +13,6 @@ namespace rimline {
 
 namespace {
 
-// As vk_check(). If memory has run out, the message names what it was for.
-void check_room(VkResult result, const char* call, VkDeviceSize size, const std::string& what) {
-    if (is_out_of_memory(result))
-        throw Error(ErrorCode::too_large,
-                    (result == VK_ERROR_TOO_MANY_OBJECTS
-                         ? "the device allows no more allocations (maxMemoryAllocationCount), for "
-                         : "the device has no memory left for ") +
-                        what + " of " + size_text(size) + ": " + call + " failed with " +
-                        name_of(result));
-    vk_check(result, call);
-}
-
 VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
     switch (place) {
         case BufferPlace::device: return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;

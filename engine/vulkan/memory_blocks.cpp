@@ -15,18 +15,6 @@ namespace {
 constexpr VkDeviceSize k_first_block_bytes = VkDeviceSize{1} << 20;
 constexpr VkDeviceSize k_max_block_bytes = VkDeviceSize{64} << 20;
 
-// As vk_check(). If memory has run out, the message names what it was for.
-void check_room(VkResult result, const char* call, VkDeviceSize size, const std::string& what) {
-    if (is_out_of_memory(result))
-        throw Error(ErrorCode::too_large,
-                    (result == VK_ERROR_TOO_MANY_OBJECTS
-                         ? "the device allows no more allocations (maxMemoryAllocationCount), for "
-                         : "the device has no memory left for ") +
-                        what + " of " + size_text(size) + ": " + call + " failed with " +
-                        name_of(result));
-    vk_check(result, call);
-}
-
 }  // namespace
 
 // One VkDeviceMemory.

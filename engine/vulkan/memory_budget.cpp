@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "engine/vulkan/vulkan_result.h"
+
 namespace rimline {
 
 void MemoryBudget::check(std::uint64_t more_bytes, const std::string& what) const {
@@ -10,6 +12,18 @@ void MemoryBudget::check(std::uint64_t more_bytes, const std::string& what) cons
     throw Error(ErrorCode::too_large, what + " needs " + size_text(more_bytes) + " more, and of " +
                                           name_ + " of " + size_text(size_bytes_) + " " +
                                           size_text(size_bytes_ - used_bytes_) + " are left");
+}
+
+void check_room(VkResult result, const char* call, std::uint64_t size_bytes,
+                const std::string& what) {
+    if (is_out_of_memory(result))
+        throw Error(ErrorCode::too_large,
+                    (result == VK_ERROR_TOO_MANY_OBJECTS
+                         ? "the device allows no more allocations (maxMemoryAllocationCount), for "
+                         : "the device has no memory left for ") +
+                        what + " of " + size_text(size_bytes) + ": " + call + " failed with " +
+                        name_of(result));
+    vk_check(result, call);
 }
 
 std::string size_text(std::uint64_t bytes) {

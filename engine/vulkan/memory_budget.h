@@ -3,6 +3,8 @@
 // A limit of memory, and the shares that its users have taken. A share that does not fit is refused before
 // anything is allocated, with an error that names the purpose, the size and the budget.
 
+#include <vulkan/vulkan.h>
+
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -61,6 +63,10 @@ private:
     std::uint64_t used_bytes_ = 0;
     std::string name_;
 };
+
+/// As vk_check(). If memory has run out, the error names `what`, which needed `size_bytes`.
+void check_room(VkResult result, const char* call, std::uint64_t size_bytes,
+                const std::string& what);
 
 /// A size for messages: "12 MiB", "1.5 KiB".
 std::string size_text(std::uint64_t bytes);
