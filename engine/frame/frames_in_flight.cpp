@@ -111,9 +111,11 @@ UploadPoint FramesInFlight::prepare(const Scene& scene, const PictureTarget& tar
     return instances_.uploads().sent();
 }
 
-// The part that submit() and record() share. When it returns, `frame` counts as recorded.
+// The part that submit() and record() share. When it returns, `frame` counts as recorded. A caller has
+// prepared silhouettes; for own frames they are made here.
 FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, const Scene& scene,
-                                         const PictureTarget& target, Frame& frame) {
+                                         const PictureTarget& target, Frame& frame,
+                                         bool is_callers) {
     const std::uint32_t slot = ring_slot();
     RecordedFrame& recorded = frame.recorded;
     recorded.started = std::chrono::steady_clock::now();
@@ -123,6 +125,7 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
     FrameReport report;
     try {
         const FrameView view(scene, target.extent, instances_.casters());
+        RIMLINE_CHECK(!is_callers || instances_.has_silhouettes(view));
         instances_.prepare_silhouettes(view);
         const DrawList list = build_draw_list(
             view, frame_data(view, *passes_.targets()), slot,
@@ -158,10 +161,9 @@ FrameReport FramesInFlight::record(VkCommandBuffer commands, VkCommandBuffer pic
                                    const Scene& scene, const PictureTarget& target) {
     Frame& frame = free_frame(ring_slot());
     RIMLINE_CHECK(passes_.has_targets_for(target.extent) &&
-                  passes_.is_prepared(scene, target.format) &&
-                  instances_.has_all(FrameView(scene, target.extent, instances_.casters())));
+                  passes_.is_prepared(scene, target.format) && instances_.is_prepared(scene));
     FrameReport report =
-        record_frame({*context_.vk, commands}, {*context_.vk, picture}, scene, target, frame);
+        record_frame({*context_.vk, commands}, {*context_.vk, picture}, scene, target, frame, true);
     frame.timeline_value = 0;
     return report;
 }
@@ -202,7 +204,7 @@ void FramesInFlight::record_submission(const Scene& scene, Frame& frame) {
     const PictureTarget target = picture_target(picture_);
     prepare_scene(scene, target);
     const Commands commands = begin_commands(context_, frame.commands);
-    record_frame(commands, commands, scene, target, frame);
+    record_frame(commands, commands, scene, target, frame, false);
 }
 
 // Submits the frame's commands. They wait for uploads in progress and signal the next timeline value.

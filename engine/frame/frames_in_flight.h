@@ -78,7 +78,7 @@ private:
     void prepare_targets(VkExtent2D size);
     void prepare_picture(VkExtent2D size);
     FrameReport record_frame(Commands commands, Commands picture, const Scene& scene,
-                             const PictureTarget& target, Frame& frame);
+                             const PictureTarget& target, Frame& frame, bool is_callers);
     void record_silhouettes(Commands commands, RecordedFrame& frame) const;
     void record_submission(const Scene& scene, Frame& frame);
     void enqueue(Frame& frame);

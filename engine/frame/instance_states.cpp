@@ -150,18 +150,23 @@ void InstanceStates::prepare_silhouettes(const FrameView& view) {
     }
 }
 
-bool InstanceStates::has_all(const FrameView& view) const {
-    const Scene& scene = view.scene;
+bool InstanceStates::is_prepared(const Scene& scene) const {
     if (instances_.size() != scene.instances.size()) return false;
+    for (std::size_t i = 0; i < instances_.size(); ++i)
+        if (!is_of(instances_[i], scene.instances[i]) ||
+            instances_[i].lights.size() != scene.lights.size())
+            return false;
+    return true;
+}
+
+bool InstanceStates::has_silhouettes(const FrameView& view) const {
     for (std::size_t i = 0; i < instances_.size(); ++i) {
         const InstanceState& state = instances_[i];
-        const SceneInstance& instance = scene.instances[i];
-        if (!is_of(state, instance) || state.lights.size() != scene.lights.size()) return false;
         if (view.instances[i].lines && draws_slots(options_.line_path) &&
             !(state.deforming ? state.deforming->has_camera() : state.camera != nullptr))
             return false;
-        if (!casts_shadows(scene, instance)) continue;
-        for (std::size_t l = 0; l < scene.lights.size(); ++l)
+        if (!casts_shadows(view.scene, view.scene.instances[i])) continue;
+        for (std::size_t l = 0; l < state.lights.size(); ++l)
             if (!(state.deforming ? state.deforming->has_light(l) : state.lights[l] != nullptr))
                 return false;
     }

@@ -65,8 +65,9 @@ public:
     /// Makes missing silhouettes, and announces all points to the service before the first is waited for.
     /// `view` is of the scene prepared last.
     void prepare_silhouettes(const FrameView& view);
-    /// Whether the two would make nothing for the scene of `view`.
-    bool has_all(const FrameView& view) const;
+    /// Whether the two would make nothing: for a scene, and for the view of one for which the first holds.
+    bool is_prepared(const Scene& scene) const;
+    bool has_silhouettes(const FrameView& view) const;
     /// As Renderer::announce().
     void announce(const Scene& scene) noexcept;
     /// Call when queued changes never ran although the trackers have moved: the next frame sends the whole
