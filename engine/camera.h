@@ -6,10 +6,24 @@
 // Float depth then has the same relative precision at every distance. Greater is nearer.
 
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace rimline {
+
+/// clip = (scale * eye.xy + shift * clip.w, z[0] * eye.z + z[1] * w, w[0] * eye.z + w[1] * w).
+struct Projection {
+    glm::dvec2 scale;
+    glm::dvec2 z;
+    glm::dvec2 w;
+    /// Of the picture, in halves of its width and height, right and down: an off-axis view, or jitter. A pixel
+    /// is 2 / width.
+    glm::dvec2 shift{0.0};
+
+    bool is_orthographic() const noexcept { return w[0] == 0.0; }
+};
 
 struct Camera {
     glm::dvec3 eye{0.0, 0.0, 1.0};
@@ -18,22 +32,31 @@ struct Camera {
     double fov_y_deg = 40.0;    ///< Vertical field of view of a perspective camera.
     double ortho_height = 0.0;  ///< Greater than 0: orthographic, with this picture height.
 
-    bool is_orthographic() const noexcept { return ortho_height > 0.0; }
+    /// Instead of fov_y_deg and ortho_height: the projection of another renderer (projection_of()), of any depth
+    /// convention. Nothing is clipped at its far plane.
+    std::optional<Projection> projection;
+
+    bool is_orthographic() const noexcept {
+        return projection ? projection->is_orthographic() : ortho_height > 0.0;
+    }
 };
 
-/// clip = (scale * eye.xy, z[0] * eye.z + z[1] * w, w[0] * eye.z + w[1] * w).
-struct Projection {
-    glm::dvec2 scale;
-    glm::dvec2 z;
-    glm::dvec2 w;
-};
+/// The projection that a matrix describes, for Vulkan's clip space: y down, depth from 0 to 1 or from 1 to 0,
+/// the viewer at the origin and looking along -z. The far plane may be at infinity. Throws Error{bad_input} for
+/// a matrix that mirrors, turns or skews the picture, or that has no near plane before the viewer.
+Projection projection_of(const glm::dmat4& matrix);
+
+/// The camera of a view matrix (from the world into the camera's axes, a rotation and a translation) and a
+/// matrix that projection_of() takes. Throws as that, and Error{bad_input} where `view` is something else.
+Camera camera_of(const glm::dmat4& view, const glm::dmat4& projection);
 
 /// The rows are the camera's axes in the world: x right, y up, z towards the viewer. If `up` is parallel to
 /// the view, a perpendicular axis replaces it. eye and target must differ.
 glm::dmat3 camera_from_world(const Camera& camera);
 
 /// For an orthographic camera, everything within `scene_radius` of `scene_center` lies between the near and
-/// far planes, wherever the eye is. A perspective camera's near plane is at 1e-4 of that radius.
+/// far planes, wherever the eye is. A perspective camera's near plane is at 1e-4 of that radius, or where
+/// camera.projection has it. `aspect` does not count where the camera has a projection.
 Projection make_projection(const Camera& camera, double aspect, const glm::dvec3& scene_center,
                            double scene_radius);
 

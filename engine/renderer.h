@@ -78,17 +78,18 @@ public:
     /// is correct whatever was announced.
     void announce(const Scene& scene) noexcept;
 
-    /// Makes what record() needs for `scene` and `target`, of which format and extent count: meshes and
-    /// silhouettes on the GPU, the images and pipelines of the passes. Call it when a scene has other
-    /// instances, lights, lines, shadows or another style, or when the target or the scale changes; where
+    /// Makes what record() needs for `scene` and `target`, of which format, extent, use, and whether there is a
+    /// backdrop count: meshes and silhouettes on the GPU, the images and pipelines of the passes. Call it when a scene has other
+    /// instances, lights, lines, surfaces, shadows or another style, or when the target or the scale changes; where
     /// nothing is missing it costs O(instances * lights), so also before every frame. Only the scene prepared
     /// last can be recorded: what it does not need is freed when no frame uses it any more.
     ///
     /// Copies of new meshes are submitted to the context's queue for copies, under its lock. They are not
     /// waited for, but where more than UploadBatch::k_max_staged_bytes (uploads.h) are copied. The next
     /// submission of a recorded frame must wait for the point returned; later ones may too. For a target of
-    /// another size or scale, the GPU must be done with all recorded frames.
-    /// Throws as render(), and Error{bad_input} for a format that cannot be drawn into.
+    /// another size or scale, and for the first layer (PictureUse), the GPU must be done with all recorded
+    /// frames. Throws as render(), and Error{bad_input} for a target that cannot be drawn into, or a backdrop
+    /// that cannot be read.
     [[nodiscard]] UploadPoint prepare(const Scene& scene, const PictureTarget& target);
 
     /// Records everything of a frame into `commands`: change sets, passes, the picture into `target`. Never

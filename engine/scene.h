@@ -46,6 +46,10 @@ struct SceneInstance {
     glm::dmat3 rotation{1.0};  ///< Orthonormal, without reflection.
     glm::dvec3 translation{0.0};
     Material material;
+    /// False: its color is not drawn, because another renderer has drawn it, or nobody does. It hides what lies
+    /// behind it all the same, and shadows on it are drawn: black, with the part of the light that they take as
+    /// opacity (the mean of 1 - Palette::shade). A picture with such an instance has no grid.
+    bool has_surfaces = true;
     bool has_lines = true;
     /// Lines to draw instead of its silhouette, borders and creases (picture_lines.h). Nothing hides them: where
     /// other instances may lie before this one, the caller must know what they hide. Only the part within the

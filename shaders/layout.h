@@ -131,12 +131,14 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lin
 
 // One per picture. Colors are linear.
 struct FrameData {
-    vec2 clip_scale;    // clip.xy = clip_scale * eye.xy, so that the picture is |xy| <= w / guard
-    vec2 clip_z;        // clip.z = clip_z.x * eye.z + clip_z.y * w
-    vec2 clip_w;        // clip.w = clip_w.x * eye.z + clip_w.y * w
-    vec2 extent;        // Width and height of the picture in the pass, in pixels.
-    vec2 depth_place;   // Position of the depth sample in a pixel. The first of several.
-    float line_radius;  // Half of a line's width, in pixels of the pass.
+    // clip.xy = clip_scale * eye.xy + clip_shift * clip.w, so that the picture is |xy| <= w / guard
+    vec2 clip_scale;
+    vec2 clip_shift;
+    vec2 clip_z;            // clip.z = clip_z.x * eye.z + clip_z.y * w
+    vec2 clip_w;            // clip.w = clip_w.x * eye.z + clip_w.y * w
+    vec2 extent;            // Width and height of the picture in the pass, in pixels.
+    vec2 depth_place;       // Position of the depth sample in a pixel. The first of several.
+    float line_radius;      // Half of a line's width, in pixels of the pass.
     float hidden_strength;  // Ink strength of hidden lines. 0: not drawn.
     float depth_slack;  // Depth by which a line may lie behind the surface it sits on, relative ...
     float depth_slack_absolute;  // ... and absolute.
@@ -228,7 +230,7 @@ static_assert(sizeof(LineEnds) == 8 && sizeof(LineSegment) == 28);
 static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
-static_assert(sizeof(FrameData) == 4 * 25);
+static_assert(sizeof(FrameData) == 4 * 27);
 static_assert(sizeof(InstanceData) == 14 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 4);

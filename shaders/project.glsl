@@ -9,9 +9,9 @@
 
 vec4 clip_from_eye(vec3 eye, float w) {
     precise vec4 clip;
-    clip.xy = frame.clip_scale * eye.xy;
     clip.z = frame.clip_z.x * eye.z + frame.clip_z.y * w;
     clip.w = frame.clip_w.x * eye.z + frame.clip_w.y * w;
+    clip.xy = frame.clip_scale * eye.xy + frame.clip_shift * clip.w;
     return clip;
 }
 

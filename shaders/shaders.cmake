@@ -1,10 +1,10 @@
 # rimline_embed_shaders(TARGET shaders...): compiles GLSL to SPIR-V at build time and embeds it. For
 # line.geom the target's sources can include "line_geom.h", which defines `const uint32_t line_geom[]`.
-# The SPIR-V files are in the build folder, where a test validates them.
+# The SPIR-V files are in the build folder of the target, where a test validates them.
 find_program(RIMLINE_GLSLANG glslangValidator REQUIRED)
 
 function(rimline_embed_shaders target)
-    set(folder ${PROJECT_BINARY_DIR}/shaders)
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/shaders)  # Targets of other folders may embed the same shader.
     file(MAKE_DIRECTORY ${folder})
     foreach(shader ${ARGN})
         string(REPLACE "." "_" name ${shader})

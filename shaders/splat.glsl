@@ -9,8 +9,9 @@ layout(push_constant, scalar) uniform Constants { SplatConstants cloud; };
 
 vec4 clip_from_world(vec3 position) {
     const vec3 eye = cloud.eye_from_world * (position - cloud.camera);
-    return vec4(cloud.clip_scale * eye.xy, cloud.clip_z.x * eye.z + cloud.clip_z.y,
-                cloud.clip_w.x * eye.z + cloud.clip_w.y);
+    const float w = cloud.clip_w.x * eye.z + cloud.clip_w.y;
+    return vec4(cloud.clip_scale * eye.xy + cloud.clip_shift * w,
+                cloud.clip_z.x * eye.z + cloud.clip_z.y, w);
 }
 
 // The unit vector from a position to the camera. For an orthographic camera it is the same everywhere.

@@ -57,6 +57,7 @@ struct SplatConstants {
     mat3 eye_from_world;
     vec3 camera;      // Its position.
     vec2 clip_scale;  // As in FrameData (layout.h).
+    vec2 clip_shift;
     vec2 clip_z;
     vec2 clip_w;
     vec2 half_extent;  // Half the width and height of the pass, in pixels.
@@ -66,7 +67,7 @@ struct SplatConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(SplatRecord) == 56 && sizeof(StrokeRecord) == 40);
-static_assert(sizeof(SplatConstants) == 104);
+static_assert(sizeof(SplatConstants) == 112);
 }  // namespace rimline::gpu
 #endif
 

@@ -18,6 +18,7 @@ layout(constant_id = 0) const uint k_style = RIMLINE_STYLE_INK;
 layout(constant_id = 1) const bool k_has_shade = true;
 layout(constant_id = 2) const bool k_has_light = false;
 layout(constant_id = 3) const bool k_fades = false;  // The instance's fade_radius is > 0.
+layout(constant_id = 4) const bool k_is_layer = false;  // Alpha is opacity, color premultiplied.
 
 // The share of the light that a style shows at this cosine. It is 0 up to a positive cosine, so that the
 // facets at a shadow boundary are in the dark part already.
@@ -44,7 +45,8 @@ vec4 shaded_surface(vec3 lit) {
     // Open sheets are lit on the visible side.
     if (!gl_FrontFacing) n = -n;
     const vec3 shaded = shown(lit, 0.0, n);
-    vec4 color = vec4(k_has_shade ? shaded : vec3(0.0), 0.0);  // No line coverage yet.
+    // No line coverage yet, if alpha is that.
+    vec4 color = vec4(k_has_shade ? shaded : vec3(0.0), k_is_layer && k_has_shade ? 1.0 : 0.0);
     if (k_has_light) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
         const vec4 light_point = light.point;
@@ -58,7 +60,8 @@ vec4 shaded_surface(vec3 lit) {
     if (k_fades) {
         const float away = distance(position, instance.fade_center);
         const float fade = smoothstep(0.45, 1.0, away / instance.fade_radius);
-        color.rgb = mix(color.rgb, k_has_shade ? frame.background : vec3(0.0), fade);
+        if (k_is_layer) color *= 1.0 - fade;
+        else color.rgb = mix(color.rgb, k_has_shade ? frame.background : vec3(0.0), fade);
     }
     return color;
 }

@@ -26,6 +26,7 @@ gpu::SplatConstants constants_of(const SplatScene& scene, const RenderTargets& t
             .eye_from_world = glm::mat3(camera_from_world(scene.camera)),
             .camera = glm::vec3(scene.camera.eye),
             .clip_scale = glm::vec2(projection.scale) / targets.guard(),
+            .clip_shift = glm::vec2(projection.shift) / targets.guard(),
             .clip_z = glm::vec2(projection.z),
             .clip_w = glm::vec2(projection.w),
             .half_extent = {0.5f * float(extent.width), 0.5f * float(extent.height)},
@@ -130,6 +131,8 @@ void SplatRenderer::State::prepare_cloud(const SplatCloud* cloud) {
 
 UploadPoint SplatRenderer::prepare(const SplatScene& scene, const PictureTarget& target) {
     State& state = *state_;
+    if (target.use != PictureUse::whole || target.backdrop)
+        throw Error(ErrorCode::bad_input, "a point cloud is drawn on its own background only");
     state.prepare_targets(target.extent);
     state.composite_pass.prepare(state.context, {target.format, state.targets->scale()});
     state.prepare_cloud(scene.cloud);
@@ -172,7 +175,7 @@ void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
     commands->CmdEndRendering(commands);
     state.targets->record_before_picture(picture, target);
     RenderTargets::begin_picture(picture, target, area);
-    state.composite_pass.record(picture, kind, glm::vec3(0.0f));
+    state.composite_pass.record(picture, kind, glm::vec3(0.0f), target.corner);
     picture->CmdEndRendering(picture);
     RenderTargets::record_after_picture(picture, target);
 }

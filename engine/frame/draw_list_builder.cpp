@@ -91,6 +91,7 @@ private:
                             .loose_count = state.mesh->loose_count(),
                             .has_lines = has_lines(scene_, instance),
                             .segment_count = {},
+                            .output = surface_output(scene_, parts_.target, instance),
                             .fades = instance.fade_radius > 0.0,
                             .has_mesh_colors = has_mesh_colors(scene_, instance),
                             .ink = 0,

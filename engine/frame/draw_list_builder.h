@@ -12,6 +12,7 @@
 #include "engine/frame/shadow_batches.h"
 #include "engine/line_path.h"
 #include "engine/passes/draw_list.h"
+#include "engine/vulkan/picture_target.h"
 
 namespace rimline {
 
@@ -20,6 +21,7 @@ struct DrawListParts {
     InstanceStates& instances;  ///< Prepared for the scene, with its silhouettes.
     DrawData& draw_data;
     ShadowBatches& shadow_batches;
+    const PictureTarget& target;
     LinePath line_path;  ///< As LinePass::path().
 };
 

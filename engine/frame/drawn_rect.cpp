@@ -52,7 +52,7 @@ std::optional<ScreenBox> screen_box(const FrameView& view, const SceneInstance& 
         }
         if (!(w - w_rounding > near)) return std::nullopt;
         is_before = true;
-        const glm::dvec2 ndc = projection.scale * glm::dvec2(eye) / w;
+        const glm::dvec2 ndc = projection.scale * glm::dvec2(eye) / w + projection.shift;
         const glm::dvec2 off =
             (glm::abs(projection.scale) * rounding + glm::abs(ndc) * w_rounding) / w;
         rect.low = glm::min(rect.low, (0.5 * (ndc - off) + 0.5) * picture);

@@ -1,6 +1,7 @@
 #include "engine/frame/frame_passes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/vec4.hpp>
 #include <utility>
 
@@ -16,12 +17,47 @@ AttachmentFormats surface_formats(std::uint32_t samples) {
     return {k_surface_format, k_depth_stencil_format, samples};
 }
 
-// The part of the picture to draw: without the background around the scene, unless a grid is drawn on it.
+// The part of the picture to draw: without the background around the scene, unless a grid is drawn on it, or a
+// shadow may fall on a backdrop.
 DrawnArea drawn_area(const FrameView& view, const PictureTarget& target) {
-    const Palette& palette = view.scene.palette;
+    const Scene& scene = view.scene;
+    if (target.backdrop && scene.shadows && !scene.lights.empty())
+        return DrawnArea::whole(target.extent);
+    if (target.use != PictureUse::whole) return {drawn_rect(view), {}};
+    const Palette& palette = scene.palette;
     const auto around = composite_of(palette.background, target.format);
     if (!around || palette.grid_strength > 0.0f) return DrawnArea::whole(target.extent);
     return {drawn_rect(view), *around};
+}
+
+// The map from depths of a backdrop to those of the surfaces. Both are linear on the screen, so one is a linear
+// function of the other.
+BackdropMap backdrop_map(const FrameView& view, VkFormat format) {
+    // A few times the rounding of another renderer's transforms and interpolation.
+    constexpr double k_relative_slack = 1e-5;
+    constexpr double k_steps_slack = 4.0;
+    const Projection& ours = view.projection;
+    const Projection& theirs = view.scene.camera.projection.value_or(ours);
+    const bool is_orthographic = ours.is_orthographic();
+    const double scale = is_orthographic ? ours.z[0] / theirs.z[0] : ours.z[1] / theirs.z[1];
+    const double offset = is_orthographic ? ours.z[1] - theirs.z[1] * scale : theirs.z[0] * scale;
+    // The steps of a float are proportional to it. So only depths that are 1 far away have steps of one size.
+    const bool has_steps = format != VK_FORMAT_D32_SFLOAT && format != VK_FORMAT_D32_SFLOAT_S8_UINT;
+    const bool is_short = format == VK_FORMAT_D16_UNORM || format == VK_FORMAT_D16_UNORM_S8_UINT;
+    const double step = has_steps || scale < 0.0 ? (is_short ? 0x1p-16 : 0x1p-24) : 0.0;
+    const double slack = k_steps_slack * step * std::abs(scale);
+    return {
+        .scale = static_cast<float>(scale),
+        .offset = static_cast<float>(offset),
+        .far = scale > 0.0 ? 0.0f : 1.0f,
+        .relative_slack = is_orthographic ? 0.0f : static_cast<float>(k_relative_slack),
+        .absolute_slack = static_cast<float>(slack + (is_orthographic ? k_relative_slack : 0.0))};
+}
+
+SurfaceKind surface_kind_of(const Scene& scene, const PictureTarget& target,
+                            const SceneInstance& instance) {
+    return surface_kind(scene.style, has_mesh_colors(scene, instance),
+                        surface_output(scene, target, instance));
 }
 
 }  // namespace
@@ -35,75 +71,114 @@ FramePasses::FramePasses(const DeviceContext& context, const RendererOptions& op
       shadow_pass_(context, draw_data, surface_formats(sampling_.samples), options.shadow_sides),
       line_pass_(context, draw_data, k_surface_format, options.line_path),
       ink_pass_(context, k_surface_format),
+      backdrop_pass_(context, surface_formats(sampling_.samples), options.frames_in_flight),
       composite_pass_(context) {}
 
-std::uint32_t FramePasses::scale_for(VkExtent2D size) const {
-    return fitting_scale(context_, size, sampling_.scale, sampling_.samples);
+std::uint32_t FramePasses::scale_for(const PictureTarget& target) const {
+    return fitting_scale(context_, target.extent, target.backdrop ? 1 : sampling_.scale,
+                         sampling_.samples);
 }
 
-bool FramePasses::has_targets_for(VkExtent2D size) const {
-    return targets_ && targets_->size().width == size.width &&
-           targets_->size().height == size.height && targets_->scale() == scale_for(size);
+CompositeKind FramePasses::composite_kind(const Scene& scene, const PictureTarget& target) const {
+    return {target.format, targets_->scale(), target.use, is_layer(scene, target)};
 }
 
-void FramePasses::make_targets(VkExtent2D size) {
+bool FramePasses::has_targets_for(const Scene& scene, const PictureTarget& target) const {
+    return targets_ && targets_->size().width == target.extent.width &&
+           targets_->size().height == target.extent.height &&
+           targets_->scale() == scale_for(target) &&
+           (targets_->has_coverage() || !is_layer(scene, target));
+}
+
+void FramePasses::make_targets(const Scene& scene, const PictureTarget& target) {
     targets_.reset();  // Frees their memory before the new ones are made.
-    auto targets = std::make_unique<RenderTargets>(
-        context_, size, Sampling{sampling_.samples, scale_for(size)}, keeps_stencil_);
+    auto targets = std::make_unique<RenderTargets>(context_, target.extent,
+                                                   Sampling{sampling_.samples, scale_for(target)},
+                                                   keeps_stencil_, is_layer(scene, target));
     line_pass_.set_surface_depth(targets->depth());
     composite_pass_.set_surfaces(targets->surfaces());
+    if (targets->has_coverage()) ink_pass_.set_coverage(targets->coverage());
     targets_ = std::move(targets);
 }
 
-void FramePasses::prepare(const Scene& scene, VkFormat format) {
-    composite_pass_.prepare(context_, {format, targets_->scale()});
+void FramePasses::prepare(const Scene& scene, const PictureTarget& target) {
+    if (target.use == PictureUse::over && target.initial_layout == VK_IMAGE_LAYOUT_UNDEFINED)
+        throw Error(ErrorCode::bad_input,
+                    "a frame is drawn over a picture whose layout is VK_IMAGE_LAYOUT_UNDEFINED");
+    if (target.backdrop) backdrop_pass_.prepare(context_, *target.backdrop);
+    composite_pass_.prepare(context_, composite_kind(scene, target));
+    if (is_layer(scene, target)) ink_pass_.prepare_fold(context_);
     for (const SceneInstance& instance : scene.instances)
-        surface_pass_.prepare(context_, {scene.style, has_mesh_colors(scene, instance)});
+        surface_pass_.prepare(context_, surface_kind_of(scene, target, instance));
 }
 
-bool FramePasses::is_prepared(const Scene& scene, VkFormat format) const {
-    return composite_pass_.is_prepared({format, targets_->scale()}) &&
+bool FramePasses::is_prepared(const Scene& scene, const PictureTarget& target) const {
+    return composite_pass_.is_prepared(composite_kind(scene, target)) &&
+           (!is_layer(scene, target) || ink_pass_.is_fold_prepared()) &&
+           (!target.backdrop || backdrop_pass_.is_prepared()) &&
            std::ranges::all_of(scene.instances, [&](const SceneInstance& instance) {
-               return surface_pass_.is_prepared({scene.style, has_mesh_colors(scene, instance)});
+               return surface_pass_.is_prepared(surface_kind_of(scene, target, instance));
            });
 }
 
 void FramePasses::record(Commands commands, Commands picture, const FrameView& view,
-                         const DrawList& list, const PictureTarget& target) const {
-    const DrawnArea area = drawn_area(view, target);
+                         const DrawList& list, const PictureTarget& target,
+                         std::uint32_t ring_slot) const {
+    Frame frame{view, list, target, drawn_area(view, target), ring_slot};
+    if (target.backdrop) {
+        backdrop_pass_.set(ring_slot, *target.backdrop);
+        frame.backdrop = backdrop_map(view, target.backdrop->format);
+        RenderTargets::record_before_backdrop(commands, *target.backdrop);
+    }
     targets_->record_before_surfaces(commands);
-    record_surfaces(commands, view.scene, list, area);
+    record_surfaces(commands, frame);
     targets_->record_before_lines(commands);
-    record_lines(commands, view.scene, list, area);
+    if (is_layer(view.scene, target))
+        record_layer_lines(commands, frame);
+    else
+        record_lines(commands, frame);
     targets_->record_before_picture(picture, target);
-    record_picture(picture, list, target, area);
+    record_picture(picture, frame);
     RenderTargets::record_after_picture(picture, target);
 }
 
-void FramePasses::record_surfaces(Commands commands, const Scene& scene, const DrawList& list,
-                                  const DrawnArea& area) const {
+void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "surfaces");
-    targets_->begin_surfaces(commands, scene.palette.background, area);
+    const Scene& scene = frame.view.scene;
+    const DrawList& list = frame.list;
+    const glm::vec3 under =
+        is_layer(scene, frame.target) ? glm::vec3(0.0f) : scene.palette.background;
+    targets_->begin_surfaces(commands, under, frame.area);
+    if (frame.target.backdrop)
+        backdrop_pass_.record_depth(commands, frame.ring_slot, frame.backdrop, frame.target.corner);
     if (!list.shadows && list.light_count == 1) {
         surface_pass_.record_shadowless(commands, list);
     } else {
         surface_pass_.record_unlit(commands, list);
-        for (std::size_t light = 0; light < list.light_count; ++light) {
-            if (list.shadows) {
-                const PassLabel shadows(commands, "shadow volumes");
-                shadow_pass_.record(commands, list, light, targets_->in_pass(area.rect));
-            }
-            surface_pass_.record_lit(commands, list, light);
-        }
+        for (std::size_t light = 0; light < list.light_count; ++light)
+            record_light(commands, frame, light);
     }
     commands->CmdEndRendering(commands);
 }
 
-void FramePasses::record_lines(Commands commands, const Scene& scene, const DrawList& list,
-                               const DrawnArea& area) const {
+void FramePasses::record_light(Commands commands, const Frame& frame, std::size_t light) const {
+    const DrawList& list = frame.list;
+    if (list.shadows) {
+        const PassLabel shadows(commands, "shadow volumes");
+        shadow_pass_.record(commands, list, light, targets_->in_pass(frame.area.rect));
+        if (frame.target.backdrop)
+            backdrop_pass_.record_shade(
+                commands, frame.ring_slot, frame.backdrop, frame.target.corner,
+                shadow_opacity(frame.view.scene) / static_cast<float>(list.light_count));
+    }
+    surface_pass_.record_lit(commands, list, light);
+}
+
+void FramePasses::record_lines(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "lines");
-    const Palette& palette = scene.palette;
-    targets_->begin_lines(commands, area);
+    const Palette& palette = frame.view.scene.palette;
+    const DrawList& list = frame.list;
+    targets_->begin_lines(commands, frame.area);
     if (palette.grid_strength > 0.0f)
         ink_pass_.record_grid(commands, glm::vec4(palette.grid, palette.grid_strength),
                               targets_->size(), targets_->scale());
@@ -114,11 +189,29 @@ void FramePasses::record_lines(Commands commands, const Scene& scene, const Draw
     commands->CmdEndRendering(commands);
 }
 
-void FramePasses::record_picture(Commands commands, const DrawList& list,
-                                 const PictureTarget& target, const DrawnArea& area) const {
+// The surfaces' alpha is opacity here, so the coverage of each color has its own scope.
+void FramePasses::record_layer_lines(Commands commands, const Frame& frame) const {
+    const PassLabel label(commands, "lines");
+    for (std::size_t ink = 0; ink < frame.list.inks.size(); ++ink) {
+        targets_->record_before_coverage(commands);
+        targets_->begin_coverage(commands, frame.area);
+        line_pass_.record(commands, frame.list, ink);
+        commands->CmdEndRendering(commands);
+        targets_->record_after_coverage(commands);
+        targets_->begin_lines(commands, frame.area);
+        ink_pass_.record_fold(commands, frame.list.inks[ink]);
+        commands->CmdEndRendering(commands);
+    }
+}
+
+void FramePasses::record_picture(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "picture");
-    RenderTargets::begin_picture(commands, target, area);
-    composite_pass_.record(commands, {target.format, targets_->scale()}, list.inks.back());
+    const Scene& scene = frame.view.scene;
+    RenderTargets::begin_picture(commands, frame.target, frame.area);
+    const CompositeKind kind = composite_kind(scene, frame.target);
+    composite_pass_.record(commands, kind,
+                           kind.is_layer ? scene.palette.background : frame.list.inks.back(),
+                           frame.target.corner);
     commands->CmdEndRendering(commands);
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/frame/frame_view.h"
 #include "engine/frame/render_targets.h"
+#include "engine/passes/backdrop_pass.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/passes/draw_list.h"
 #include "engine/passes/ink_pass.h"
@@ -35,32 +36,42 @@ public:
     }
     const RenderTargets* targets() const noexcept { return targets_.get(); }
 
-    /// Whether the images fit a picture of `size`, at the scale set.
-    bool has_targets_for(VkExtent2D size) const;
-    /// Frees the images and makes others for `size`. The GPU must be done with all frames. Throws
-    /// Error{too_large} naming the limit where the device cannot hold them.
-    void make_targets(VkExtent2D size);
+    /// Whether the images fit, at the scale set.
+    bool has_targets_for(const Scene& scene, const PictureTarget& target) const;
+    /// Frees the images and makes others. The GPU must be done with all frames. Throws Error{too_large} naming
+    /// the limit where the device cannot hold them.
+    void make_targets(const Scene& scene, const PictureTarget& target);
 
-    /// Makes the pipelines that `scene` and the target's format need. There must be targets. Throws
-    /// Error{bad_input} for a format that cannot be drawn into.
-    void prepare(const Scene& scene, VkFormat format);
+    /// Makes the pipelines that `scene` and `target` need. There must be targets. Throws Error{bad_input} for a
+    /// target that cannot be drawn into, and for a backdrop that cannot be read.
+    void prepare(const Scene& scene, const PictureTarget& target);
 
-    bool is_prepared(const Scene& scene, VkFormat format) const;
+    bool is_prepared(const Scene& scene, const PictureTarget& target) const;
 
     /// Records all passes: those that use `target` into `picture`, which may be `commands` or others that are
     /// submitted after them. Face bits, slots and draw arguments must be complete for all stages. There must
     /// be targets for `target`, and everything must be prepared.
     void record(Commands commands, Commands picture, const FrameView& view, const DrawList& list,
-                const PictureTarget& target) const;
+                const PictureTarget& target, std::uint32_t ring_slot) const;
 
 private:
-    std::uint32_t scale_for(VkExtent2D size) const;
-    void record_surfaces(Commands commands, const Scene& scene, const DrawList& list,
-                         const DrawnArea& area) const;
-    void record_lines(Commands commands, const Scene& scene, const DrawList& list,
-                      const DrawnArea& area) const;
-    void record_picture(Commands commands, const DrawList& list, const PictureTarget& target,
-                        const DrawnArea& area) const;
+    // What the steps of one frame share.
+    struct Frame {
+        const FrameView& view;
+        const DrawList& list;
+        const PictureTarget& target;
+        DrawnArea area;
+        std::uint32_t ring_slot;
+        BackdropMap backdrop{};  // Only where the target has one.
+    };
+
+    std::uint32_t scale_for(const PictureTarget& target) const;
+    CompositeKind composite_kind(const Scene& scene, const PictureTarget& target) const;
+    void record_surfaces(Commands commands, const Frame& frame) const;
+    void record_light(Commands commands, const Frame& frame, std::size_t light) const;
+    void record_lines(Commands commands, const Frame& frame) const;
+    void record_layer_lines(Commands commands, const Frame& frame) const;
+    void record_picture(Commands commands, const Frame& frame) const;
 
     DeviceContext context_;
     Sampling sampling_;
@@ -69,6 +80,7 @@ private:
     ShadowVolumePass shadow_pass_;
     LinePass line_pass_;
     InkPass ink_pass_;
+    BackdropPass backdrop_pass_;
     CompositePass composite_pass_;
     std::unique_ptr<RenderTargets> targets_;
 };

@@ -78,12 +78,12 @@ FramesInFlight::Frame& FramesInFlight::free_frame(std::uint32_t slot) {
     return frames_[slot];
 }
 
-void FramesInFlight::prepare_targets(VkExtent2D size) {
-    if (passes_.has_targets_for(size)) return;
+void FramesInFlight::prepare_targets(const Scene& scene, const PictureTarget& target) {
+    if (passes_.has_targets_for(scene, target)) return;
     wait_for(submitted_);
     for (std::uint32_t slot = 0; slot < frames_.size(); ++slot)
         RIMLINE_CHECK(frames_[slot].timeline_value != 0 || is_done(slot));
-    passes_.make_targets(size);
+    passes_.make_targets(scene, target);
 }
 
 void FramesInFlight::prepare_picture(VkExtent2D size) {
@@ -96,8 +96,8 @@ void FramesInFlight::prepare_picture(VkExtent2D size) {
 
 // Makes everything that a frame needs before its recording begins, but silhouettes.
 void FramesInFlight::prepare_scene(const Scene& scene, const PictureTarget& target) {
-    prepare_targets(target.extent);
-    passes_.prepare(scene, target.format);
+    prepare_targets(scene, target);
+    passes_.prepare(scene, target);
     InstanceStates::Frames numbers{.recorded = recorded_};
     for (std::uint32_t slot = 0; slot < frames_.size(); ++slot)
         if (!is_done(slot))
@@ -129,9 +129,9 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
         instances_.prepare_silhouettes(view);
         const DrawList list = build_draw_list(
             view, frame_data(view, *passes_.targets()), slot,
-            {instances_, draw_data_, shadow_batches_, passes_.line_path()}, recorded);
+            {instances_, draw_data_, shadow_batches_, target, passes_.line_path()}, recorded);
         record_silhouettes(commands, recorded);
-        passes_.record(commands, picture, view, list, target);
+        passes_.record(commands, picture, view, list, target, slot);
         if (checks_silhouettes_) check_.record(picture, slot, recorded.silhouettes);
         marks_.record(picture, slot, recorded_ + 1);
         recorded.report.record_ms = milliseconds_since(recorded.started);
@@ -160,8 +160,8 @@ void FramesInFlight::record_silhouettes(Commands commands, RecordedFrame& frame)
 FrameReport FramesInFlight::record(VkCommandBuffer commands, VkCommandBuffer picture,
                                    const Scene& scene, const PictureTarget& target) {
     Frame& frame = free_frame(ring_slot());
-    RIMLINE_CHECK(passes_.has_targets_for(target.extent) &&
-                  passes_.is_prepared(scene, target.format) && instances_.is_prepared(scene));
+    RIMLINE_CHECK(passes_.has_targets_for(scene, target) && passes_.is_prepared(scene, target) &&
+                  instances_.is_prepared(scene));
     FrameReport report =
         record_frame({*context_.vk, commands}, {*context_.vk, picture}, scene, target, frame, true);
     frame.timeline_value = 0;

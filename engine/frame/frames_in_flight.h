@@ -75,7 +75,7 @@ private:
     bool is_done(std::uint32_t slot) const noexcept;
     Frame& free_frame(std::uint32_t slot);
     void prepare_scene(const Scene& scene, const PictureTarget& target);
-    void prepare_targets(VkExtent2D size);
+    void prepare_targets(const Scene& scene, const PictureTarget& target);
     void prepare_picture(VkExtent2D size);
     FrameReport record_frame(Commands commands, Commands picture, const Scene& scene,
                              const PictureTarget& target, Frame& frame, bool is_callers);

@@ -42,7 +42,7 @@ constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
 void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area, float guard,
                      const VkRenderingAttachmentInfo& color,
                      const VkRenderingAttachmentInfo* depth = nullptr,
-                     const VkRenderingAttachmentInfo* stencil = nullptr) {
+                     const VkRenderingAttachmentInfo* stencil = nullptr, VkOffset2D corner = {}) {
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                .renderArea = area,
                                .layerCount = 1,
@@ -53,8 +53,8 @@ void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area,
     commands->CmdBeginRendering(commands, &info);
     const float width = static_cast<float>(extent.width);
     const float height = static_cast<float>(extent.height);
-    const VkViewport viewport{.x = 0.5f * (1.0f - guard) * width,
-                              .y = 0.5f * (1.0f - guard) * height,
+    const VkViewport viewport{.x = static_cast<float>(corner.x) + 0.5f * (1.0f - guard) * width,
+                              .y = static_cast<float>(corner.y) + 0.5f * (1.0f - guard) * height,
                               .width = guard * width,
                               .height = guard * height,
                               .minDepth = 0.0f,
@@ -94,7 +94,7 @@ std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::
 }
 
 RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
-                             const Sampling& sampling, bool keeps_stencil)
+                             const Sampling& sampling, bool keeps_stencil, bool is_layer)
     : size_(size),
       scale_(sampling.scale),
       samples_(sampling.samples),
@@ -113,6 +113,9 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
                              VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                     .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
                    "the picture's depth");
+    if (is_layer)
+        coverage_ = Image(context, {k_surface_format, extent, k_drawn_and_read},
+                          "the coverage of the picture's lines");
     if (is_multisampled()) {
         // Resolved at the end of the pass, and never read: tiled GPUs need no memory for them.
         constexpr VkImageUsageFlags k_transient = VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
@@ -172,11 +175,41 @@ void RenderTargets::begin_picture(Commands commands, const PictureTarget& target
                                   const DrawnArea& area) {
     const bool is_whole = area.rect.extent.width == target.extent.width &&
                           area.rect.extent.height == target.extent.height;
-    VkRenderingAttachmentInfo color = color_attachment(
-        target.view, is_whole ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR);
+    VkRenderingAttachmentInfo color =
+        color_attachment(target.view, target.use == PictureUse::over ? VK_ATTACHMENT_LOAD_OP_LOAD
+                                      : is_whole ? VK_ATTACHMENT_LOAD_OP_DONT_CARE
+                                                 : VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = area.around;
-    begin_rendering(commands, target.extent, {{0, 0}, target.extent}, 1.0f, color);
-    commands->CmdSetScissor(commands, 0, 1, &area.rect);
+    const VkOffset2D corner = target.corner;
+    begin_rendering(commands, target.extent, {corner, target.extent}, 1.0f, color, nullptr, nullptr,
+                    corner);
+    const VkRect2D drawn{{corner.x + area.rect.offset.x, corner.y + area.rect.offset.y},
+                         area.rect.extent};
+    commands->CmdSetScissor(commands, 0, 1, &drawn);
+}
+
+void RenderTargets::begin_coverage(Commands commands, const DrawnArea& area) const {
+    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_,
+                    color_attachment(coverage_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
+}
+
+void RenderTargets::record_before_coverage(Commands commands) const {
+    record_barrier(
+        commands, {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+        k_drawing,
+        {{coverage_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
+}
+
+void RenderTargets::record_after_coverage(Commands commands) const {
+    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    record_barrier(commands, k_drawing,
+                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+                   {{coverage_, k_color, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+                    {surfaces_, k_color, k_color}});
+}
+
+void RenderTargets::record_before_backdrop(Commands commands, const BackdropDepth& backdrop) {
+    record_barrier(commands, k_before, k_sampling, {{backdrop, backdrop.layout, backdrop.layout}});
 }
 
 void RenderTargets::record_before_surfaces(Commands commands) const {

@@ -5,6 +5,8 @@
 //     surfaces (color, depth + stencil; several samples) --resolved--> surfaces, depth (one sample)
 //     lines are drawn against depth into the surfaces' alpha, as coverage; composite averages scale x
 //     scale texels to a pixel of the target.
+//
+// For a layer (PictureUse) the surfaces' alpha is opacity, and coverage has an image of its own.
 
 #include <vulkan/vulkan.h>
 
@@ -37,7 +39,7 @@ class RenderTargets {
 public:
     /// `keeps_stencil`: as in RendererOptions. Throws Error{too_large} naming the limit.
     RenderTargets(const DeviceContext& context, VkExtent2D size, const Sampling& sampling,
-                  bool keeps_stencil);
+                  bool keeps_stencil, bool is_layer = false);
 
     VkExtent2D size() const noexcept { return size_; }
     /// The size of the images that the surface and line passes draw into.
@@ -51,9 +53,12 @@ public:
     /// How many times wider and higher than the picture the viewport of the surface and line passes is. The
     /// picture is at its center. A power of two.
     float guard() const noexcept { return guard_; }
+    /// Whether a layer can be drawn.
+    bool has_coverage() const noexcept { return coverage_.handle() != VK_NULL_HANDLE; }
 
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
+    const Image& coverage() const noexcept { return coverage_; }
 
     /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area.
     /// It is cleared to linear `background` and alpha 0: no line covers it.
@@ -61,13 +66,20 @@ public:
                         const DrawnArea& area) const;
     /// For drawing over the finished surfaces and into their alpha.
     void begin_lines(Commands commands, const DrawnArea& area) const;
-    /// Clears the target around the area; the caller must draw every pixel of the area.
+    /// For drawing coverage of lines into its own image, which is cleared.
+    void begin_coverage(Commands commands, const DrawnArea& area) const;
+    /// Clears the target around the area, but for PictureUse::over; the caller must draw every pixel of the
+    /// area.
     static void begin_picture(Commands commands, const PictureTarget& target,
                               const DrawnArea& area);
 
     /// Layout changes between the scopes, for all images at once; the last one includes the target.
     void record_before_surfaces(Commands commands) const;
+    static void record_before_backdrop(Commands commands, const BackdropDepth& backdrop);
     void record_before_lines(Commands commands) const;
+    /// Before and after coverage is drawn, to be read by the next scope of lines.
+    void record_before_coverage(Commands commands) const;
+    void record_after_coverage(Commands commands) const;
     void record_before_picture(Commands commands, const PictureTarget& target) const;
     /// Moves the target to its final layout. All later commands wait for it.
     static void record_after_picture(Commands commands, const PictureTarget& target);
@@ -82,6 +94,7 @@ private:
     bool must_resolve_stencil_;  // Because depth is.
     float guard_;
     Image surfaces_, depth_;                            // One sample.
+    Image coverage_;                                    // Likewise, and only for a layer.
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
 };
 

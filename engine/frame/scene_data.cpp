@@ -1,5 +1,6 @@
 #include "engine/frame/scene_data.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -62,8 +63,8 @@ ShadowView shadow_view(const FrameView& view, const SceneInstance& instance) {
     if (!shadow.orthographic) {
         // The near plane is where clip.z is clip.w; at its corners clip.x and clip.y are too.
         const double near = projection.z[1];
-        shadow.near_reach =
-            near * glm::length(glm::dvec3(1.0 / projection.scale.x, 1.0 / projection.scale.y, 1.0));
+        shadow.near_reach = near * glm::length(glm::dvec3(
+                                       (1.0 + glm::abs(projection.shift)) / projection.scale, 1.0));
     } else {
         // Depth ends at -z[1] / z[0] along the view.
         shadow.far = glm::dot(shadow.back, shadow.eye) - projection.z[1] / projection.z[0];
@@ -90,6 +91,21 @@ bool has_mesh_colors(const Scene& scene, const SceneInstance& instance) {
            !instance.mesh().materials().empty();
 }
 
+bool is_layer(const Scene& scene, const PictureTarget& target) {
+    return target.use != PictureUse::whole || target.backdrop ||
+           !std::ranges::all_of(scene.instances, &SceneInstance::has_surfaces);
+}
+
+SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
+                             const SceneInstance& instance) {
+    if (!instance.has_surfaces) return SurfaceOutput::held_out;
+    return is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
+}
+
+float shadow_opacity(const Scene& scene) {
+    return 1.0f - glm::dot(scene.palette.shade, glm::vec3(1.0f / 3.0f));
+}
+
 std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh) {
     if (scene.crease_angle_deg <= 0.0f) return 0;
     return mesh.crease_count(creases_of(scene), glm::radians(scene.crease_angle_deg));
@@ -101,6 +117,7 @@ gpu::FrameData frame_data(const FrameView& view, const RenderTargets& targets) {
     const VkExtent2D extent = targets.pass_extent();
     const bool orthographic = scene.camera.is_orthographic();
     return {.clip_scale = glm::vec2(projection.scale) / targets.guard(),
+            .clip_shift = glm::vec2(projection.shift) / targets.guard(),
             .clip_z = glm::vec2(projection.z),
             .clip_w = glm::vec2(projection.w),
             .extent = {float(extent.width), float(extent.height)},

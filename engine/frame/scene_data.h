@@ -9,6 +9,7 @@
 
 #include "engine/frame/frame_view.h"
 #include "engine/frame/render_targets.h"
+#include "engine/passes/draw_list.h"
 #include "engine/scene.h"
 #include "engine/shadow_choice.h"
 #include "engine/stream/gpu_mesh.h"
@@ -21,6 +22,14 @@ const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance);
 
 /// Whether the surfaces of an instance are drawn in the colors of its mesh.
 bool has_mesh_colors(const Scene& scene, const SceneInstance& instance);
+
+/// Whether the scene is drawn as a layer (PictureUse): color premultiplied, alpha opacity.
+bool is_layer(const Scene& scene, const PictureTarget& target);
+SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
+                             const SceneInstance& instance);
+
+/// The opacity of a shadow that all lights cast on something without a color of its own.
+float shadow_opacity(const Scene& scene);
 
 /// Limit of LightData.extrusion for a point light. A light's volumes in an orthographic view reach behind
 /// everything in the scene, and no farther than needed: a longer volume lowers the precision of its sides'

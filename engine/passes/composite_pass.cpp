@@ -9,6 +9,15 @@
 
 namespace rimline {
 
+namespace {
+
+struct Constants {
+    glm::vec3 color;
+    VkOffset2D corner;
+};
+
+}  // namespace
+
 std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFormat format) {
     if (format != VK_FORMAT_R8G8B8A8_UNORM && format != VK_FORMAT_B8G8R8A8_UNORM) return {};
     VkClearColorValue value{.float32 = {0.0f, 0.0f, 0.0f, 1.0f}};
@@ -28,7 +37,7 @@ std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFor
 
 CompositePass::CompositePass(const DeviceContext& context)
     : surfaces_(context, 1),
-      layout_(make_pipeline_layout(context, sizeof(glm::vec3), VK_SHADER_STAGE_FRAGMENT_BIT,
+      layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_FRAGMENT_BIT,
                                    {surfaces_.layout()})) {}
 
 void CompositePass::prepare(const DeviceContext& context, const CompositeKind& kind) {
@@ -41,23 +50,29 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
         (properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) == 0)
         throw Error(ErrorCode::bad_input,
                     "pictures cannot be drawn in VkFormat " + std::to_string(kind.format));
-    const std::array<std::uint32_t, 2> constants{kind.scale, encoding == PictureEncoding::srgb};
+    RIMLINE_CHECK(kind.is_layer || kind.use == PictureUse::whole);
+    const std::array<std::uint32_t, 4> constants{kind.scale, encoding == PictureEncoding::srgb,
+                                                 kind.is_layer, kind.use == PictureUse::whole};
     pipelines_.emplace(kind, make_graphics_pipeline(context, {.vertex = composite_vert,
                                                               .geometry = {},
                                                               .fragment = composite_frag,
                                                               .fragment_constants = constants,
                                                               .formats = {.color = kind.format},
+                                                              .blend = kind.use == PictureUse::over
+                                                                           ? Blend::premultiplied
+                                                                           : Blend::replace,
                                                               .layout = layout_}));
 }
 
-void CompositePass::record(Commands commands, const CompositeKind& kind,
-                           const glm::vec3& ink) const {
+void CompositePass::record(Commands commands, const CompositeKind& kind, const glm::vec3& color,
+                           VkOffset2D corner) const {
     commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.at(kind));
+    const Constants constants{color, corner};
     const VkDescriptorSet set = surfaces_.get();
     commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set,
                                     0, nullptr);
-    commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof ink,
-                               &ink);
+    commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof constants,
+                               &constants);
     commands->CmdDraw(commands, 3, 1, 0, 0);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // The finished picture: ink over surfaces, blended by the coverage of lines in the surfaces' alpha
-// (line_pass.h), averaged over texels in linear light, and encoded for the target's format
-// (picture_target.h).
+// (line_pass.h), or a layer of premultiplied color; averaged over texels in linear light, and encoded for the
+// target's format (picture_target.h).
 
 #include <compare>
 #include <cstdint>
@@ -21,6 +21,9 @@ namespace rimline {
 struct CompositeKind {
     VkFormat format;      ///< Of the target.
     std::uint32_t scale;  ///< `scale` x `scale` texels of the surfaces make one pixel.
+    PictureUse use = PictureUse::whole;
+    bool is_layer =
+        false;  ///< Of the surfaces: alpha is opacity. Always, if the use is not `whole`.
     auto operator<=>(const CompositeKind&) const = default;
 };
 
@@ -41,8 +44,10 @@ public:
 
     void set_surfaces(const Image& surfaces) { surfaces_.set({&surfaces}); }
 
-    /// Inside a rendering scope of a target of a prepared kind. `ink` is linear.
-    void record(Commands commands, const CompositeKind& kind, const glm::vec3& ink) const;
+    /// Inside a rendering scope of a target of a prepared kind, where the picture begins at `corner`. `color` is
+    /// linear: the ink over the surfaces or, for a layer, the background under it.
+    void record(Commands commands, const CompositeKind& kind, const glm::vec3& color,
+                VkOffset2D corner) const;
 
 private:
     SampledImages surfaces_;

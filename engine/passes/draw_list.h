@@ -27,6 +27,13 @@ struct IndirectDraw {
     static constexpr VkDeviceSize k_sides = offsetof(gpu::SlotArguments, sides);
 };
 
+/// How the surfaces of an instance are drawn.
+enum class SurfaceOutput {
+    picture,   ///< Color, and no coverage by lines yet.
+    layer,     ///< Premultiplied color and opacity.
+    held_out,  ///< No color; shadows as opacity.
+};
+
 /// One instance as seen from one light.
 struct DrawnLight {
     std::uint32_t data = 0;  ///< Offset of its gpu::LightData in DrawData.
@@ -48,6 +55,7 @@ struct DrawnInstance {
     bool has_lines = false;
     /// Set: its lines are these segments, instead of its silhouette, borders and creases.
     std::optional<std::uint32_t> segment_count;
+    SurfaceOutput output = SurfaceOutput::picture;
     bool fades = false;
     bool has_mesh_colors = false;  ///< Of surfaces: InstanceData.materials.
     bool shows_backs = true;       ///< False: back faces are hidden behind front faces.

@@ -1,6 +1,7 @@
 #include "engine/passes/ink_pass.h"
 
 #include "composite_vert.h"
+#include "fold_ink_frag.h"
 #include "grid_frag.h"
 #include "ink_frag.h"
 
@@ -35,9 +36,26 @@ void record(Commands commands, VkPipeline pipeline, VkPipelineLayout layout,
 }  // namespace
 
 InkPass::InkPass(const DeviceContext& context, VkFormat surface_format)
-    : layout_(make_pipeline_layout(context, sizeof(GridConstants), VK_SHADER_STAGE_FRAGMENT_BIT)),
+    : surface_format_(surface_format),
+      layout_(make_pipeline_layout(context, sizeof(GridConstants), VK_SHADER_STAGE_FRAGMENT_BIT)),
       grid_(make_pipeline(context, grid_frag, surface_format, Blend::over, layout_)),
-      ink_(make_pipeline(context, ink_frag, surface_format, Blend::over_by_target, layout_)) {}
+      ink_(make_pipeline(context, ink_frag, surface_format, Blend::over_by_target, layout_)),
+      coverage_(context, 1),
+      fold_layout_(make_pipeline_layout(context, sizeof(glm::vec3), VK_SHADER_STAGE_FRAGMENT_BIT,
+                                        {coverage_.layout()})) {}
+
+void InkPass::prepare_fold(const DeviceContext& context) {
+    if (is_fold_prepared()) return;
+    fold_ =
+        make_pipeline(context, fold_ink_frag, surface_format_, Blend::premultiplied, fold_layout_);
+}
+
+void InkPass::record_fold(Commands commands, const glm::vec3& ink) const {
+    const VkDescriptorSet set = coverage_.get();
+    commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_layout_, 0, 1,
+                                    &set, 0, nullptr);
+    record(commands, fold_, fold_layout_, ink);
+}
 
 void InkPass::record_grid(Commands commands, const glm::vec4& color, VkExtent2D size,
                           std::uint32_t scale) const {

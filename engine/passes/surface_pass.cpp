@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "held_out_frag.h"
 #include "surface_colored_frag.h"
 #include "surface_colored_vert.h"
 #include "surface_frag.h"
@@ -24,6 +25,11 @@ void bind(Commands commands, VkPipeline pipeline, const DrawnInstance& instance)
 
 }  // namespace
 
+SurfaceKind surface_kind(Style style, bool has_mesh_colors, SurfaceOutput output) {
+    if (output == SurfaceOutput::held_out) return {Style::ink, false, output};
+    return {style, has_mesh_colors, output};
+}
+
 SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                          const AttachmentFormats& formats)
     : formats_(formats),
@@ -35,10 +41,14 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
     const auto number = static_cast<std::uint32_t>(kind.style);
     const SpirvCode corners =
         kind.has_mesh_colors ? SpirvCode(surface_colored_vert) : SpirvCode(surface_vert);
-    const SpirvCode shading =
-        kind.has_mesh_colors ? SpirvCode(surface_colored_frag) : SpirvCode(surface_frag);
+    const bool is_held_out = kind.output == SurfaceOutput::held_out;
+    const SpirvCode shading = is_held_out            ? SpirvCode(held_out_frag)
+                              : kind.has_mesh_colors ? SpirvCode(surface_colored_frag)
+                                                     : SpirvCode(surface_frag);
+    const StencilUse lit = is_held_out ? StencilUse::not_zero : StencilUse::zero;
     const auto make = [&](bool has_shade, bool has_light, bool fades, SpirvCode vertex) {
-        const std::array<std::uint32_t, 4> constants{number, has_shade, has_light, fades};
+        const std::array<std::uint32_t, 5> constants{number, has_shade, has_light, fades,
+                                                     kind.output == SurfaceOutput::layer};
         return make_graphics_pipeline(
             context, {.vertex = vertex,
                       .geometry = {},
@@ -48,7 +58,7 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
                       .blend = has_shade ? Blend::replace : Blend::add,
                       .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
                       .depth_write = has_shade,
-                      .stencil = has_shade ? StencilUse::off : StencilUse::zero,
+                      .stencil = has_shade ? StencilUse::off : lit,
                       .sets_cull = true,
                       .layout = layout_});
     };
@@ -71,7 +81,8 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
 
 const SurfacePass::Pipelines& SurfacePass::pipelines_of(const DrawList& list,
                                                         const DrawnInstance& instance) const {
-    return pipelines_.at({static_cast<Style>(list.style), instance.has_mesh_colors});
+    return pipelines_.at(
+        surface_kind(static_cast<Style>(list.style), instance.has_mesh_colors, instance.output));
 }
 
 void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines pipelines,

@@ -20,8 +20,12 @@ namespace rimline {
 struct SurfaceKind {
     Style style;
     bool has_mesh_colors;
+    SurfaceOutput output = SurfaceOutput::picture;
     auto operator<=>(const SurfaceKind&) const = default;
 };
+
+/// The kind of a surface of these properties; all that are held out are of one kind.
+SurfaceKind surface_kind(Style style, bool has_mesh_colors, SurfaceOutput output);
 
 class SurfacePass {
 public:
@@ -38,7 +42,8 @@ public:
     void record_unlit(Commands commands, const DrawList& list) const;
     /// Equals record_unlit() and record_lit() of the only light with a stencil of zero everywhere.
     void record_shadowless(Commands commands, const DrawList& list) const;
-    /// Adds light `light` where the depth equals that of record_unlit() and the stencil is zero.
+    /// Where the depth equals that of record_unlit(): adds light `light` where the stencil is zero. For surfaces
+    /// that are held out, adds opacity where it is not, if there are shadows.
     void record_lit(Commands commands, const DrawList& list, std::size_t light) const;
 
 private:

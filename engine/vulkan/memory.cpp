@@ -8,6 +8,7 @@
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/debug_names.h"
 #include "engine/vulkan/memory_budget.h"
+#include "engine/vulkan/picture_target.h"
 
 namespace rimline {
 
@@ -96,9 +97,8 @@ void read_buffer(const DeviceContext& context, const Buffer& buffer, std::span<s
 }
 
 VkImageAspectFlags Image::aspects() const noexcept {
-    return description_.format == k_depth_stencil_format
-               ? VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT
-               : VK_IMAGE_ASPECT_COLOR_BIT;
+    const VkImageAspectFlags depth = depth_aspects(description_.format);
+    return depth != 0 ? depth : VkImageAspectFlags{VK_IMAGE_ASPECT_COLOR_BIT};
 }
 
 Image::Image(const DeviceContext& context, const ImageDescription& description,

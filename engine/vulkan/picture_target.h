@@ -6,6 +6,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace rimline {
 
@@ -17,17 +18,50 @@ enum class PictureEncoding {
 };
 PictureEncoding encoding_of(VkFormat format) noexcept;
 
-/// One layer of a 2D color image with one sample a pixel and VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT. A frame
-/// writes every pixel, with alpha 1.
+/// The aspects of a depth format; 0 for a format that has no depth.
+VkImageAspectFlags depth_aspects(VkFormat format) noexcept;
+
+/// What a frame does to its target.
+enum class PictureUse {
+    whole,  ///< Writes every pixel, with alpha 1: the scene on its background.
+    /// Writes every pixel, with premultiplied alpha: 1 where surfaces and lines are, 0 where nothing is. A
+    /// shadow on what others have drawn is black, with the part of the light that it takes as alpha. There is no
+    /// background, and no grid.
+    layer,
+    /// Blends that layer over the target's content: color + (1 - alpha) * content, and alpha likewise. Formats
+    /// that encode light themselves, and floats, blend linear light. Others blend their encoded values.
+    over,
+};
+
+/// The depth of what another renderer has drawn already. It hides surfaces and lines that lie behind it, and
+/// receives shadows. Its samples are those of the frame: with it, the scale is 1, and RendererOptions::samples
+/// must be its number of samples. Depths are those of Camera::projection or, without one, of make_projection(),
+/// without any change by the viewport. Depth at the far plane means that nothing was drawn.
+struct BackdropDepth {
+    VkImage image = VK_NULL_HANDLE;  ///< With VK_IMAGE_USAGE_SAMPLED_BIT.
+    VkImageView view =
+        VK_NULL_HANDLE;  ///< 2D, of the depth aspect alone. Pixels are those of the target.
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    std::uint32_t samples = 1;
+    std::uint32_t layer = 0;
+    /// While the frame reads it; the frame neither writes it nor moves it to another layout.
+    VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
+};
+
+/// One layer of a 2D color image with one sample a pixel and VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT.
 struct PictureTarget {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;      ///< Of mip level 0 and `layer`.
     VkFormat format = VK_FORMAT_UNDEFINED;  ///< The view's.
-    VkExtent2D extent{};
+    VkExtent2D extent{};                    ///< Of the frame.
+    VkOffset2D corner{};  ///< Of the frame in the image. Nothing outside of the frame changes.
     std::uint32_t layer = 0;
-    /// The layouts before and after the commands. UNDEFINED is a valid initial layout for every image.
+    /// The layouts before and after the commands. UNDEFINED is valid at first if the image has no content to
+    /// keep.
     VkImageLayout initial_layout = VK_IMAGE_LAYOUT_UNDEFINED;
     VkImageLayout final_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    PictureUse use = PictureUse::whole;
+    std::optional<BackdropDepth> backdrop;
 };
 
 }  // namespace rimline

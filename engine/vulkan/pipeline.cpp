@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "engine/vulkan/picture_target.h"
+
 namespace rimline {
 
 namespace {
@@ -54,6 +56,10 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
             state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
             state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
             break;
+        case Blend::premultiplied:
+            state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            break;
         case Blend::none_written:
             state.blendEnable = VK_FALSE;
             state.colorWriteMask = 0;
@@ -64,13 +70,15 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
 
 VkStencilOpState stencil_state(const GraphicsPipelineDescription& description) {
     if (description.stencil == StencilUse::given) return description.stencil_state;
-    const bool zero = description.stencil == StencilUse::zero;
+    const bool counts = description.stencil == StencilUse::count;
+    const VkCompareOp not_counting =
+        description.stencil == StencilUse::not_zero ? VK_COMPARE_OP_NOT_EQUAL : VK_COMPARE_OP_EQUAL;
     return {.failOp = VK_STENCIL_OP_KEEP,
             .passOp = VK_STENCIL_OP_KEEP,
             .depthFailOp = VK_STENCIL_OP_KEEP,
-            .compareOp = zero ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_ALWAYS,
+            .compareOp = counts ? VK_COMPARE_OP_ALWAYS : not_counting,
             .compareMask = 0xff,
-            .writeMask = zero ? 0u : 0xffu,
+            .writeMask = counts ? 0xffu : 0u,
             .reference = 0};
 }
 
@@ -146,7 +154,8 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .lineWidth = 1.0f};
     const VkPipelineMultisampleStateCreateInfo multisample{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-        .rasterizationSamples = static_cast<VkSampleCountFlagBits>(description.formats.samples)};
+        .rasterizationSamples = static_cast<VkSampleCountFlagBits>(description.formats.samples),
+        .pSampleMask = &description.sample_mask};
     const VkStencilOpState stencil = stencil_state(description);
     const VkPipelineDepthStencilStateCreateInfo depth_stencil{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
@@ -176,7 +185,10 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
         .colorAttachmentCount = has_color ? 1u : 0u,
         .pColorAttachmentFormats = &description.formats.color,
         .depthAttachmentFormat = description.formats.depth_stencil,
-        .stencilAttachmentFormat = description.formats.depth_stencil};
+        .stencilAttachmentFormat =
+            (depth_aspects(description.formats.depth_stencil) & VK_IMAGE_ASPECT_STENCIL_BIT) != 0
+                ? description.formats.depth_stencil
+                : VK_FORMAT_UNDEFINED};
     const VkGraphicsPipelineCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
         .pNext = &rendering,

@@ -29,6 +29,7 @@ enum class Blend {
     over,            ///< By the source's alpha; the target's alpha does not change.
     maximum_alpha,   ///< Alpha keeps its maximum; color does not change.
     over_by_target,  ///< By the target's alpha, which becomes zero.
+    premultiplied,   ///< Over the target, color and alpha.
     none_written,    ///< The pass writes no color.
 };
 
@@ -38,9 +39,10 @@ constexpr std::uint32_t k_max_indexed_vertices = 1u << 24;
 
 enum class StencilUse {
     off,
-    count,  ///< Always passes. Operations are dynamic state.
-    zero,   ///< Passes if the stencil is zero. Writes nothing.
-    given,  ///< GraphicsPipelineDescription::stencil_state, for both faces.
+    count,     ///< Always passes. Operations are dynamic state.
+    zero,      ///< Passes if the stencil is zero. Writes nothing.
+    not_zero,  ///< The opposite.
+    given,     ///< GraphicsPipelineDescription::stencil_state, for both faces.
 };
 
 /// Formats and samples of the attachments a pipeline draws into.
@@ -68,7 +70,8 @@ struct GraphicsPipelineDescription {
     StencilUse stencil = StencilUse::off;
     VkStencilOpState stencil_state{};
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
-    bool sets_cull = false;  ///< The cull mode is dynamic state instead.
+    std::uint32_t sample_mask = ~0u;  ///< Bit i: draws sample i.
+    bool sets_cull = false;           ///< The cull mode is dynamic state instead.
     VkPipelineLayout layout = VK_NULL_HANDLE;
 };
 

@@ -4,8 +4,6 @@
 
 namespace rimline {
 
-namespace {
-
 OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter) {
     // Shaders that fetch texels use no filter, and nearest is allowed for every format.
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
@@ -18,6 +16,8 @@ OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter) {
              "vkCreateSampler");
     return {context, sampler};
 }
+
+namespace {
 
 DescriptorSets make_set(const DeviceContext& context, std::uint32_t count,
                         const VkSampler& sampler) {

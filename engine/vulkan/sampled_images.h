@@ -11,6 +11,9 @@
 
 namespace rimline {
 
+/// Nearest or linear, within the image.
+OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter);
+
 class SampledImages {
 public:
     /// VK_FILTER_LINEAR is valid for color images only.

@@ -2,8 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <initializer_list>
+
+#include "silhouette/error.h"
 
 namespace rimline {
 namespace {
@@ -12,7 +17,7 @@ namespace {
 glm::dvec3 project(const Camera& camera, const Projection& projection, const glm::dvec3& point) {
     const glm::dvec3 eye = camera_from_world(camera) * (point - camera.eye);
     const double w = projection.w[0] * eye.z + projection.w[1];
-    return glm::dvec3(glm::dvec2(eye) * projection.scale,
+    return glm::dvec3(glm::dvec2(eye) * projection.scale + projection.shift * w,
                       projection.z[0] * eye.z + projection.z[1]) /
            w;
 }
@@ -73,6 +78,63 @@ TEST_CASE("looking along the up axis still gives a rotation") {
                 CHECK(identity[i][j] == doctest::Approx(i == j ? 1.0 : 0.0));
         CHECK(glm::determinant(axes) == doctest::Approx(1.0));
     }
+}
+
+TEST_CASE("a camera of another renderer's matrices sees what the matrices show") {
+    const glm::dmat4 view =
+        glm::lookAt(glm::dvec3(3, 4, 5), glm::dvec3(1, 0, -1), glm::dvec3(0.1, 1, 0));
+    // Rows: x, y, depth, w. Off the axis; depth 0 near and far; 1 near and no far plane; parallel.
+    const std::array<glm::dmat4, 3> by_rows{
+        {{{1.4, 0, 0.2, 0}, {0, -2.1, -0.1, 0}, {0, 0, -1.01, -0.101}, {0, 0, -1, 0}},
+         {{1.4, 0, 0, 0}, {0, -2.1, 0.3, 0}, {0, 0, 0, 0.25}, {0, 0, -1, 0}},
+         {{0.3, 0, 0, 0.2}, {0, -0.4, 0, -0.1}, {0, 0, -0.05, -0.1}, {0, 0, 0, 1}}}};
+    for (const glm::dmat4& rows : by_rows) {
+        const glm::dmat4 matrix = glm::transpose(rows);
+        const Camera camera = camera_of(view, matrix);
+        const Projection& projection = camera.projection.value();
+        const Projection drawn = make_projection(camera, 1.5, {0, 0, 0}, 3.0);
+        CHECK(camera.is_orthographic() == (rows[3][3] == 1.0));
+        for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), {1, 0.5, -1}, {-0.7, 0.2, 0.9}}) {
+            const glm::dvec4 clip = matrix * view * glm::dvec4(point, 1.0);
+            const glm::dvec3 shown = project(camera, projection, point);
+            for (int axis = 0; axis < 3; ++axis)
+                CHECK(shown[axis] == doctest::Approx(clip[axis] / clip.w));
+            // What is drawn has the depths of Rimline, at the same places.
+            const glm::dvec3 place = project(camera, drawn, point);
+            CHECK(place.x == doctest::Approx(shown.x));
+            CHECK(place.y == doctest::Approx(shown.y));
+            CHECK(place.z > 0.0);
+            CHECK(place.z < 1.0);
+        }
+    }
+    // The near plane is that of the matrix.
+    const double near = make_projection(camera_of(view, glm::transpose(by_rows[0])), 1, {}, 3).z[1];
+    CHECK(near == doctest::Approx(0.1));
+}
+
+TEST_CASE("matrices that no camera of ours has are refused with the reason") {
+    const glm::dmat4 good{{1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 0, -1}, {0, 0, 0.1, 0}};
+    CHECK_NOTHROW((void)projection_of(good));
+    const auto refused = [&](int row, int column, double value, const char* why) {
+        glm::dmat4 matrix = good;
+        matrix[column][row] = value;
+        CHECK_THROWS_WITH_AS((void)projection_of(matrix), doctest::Contains(why), Error);
+    };
+    refused(0, 0, -1.0, "mirrors");
+    refused(1, 1, 1.0, "mirrors");
+    refused(0, 1, 0.1, "turns or skews");
+    refused(3, 0, 0.1, "turns or skews");
+    refused(0, 3, 0.1, "skews");
+    refused(3, 2, 1.0, "does not look along -z");
+    refused(3, 3, 1.0, "does not look along -z");
+    refused(2, 3, 0.0, "no near plane");
+    refused(2, 3, std::nan(""), "not finite");
+    glm::dmat4 view(1.0);
+    CHECK_NOTHROW((void)camera_of(view, good));
+    view[0][0] = 1.1;
+    CHECK_THROWS_AS((void)camera_of(view, good), Error);
+    view[0][0] = -1.0;
+    CHECK_THROWS_AS((void)camera_of(view, good), Error);
 }
 
 }  // namespace
