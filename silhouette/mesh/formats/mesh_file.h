@@ -12,7 +12,7 @@
 //
 // Faces get the colors that the file gives them (face_materials.h):
 //   OBJ         Kd of the material libraries (mtllib) in the file's folder, and colors of vertices
-//   PLY         red, green and blue of vertices
+//   PLY         red, green and blue of vertices and of faces
 //   glTF, GLB   baseColorFactor of materials, and COLOR_0 of vertices
 // Colors of vertices become those of the corners of faces. Numbers of OBJ and PLY are taken as sRGB; those of
 // glTF are linear light. If both kinds of color are given, they are multiplied. A material library that is

@@ -1,7 +1,7 @@
 // PLY: an element is a record of typed properties, and a file is a list of elements in any order.
-// Only `vertex` (x, y, z and red, green, blue), `face` (vertex_indices or vertex_index) and `tristrips`
-// (vertex_indices, strips separated by -1) are used. Everything else is skipped by its declared type. Colors
-// are sRGB.
+// Only `vertex` (x, y, z and red, green, blue), `face` (vertex_indices or vertex_index, and red, green, blue) and
+// `tristrips` (vertex_indices, strips separated by -1) are used. Everything else is skipped by its declared type.
+// Colors are sRGB.
 
 #include <algorithm>
 #include <array>
@@ -39,19 +39,37 @@ public:
         body_.expect_end();
         std::uint64_t polygon = 0;
         for (std::size_t i = 0; i < early_polygons_.size(); i += early_polygons_[i] + 1) {
-            elements_.checkpoint(polygon++);
-            triangulator_.triangulate(source_.positions,
-                                      std::span(early_polygons_).subspan(i + 1, early_polygons_[i]),
-                                      source_.triangles);
+            elements_.checkpoint(polygon);
+            add_polygon(std::span(early_polygons_).subspan(i + 1, early_polygons_[i]),
+                        early_colors_.empty() ? k_white : early_colors_[polygon]);
+            ++polygon;
         }
-        if (!vertex_colors_.empty()) {
-            whiten_triangles(source_);
-            color_corners(source_, vertex_colors_);
-        }
+        add_colors();
         return std::move(source_);
     }
 
 private:
+    static constexpr glm::vec3 k_white{1.0f};
+
+    void add_polygon(std::span<const std::uint32_t> polygon, const glm::vec3& color) {
+        triangulator_.triangulate(source_.positions, polygon, source_.triangles);
+        if (has_face_colors_) triangle_colors_.resize(source_.triangles.size(), color);
+    }
+
+    // The product of the colors of vertices and of faces.
+    void add_colors() {
+        if (vertex_colors_.empty() && !has_face_colors_) return;
+        whiten_triangles(source_);
+        std::vector<glm::vec3>& corners = source_.materials.corner_colors;
+        if (!vertex_colors_.empty())
+            color_corners(source_, vertex_colors_);
+        else
+            corners.resize(3 * source_.triangles.size(), k_white);
+        triangle_colors_.resize(source_.triangles.size(), k_white);
+        if (has_face_colors_)
+            for (std::size_t i = 0; i < corners.size(); ++i) corners[i] *= triangle_colors_[i / 3];
+    }
+
     // The channel of each property, or -1. Colors are used only if all three channels exist.
     static std::vector<int> channels_of(const PlyElement& element) {
         constexpr std::array<const char*, 3> k_names{"red", "green", "blue"};
@@ -83,9 +101,7 @@ private:
                 if (axis_of[p] >= 0)
                     position[axis_of[p]] = body_.coordinate(type, k_axes[axis_of[p]]);
                 else if (channel_of[p] >= 0)
-                    color[channel_of[p]] = color_scale(type) *
-                                           static_cast<float>(body_.number(type, "a color")) /
-                                           255.0f;
+                    color[channel_of[p]] = channel(type);
                 else
                     elements_.skip_property(element.properties[p]);
             }
@@ -96,9 +112,16 @@ private:
         has_positions_ = true;
     }
 
-    // Calls `read_list(count, type)` for the index list of each element.
-    template <typename ReadList>
-    void for_each_index_list(const PlyElement& element, ReadList&& read_list) {
+    // sRGB, in [0, 1] in a sound file.
+    float channel(ScalarType type) {
+        return color_scale(type) * static_cast<float>(body_.number(type, "a color")) / 255.0f;
+    }
+
+    // Calls `read_list(count, type)` for the index list of each element, then `end(color)`, with white where
+    // `channel_of` (channels_of()) has no color.
+    template <typename ReadList, typename End>
+    void for_each_index_list(const PlyElement& element, std::span<const int> channel_of,
+                             ReadList&& read_list, End&& end) {
         const auto plural = element.find("vertex_indices");
         const auto singular = element.find("vertex_index");
         if (plural && singular)
@@ -114,14 +137,18 @@ private:
         for (std::uint64_t i = 0; i < element.count; ++i) {
             elements_.checkpoint(i);
             body_.begin_element("another face");
+            glm::vec3 color = k_white;
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 if (p == *indices)
                     read_list(elements_.list_count(element.properties[p]),
                               element.properties[p].type);
+                else if (channel_of[p] >= 0)
+                    color[channel_of[p]] = channel(element.properties[p].type);
                 else
                     elements_.skip_property(element.properties[p]);
             }
             body_.end_element("a face");
+            end(linear_from_srgb(clamped_color(color)));
         }
     }
 
@@ -134,24 +161,31 @@ private:
 
     void read_polygons(const PlyElement& element) {
         if (!element.properties.empty()) source_.triangles.reserve(element.count);
-        for_each_index_list(element, [&](std::uint64_t count, ScalarType type) {
+        const std::vector<int> channel_of = channels_of(element);
+        has_face_colors_ = std::ranges::find(channel_of, 0) != channel_of.end();
+        if (has_face_colors_) triangle_colors_.resize(source_.triangles.size(), k_white);
+        const auto read_list = [&](std::uint64_t count, ScalarType type) {
             if (count < 3)
                 body_.fail("a face has " + std::to_string(count) + " corners; it needs 3 or more");
             polygon_.clear();
             for (std::uint64_t i = 0; i < count; ++i)
                 polygon_.push_back(vertex_index(body_.integer(type, "a vertex index")));
+        };
+        for_each_index_list(element, channel_of, read_list, [&](const glm::vec3& color) {
             if (has_positions_) {
-                triangulator_.triangulate(source_.positions, polygon_, source_.triangles);
-            } else {
-                early_polygons_.push_back(static_cast<std::uint32_t>(count));
-                early_polygons_.insert(early_polygons_.end(), polygon_.begin(), polygon_.end());
+                add_polygon(polygon_, color);
+                return;
             }
+            early_polygons_.push_back(static_cast<std::uint32_t>(polygon_.size()));
+            early_polygons_.insert(early_polygons_.end(), polygon_.begin(), polygon_.end());
+            if (has_face_colors_) early_colors_.push_back(color);
         });
     }
 
     // Strip corners a b c d e ... are triangles abc, cbd, cde, ... Every second one is reversed.
     void read_strips(const PlyElement& element) {
-        for_each_index_list(element, [&](std::uint64_t count, ScalarType type) {
+        const std::vector<int> no_channels(element.properties.size(), -1);
+        const auto read_list = [&](std::uint64_t count, ScalarType type) {
             std::array<std::uint32_t, 2> previous{};
             std::uint64_t length = 0;
             for (std::uint64_t i = 0; i < count; ++i) {
@@ -172,7 +206,9 @@ private:
                 ++length;
             }
             end_strip(length);
-        });
+        };
+        for_each_index_list(element, no_channels, read_list, [](const glm::vec3&) {});
+        if (has_face_colors_) triangle_colors_.resize(source_.triangles.size(), k_white);
     }
 
     void end_strip(std::uint64_t length) {
@@ -192,6 +228,9 @@ private:
     std::vector<std::uint32_t> polygon_;
     // Faces that came before the vertices: count, corners, count, corners, ...
     std::vector<std::uint32_t> early_polygons_;
+    std::vector<glm::vec3> early_colors_;  // Of each of them, if faces have colors.
+    bool has_face_colors_ = false;
+    std::vector<glm::vec3> triangle_colors_;  // Of the first triangles, if faces have colors.
     Triangulator triangulator_;
 };
 

@@ -392,3 +392,40 @@ TEST_CASE("damaged colors are an error, or those of the file, and damaged librar
         CHECK(is_sound(read_mesh_file(folder.write("a.obj", obj))));
     });
 }
+
+TEST_CASE("PLY: all triangles of a face have its color, before or after the vertices") {
+    const std::string head = "ply\nformat ascii 1.0\n";
+    const std::string vertex =
+        "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+    // A color on either side of the indices.
+    const std::string face =
+        "element face 2\nproperty uchar red\nproperty list uchar int vertex_indices\n"
+        "property uchar green\nproperty uchar blue\n";
+    const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    const std::string faces = "255 4 0 1 2 3 0 0\n0 3 0 1 2 255 0\n";
+    const glm::vec3 green(0, 1, 0);
+    for (const std::string& text : {head + vertex + face + "end_header\n" + vertices + faces,
+                                    head + face + vertex + "end_header\n" + faces + vertices}) {
+        const MeshSource source = read_text("a.ply", text);
+        REQUIRE(source.triangles.size() == 3);
+        REQUIRE(are_materials_of(source.materials, 3));
+        CHECK(colors_of(source.materials, 0) == plain(k_red));
+        CHECK(colors_of(source.materials, 1) == plain(k_red));
+        CHECK(colors_of(source.materials, 2) == plain(green));
+    }
+}
+
+TEST_CASE("PLY: colors of faces and vertices are multiplied, and strips stay white") {
+    const MeshSource source = read_text(
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element tristrips 1\nproperty list int int vertex_indices\n"
+        "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+        "property uchar green\nproperty uchar blue\nend_header\n"
+        "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 255 255 255\n3 0 1 2\n3 0 1 2 255 0 0\n");
+    REQUIRE(source.triangles.size() == 2);
+    const glm::vec3 black(0.0f), white(1.0f), green(0, 1, 0);
+    CHECK(colors_of(source.materials, 0) == std::vector<glm::vec3>{k_red, green, white});
+    CHECK(colors_of(source.materials, 1) == std::vector<glm::vec3>{k_red, black, k_red});
+}
