@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/vec4.hpp>
+#include <string>
 #include <utility>
 
 #include "engine/frame/drawn_rect.h"
@@ -69,34 +70,44 @@ bool FramePasses::is_prepared(const Scene& scene, VkFormat format) const {
 }
 
 void FramePasses::record(Commands commands, Commands picture, const FrameView& view,
-                         const DrawList& list, const PictureTarget& target) const {
+                         const DrawList& list, const PictureTarget& target,
+                         PassClock& clock) const {
     const DrawnArea area = drawn_area(view, target);
     targets_->record_before_surfaces(commands);
-    record_surfaces(commands, view.scene, list, area);
+    record_surfaces(commands, view.scene, list, area, clock);
     targets_->record_before_lines(commands);
     record_lines(commands, view.scene, list, area);
+    clock.end_pass(commands, "lines");
+    clock.start_again(picture);
     targets_->record_before_picture(picture, target);
     record_picture(picture, list, target, area);
     RenderTargets::record_after_picture(picture, target);
+    clock.end_pass(picture, "picture");
 }
 
 void FramePasses::record_surfaces(Commands commands, const Scene& scene, const DrawList& list,
-                                  const DrawnArea& area) const {
+                                  const DrawnArea& area, PassClock& clock) const {
     const PassLabel label(commands, "surfaces");
     targets_->begin_surfaces(commands, scene.palette.background, area);
     if (!list.shadows && list.light_count == 1) {
         surface_pass_.record_shadowless(commands, list);
+        clock.end_pass(commands, "surfaces");
     } else {
         surface_pass_.record_unlit(commands, list);
+        clock.end_pass(commands, "surfaces, unlit");
         for (std::size_t light = 0; light < list.light_count; ++light) {
+            const std::string of_light = ", light " + std::to_string(light);
             if (list.shadows) {
                 const PassLabel shadows(commands, "shadow volumes");
                 shadow_pass_.record(commands, list, light, targets_->in_pass(area.rect));
+                clock.end_pass(commands, "shadow volumes" + of_light);
             }
             surface_pass_.record_lit(commands, list, light);
+            clock.end_pass(commands, "surfaces" + of_light);
         }
     }
     commands->CmdEndRendering(commands);
+    if (sampling_.samples > 1) clock.end_pass(commands, "resolve");
 }
 
 void FramePasses::record_lines(Commands commands, const Scene& scene, const DrawList& list,

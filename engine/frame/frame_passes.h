@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "engine/frame/frame_view.h"
+#include "engine/frame/pass_clock.h"
 #include "engine/frame/render_targets.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/passes/draw_list.h"
@@ -49,14 +50,18 @@ public:
 
     /// Records all passes: those that use `target` into `picture`, which may be `commands` or others that are
     /// submitted after them. Face bits, slots and draw arguments must be complete for all stages. There must
-    /// be targets for `target`, and everything must be prepared.
+    /// be targets for `target`, and everything must be prepared. The passes end on `clock`, at most
+    /// max_passes() of them.
     void record(Commands commands, Commands picture, const FrameView& view, const DrawList& list,
-                const PictureTarget& target) const;
+                const PictureTarget& target, PassClock& clock) const;
+    static std::uint32_t max_passes(const Scene& scene) noexcept {
+        return 4 + 2 * static_cast<std::uint32_t>(scene.lights.size());
+    }
 
 private:
     std::uint32_t scale_for(VkExtent2D size) const;
     void record_surfaces(Commands commands, const Scene& scene, const DrawList& list,
-                         const DrawnArea& area) const;
+                         const DrawnArea& area, PassClock& clock) const;
     void record_lines(Commands commands, const Scene& scene, const DrawList& list,
                       const DrawnArea& area) const;
     void record_picture(Commands commands, const DrawList& list, const PictureTarget& target,

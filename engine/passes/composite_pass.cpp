@@ -27,9 +27,9 @@ std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFor
 }
 
 CompositePass::CompositePass(const DeviceContext& context)
-    : surfaces_(context, 1),
-      layout_(make_pipeline_layout(context, sizeof(glm::vec3), VK_SHADER_STAGE_FRAGMENT_BIT,
-                                   {surfaces_.layout()})) {}
+    : surfaces_(context, "surfaces for the picture", 1),
+      layout_(make_pipeline_layout(context, "picture", sizeof(glm::vec3),
+                                   VK_SHADER_STAGE_FRAGMENT_BIT, {surfaces_.layout()})) {}
 
 void CompositePass::prepare(const DeviceContext& context, const CompositeKind& kind) {
     if (pipelines_.contains(kind)) return;
@@ -42,12 +42,13 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
         throw Error(ErrorCode::bad_input,
                     "pictures cannot be drawn in VkFormat " + std::to_string(kind.format));
     const std::array<std::uint32_t, 2> constants{kind.scale, encoding == PictureEncoding::srgb};
-    pipelines_.emplace(kind, make_graphics_pipeline(context, {.vertex = composite_vert,
-                                                              .geometry = {},
-                                                              .fragment = composite_frag,
-                                                              .fragment_constants = constants,
-                                                              .formats = {.color = kind.format},
-                                                              .layout = layout_}));
+    pipelines_.emplace(kind, make_graphics_pipeline(context, "picture",
+                                                    {.vertex = composite_vert,
+                                                     .geometry = {},
+                                                     .fragment = composite_frag,
+                                                     .fragment_constants = constants,
+                                                     .formats = {.color = kind.format},
+                                                     .layout = layout_}));
 }
 
 void CompositePass::record(Commands commands, const CompositeKind& kind,

@@ -13,14 +13,15 @@ struct GridConstants {
     std::int32_t width, height, scale;
 };
 
-OwnedPipeline make_pipeline(const DeviceContext& context, SpirvCode fragment, VkFormat format,
-                            Blend blend, VkPipelineLayout layout) {
-    return make_graphics_pipeline(context, {.vertex = composite_vert,
-                                            .geometry = {},
-                                            .fragment = fragment,
-                                            .formats = {.color = format},
-                                            .blend = blend,
-                                            .layout = layout});
+OwnedPipeline make_pipeline(const DeviceContext& context, const char* name, SpirvCode fragment,
+                            VkFormat format, Blend blend, VkPipelineLayout layout) {
+    return make_graphics_pipeline(context, name,
+                                  {.vertex = composite_vert,
+                                   .geometry = {},
+                                   .fragment = fragment,
+                                   .formats = {.color = format},
+                                   .blend = blend,
+                                   .layout = layout});
 }
 
 template <typename Constants>
@@ -35,9 +36,11 @@ void record(Commands commands, VkPipeline pipeline, VkPipelineLayout layout,
 }  // namespace
 
 InkPass::InkPass(const DeviceContext& context, VkFormat surface_format)
-    : layout_(make_pipeline_layout(context, sizeof(GridConstants), VK_SHADER_STAGE_FRAGMENT_BIT)),
-      grid_(make_pipeline(context, grid_frag, surface_format, Blend::over, layout_)),
-      ink_(make_pipeline(context, ink_frag, surface_format, Blend::over_by_target, layout_)) {}
+    : layout_(make_pipeline_layout(context, "grid and ink", sizeof(GridConstants),
+                                   VK_SHADER_STAGE_FRAGMENT_BIT)),
+      grid_(make_pipeline(context, "grid", grid_frag, surface_format, Blend::over, layout_)),
+      ink_(make_pipeline(context, "ink", ink_frag, surface_format, Blend::over_by_target,
+                         layout_)) {}
 
 void InkPass::record_grid(Commands commands, const glm::vec4& color, VkExtent2D size,
                           std::uint32_t scale) const {

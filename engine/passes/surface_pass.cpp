@@ -27,8 +27,8 @@ void bind(Commands commands, VkPipeline pipeline, const DrawnInstance& instance)
 SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                          const AttachmentFormats& formats)
     : formats_(formats),
-      layout_(
-          make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages, {draw_data})) {}
+      layout_(make_pipeline_layout(context, "surfaces", sizeof(gpu::DrawConstants), k_draw_stages,
+                                   {draw_data})) {}
 
 void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind) {
     if (pipelines_.contains(kind)) return;
@@ -40,17 +40,21 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
     const auto make = [&](bool has_shade, bool has_light, bool fades, SpirvCode vertex) {
         const std::array<std::uint32_t, 4> constants{number, has_shade, has_light, fades};
         return make_graphics_pipeline(
-            context, {.vertex = vertex,
-                      .geometry = {},
-                      .fragment = shading,
-                      .fragment_constants = constants,
-                      .formats = formats_,
-                      .blend = has_shade ? Blend::replace : Blend::add,
-                      .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
-                      .depth_write = has_shade,
-                      .stencil = has_shade ? StencilUse::off : StencilUse::zero,
-                      .sets_cull = true,
-                      .layout = layout_});
+            context,
+            has_shade && has_light ? "surfaces"
+            : has_shade            ? "surfaces, unlit"
+                                   : "surfaces, lit",
+            {.vertex = vertex,
+             .geometry = {},
+             .fragment = shading,
+             .fragment_constants = constants,
+             .formats = formats_,
+             .blend = has_shade ? Blend::replace : Blend::add,
+             .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
+             .depth_write = has_shade,
+             .stencil = has_shade ? StencilUse::off : StencilUse::zero,
+             .sets_cull = true,
+             .layout = layout_});
     };
     const auto make_by_vertices = [&](bool fades) {
         return kind.style == Style::hatch || kind.has_mesh_colors
