@@ -157,8 +157,7 @@ public:
                                 "The greatest size of --growth");
         for (CLI::Option* option : {viewpoints, frames, rounds, min_option_, max_option_})
             option->group("Amount");
-        app.add_option("--device", device_, "gpu, cpu, an index, or a part of a name")
-            ->group("Machine");
+        add_device(app, device_, "gpu, cpu, an index, or a part of a name");
         app.footer(
             "For each model: bytes streamed a frame by step size, frames with lines by every "
             "path,\n"

@@ -110,7 +110,8 @@ void WindowRenderer::OnDevice::make_renderer(const ViewPicture& scene, std::uint
         renderer.reset();
         splat_renderer.reset();
         if (is_model)
-            renderer = std::make_unique<Renderer>(device.context());
+            renderer =
+                std::make_unique<Renderer>(device.context(), RendererOptions{.pass_times = true});
         else
             splat_renderer = std::make_unique<SplatRenderer>(device.context());
     }

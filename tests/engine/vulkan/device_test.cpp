@@ -56,7 +56,7 @@ std::optional<std::string> first_message(const std::function<void(Commands, cons
                                          std::string& reason) {
     try {
         const VulkanInstance instance({.validate = true});
-        const TestedDevice device(instance);
+        const TestedDevice device(instance, tests::requested_device());
         REQUIRE(instance.validation_message_count() == 0u);
         const Buffer buffer(device.context(), 64, BufferPlace::device, "test");
         run_commands(device.context(), [&](Commands commands) { record(commands, buffer); });

@@ -66,7 +66,7 @@ public:
     // The same scene by a device and a renderer of its own, as `rimline render` draws it.
     Picture rendered(std::uint32_t width, std::uint32_t height) const {
         const VulkanInstance own;
-        const TestedDevice device(own);
+        const TestedDevice device(own, tests::requested_device());
         if (session.is_cloud())
             return SplatRenderer(device.context()).render(session.cloud_scene(), width, height);
         const ViewPicture picture = session.picture(ImageSize{width, height});
@@ -142,7 +142,7 @@ int contrast(const Picture& picture) {
     if (!display) RIMLINE_SKIP(display##_reason);                       \
     try {                                                               \
         const VulkanInstance probe;                                     \
-        const TestedDevice device(probe);                               \
+        const TestedDevice device(probe, tests::requested_device());    \
     } catch (const Error& error) {                                      \
         RIMLINE_SKIP(error.what());                                     \
     }
@@ -211,7 +211,7 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
     RIMLINE_OPEN_DISPLAY(display);
     const Window window("test", k_width, k_height);
     const VulkanInstance instance({.window_extensions = window.vulkan_extensions()});
-    const TestedDevice device(instance);
+    const TestedDevice device(instance, tests::requested_device());
     const WindowSurface surface = window.make_surface(instance);
     Swapchain swapchain(device.context(), surface.get(), 1);
     CHECK_FALSE(swapchain.acquire(0, {0, 0}));
