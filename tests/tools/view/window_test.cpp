@@ -16,6 +16,7 @@
 #include "engine/tested_device.h"
 #include "engine/view_defaults.h"
 #include "engine/vulkan/device_context.h"
+#include "tests/engine/support/requested_device.h"
 #include "tests/skip.h"
 #include "tests/tools/scratch_folder.h"
 #include "tests/tools/view/virtual_display.h"
@@ -39,6 +40,7 @@ public:
         session.show(open_document({.model = "shape:knot:3000", .as_points = as_points},
                                    [](const std::string&) { return LongCall{}; }),
                      double(k_width) / k_height);
+        options.device = tests::requested_device();
         loop.emplace(window, *instance, session, options);
     }
     ~Shown() {
