@@ -19,7 +19,7 @@ def test_every_command_that_opens_a_device_lists_all_where_the_one_asked_for_is_
     names = [d["name"] for d in succeed("devices")["devices"]]
     box = "shape:box"
     for command in (["devices"], ["render", box], ["animate", box, "--frames", "1"], ["views", box], ["path", box],
-                    ["points", box, "-o", "points.png"], ["bench", "engine", box],
+                    ["points", box, "--as-points", "-o", "points.png"], ["bench", "engine", box],
                     ["bench", "frames", box], ["bench", "views", box]):
         line = fail(1, *command, "--device", "nowhere")
         assert "'nowhere'" in line and all(name in line for name in names), line
