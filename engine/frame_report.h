@@ -3,6 +3,7 @@
 // What a Renderer reports of one frame.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "engine/shadow_choice.h"
@@ -21,6 +22,14 @@ struct ShadowReport {
     std::uint32_t runs = 0;
     /// The light lay exactly on a vertex and was moved (light_off_vertices()).
     bool light_moved = false;
+};
+
+/// The time of one pass on the GPU.
+struct PassTime {
+    /// "silhouettes", "surfaces, unlit", "shadow volumes, light 0", "surfaces, light 0", "resolve", "lines",
+    /// "picture". Where nothing casts a shadow and there is one light, "surfaces" stands for all.
+    std::string name;
+    double time_ms = 0.0;
 };
 
 /// Work of one frame. Instances that deform are counted by the GPU: their counts are added when the frame is
@@ -46,6 +55,10 @@ struct FrameReport {
     double follow_ms = 0.0;
     std::uint32_t meshes_uploaded = 0;  ///< Meshes drawn for the first time.
     std::uint64_t bytes_uploaded = 0;   ///< Bytes of these meshes.
+    /// With RendererOptions::pass_times, in the order of the frame; see there. Empty where the device's queue
+    /// has no timestamps. Of a frame that a caller submits they are known later: record() reports those of
+    /// the frame that had the ring slot before, RendererOptions::frames_in_flight frames ago.
+    std::vector<PassTime> passes;
     /// Wall-clock time from the same start to the finished picture; 0 for a frame that a caller submits.
     double frame_ms = 0.0;
     SilhouetteChanges camera;  ///< Of the silhouettes drawn as lines, over all instances.

@@ -37,6 +37,11 @@ struct RendererOptions {
     /// Reads slots, face bits and draw arguments back in every frame and compares them with the trackers
     /// (consistency_check.h).
     bool check_silhouettes = false;
+    /// Measures each pass on the GPU (FrameReport::passes). Timestamps are written between passes, and a GPU
+    /// that would overlap passes may then be slower. A caller's command buffers must be for the context's
+    /// queue family. The times miss work that a device does after the timestamp: those of Mesa's lavapipe are
+    /// too small where threads still rasterize.
+    bool pass_times = false;
     /// How lines are drawn. The comparators (line_path.h) throw Error{no_device} if they need geometry
     /// shaders and the device has none.
     LinePath line_path = LinePath::geometry;

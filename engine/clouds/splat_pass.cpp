@@ -9,24 +9,27 @@ namespace rimline {
 
 namespace {
 
-OwnedPipeline make_pipeline(const DeviceContext& context, SpirvCode vertex, SpirvCode fragment,
-                            const AttachmentFormats& formats, VkPipelineLayout layout) {
-    return make_graphics_pipeline(context, {.vertex = vertex,
-                                            .geometry = {},
-                                            .fragment = fragment,
-                                            .formats = formats,
-                                            .depth_compare = VK_COMPARE_OP_GREATER,
-                                            .depth_write = true,
-                                            .layout = layout});
+OwnedPipeline make_pipeline(const DeviceContext& context, const char* name, SpirvCode vertex,
+                            SpirvCode fragment, const AttachmentFormats& formats,
+                            VkPipelineLayout layout) {
+    return make_graphics_pipeline(context, name,
+                                  {.vertex = vertex,
+                                   .geometry = {},
+                                   .fragment = fragment,
+                                   .formats = formats,
+                                   .depth_compare = VK_COMPARE_OP_GREATER,
+                                   .depth_write = true,
+                                   .layout = layout});
 }
 
 }  // namespace
 
 SplatPass::SplatPass(const DeviceContext& context, const AttachmentFormats& formats)
-    : layout_(
-          make_pipeline_layout(context, sizeof(gpu::SplatConstants), VK_SHADER_STAGE_VERTEX_BIT)),
-      splats_(make_pipeline(context, splat_vert, splat_frag, formats, layout_)),
-      strokes_(make_pipeline(context, stroke_vert, stroke_frag, formats, layout_)) {}
+    : layout_(make_pipeline_layout(context, "clouds", sizeof(gpu::SplatConstants),
+                                   VK_SHADER_STAGE_VERTEX_BIT)),
+      splats_(make_pipeline(context, "discs of a cloud", splat_vert, splat_frag, formats, layout_)),
+      strokes_(make_pipeline(context, "strokes of a cloud", stroke_vert, stroke_frag, formats,
+                             layout_)) {}
 
 void SplatPass::record(Commands commands, const gpu::SplatConstants& constants,
                        std::uint32_t splat_count, std::uint32_t stroke_count) const {

@@ -27,7 +27,7 @@ constexpr std::array k_bindings{binding(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER),
 
 DrawData::DrawData(const DeviceContext& context, std::uint32_t frames_in_flight)
     : context_(context),
-      sets_(context, k_bindings, frames_in_flight),
+      sets_(context, "draw data", k_bindings, frames_in_flight),
       buffers_(frames_in_flight),
       segments_(frames_in_flight),
       parts_(frames_in_flight) {}

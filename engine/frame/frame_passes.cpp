@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec4.hpp>
+#include <string>
 #include <utility>
 
 #include "engine/frame/drawn_rect.h"
@@ -122,9 +123,9 @@ bool FramePasses::is_prepared(const Scene& scene, const PictureTarget& target) c
 }
 
 void FramePasses::record(Commands commands, Commands picture, const FrameView& view,
-                         const DrawList& list, const PictureTarget& target,
-                         std::uint32_t ring_slot) const {
-    Frame frame{view, list, target, drawn_area(view, target), ring_slot};
+                         const DrawList& list, const PictureTarget& target, std::uint32_t ring_slot,
+                         PassClock& clock) const {
+    Frame frame{view, list, target, drawn_area(view, target), ring_slot, clock};
     if (target.backdrop) {
         backdrop_pass_.set(ring_slot, *target.backdrop);
         frame.backdrop = backdrop_map(view, target.backdrop->format);
@@ -137,9 +138,12 @@ void FramePasses::record(Commands commands, Commands picture, const FrameView& v
         record_layer_lines(commands, frame);
     else
         record_lines(commands, frame);
+    clock.end_pass(commands, "lines");
+    clock.start_again(picture);
     targets_->record_before_picture(picture, target);
     record_picture(picture, frame);
     RenderTargets::record_after_picture(picture, target);
+    clock.end_pass(picture, "picture");
 }
 
 void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
@@ -153,16 +157,20 @@ void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
         backdrop_pass_.record_depth(commands, frame.ring_slot, frame.backdrop, frame.target.corner);
     if (!list.shadows && list.light_count == 1) {
         surface_pass_.record_shadowless(commands, list);
+        frame.clock.end_pass(commands, "surfaces");
     } else {
         surface_pass_.record_unlit(commands, list);
+        frame.clock.end_pass(commands, "surfaces, unlit");
         for (std::size_t light = 0; light < list.light_count; ++light)
             record_light(commands, frame, light);
     }
     commands->CmdEndRendering(commands);
+    if (sampling_.samples > 1) frame.clock.end_pass(commands, "resolve");
 }
 
 void FramePasses::record_light(Commands commands, const Frame& frame, std::size_t light) const {
     const DrawList& list = frame.list;
+    const std::string of_light = ", light " + std::to_string(light);
     if (list.shadows) {
         const PassLabel shadows(commands, "shadow volumes");
         shadow_pass_.record(commands, list, light, targets_->in_pass(frame.area.rect));
@@ -170,8 +178,10 @@ void FramePasses::record_light(Commands commands, const Frame& frame, std::size_
             backdrop_pass_.record_shade(
                 commands, frame.ring_slot, frame.backdrop, frame.target.corner,
                 shadow_opacity(frame.view.scene) / static_cast<float>(list.light_count));
+        frame.clock.end_pass(commands, "shadow volumes" + of_light);
     }
     surface_pass_.record_lit(commands, list, light);
+    frame.clock.end_pass(commands, "surfaces" + of_light);
 }
 
 void FramePasses::record_lines(Commands commands, const Frame& frame) const {

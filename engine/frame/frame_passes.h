@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "engine/frame/frame_view.h"
+#include "engine/frame/pass_clock.h"
 #include "engine/frame/render_targets.h"
 #include "engine/passes/backdrop_pass.h"
 #include "engine/passes/composite_pass.h"
@@ -50,9 +51,13 @@ public:
 
     /// Records all passes: those that use `target` into `picture`, which may be `commands` or others that are
     /// submitted after them. Face bits, slots and draw arguments must be complete for all stages. There must
-    /// be targets for `target`, and everything must be prepared.
+    /// be targets for `target`, and everything must be prepared. The passes end on `clock`, at most
+    /// max_passes() of them.
     void record(Commands commands, Commands picture, const FrameView& view, const DrawList& list,
-                const PictureTarget& target, std::uint32_t ring_slot) const;
+                const PictureTarget& target, std::uint32_t ring_slot, PassClock& clock) const;
+    static std::uint32_t max_passes(const Scene& scene) noexcept {
+        return 4 + 2 * static_cast<std::uint32_t>(scene.lights.size());
+    }
 
 private:
     // What the steps of one frame share.
@@ -62,6 +67,7 @@ private:
         const PictureTarget& target;
         DrawnArea area;
         std::uint32_t ring_slot;
+        PassClock& clock;
         BackdropMap backdrop{};  // Only where the target has one.
     };
 

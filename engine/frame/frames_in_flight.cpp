@@ -40,10 +40,11 @@ FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptio
       scatter_(context),
       draw_data_(context, options.frames_in_flight),
       passes_(context, options, draw_data_.layout()),
-      timeline_(make_timeline(context)),
-      command_pool_(make_command_pool(context, context.queue_family)),
+      timeline_(make_timeline(context, "frames")),
+      command_pool_(make_command_pool(context, "frames", context.queue_family)),
       frames_(options.frames_in_flight),
       marks_(context, options.frames_in_flight),
+      clock_(context, options.frames_in_flight, options.pass_times),
       checks_silhouettes_(options.check_silhouettes),
       check_(context, options.frames_in_flight),
       instances_(context, options.service ? *options.service : *own_service_,
@@ -122,6 +123,7 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
     recorded.silhouettes.clear();
     recorded.deformed.clear();
     recorded.report = {.meshes_uploaded = uploaded_.meshes, .bytes_uploaded = uploaded_.bytes};
+    if (is_callers) recorded.report.passes = clock_.take(slot);
     FrameReport report;
     try {
         const FrameView view(scene, target.extent, instances_.casters());
@@ -130,14 +132,17 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
         const DrawList list = build_draw_list(
             view, frame_data(view, *passes_.targets()), slot,
             {instances_, draw_data_, shadow_batches_, target, passes_.line_path()}, recorded);
+        clock_.start(commands, slot, FramePasses::max_passes(scene) + 1);
         record_silhouettes(commands, recorded);
-        passes_.record(commands, picture, view, list, target, slot);
+        clock_.end_pass(commands, "silhouettes");
+        passes_.record(commands, picture, view, list, target, slot, clock_);
         if (checks_silhouettes_) check_.record(picture, slot, recorded.silhouettes);
         marks_.record(picture, slot, recorded_ + 1);
         recorded.report.record_ms = milliseconds_since(recorded.started);
         report = recorded.report;  // Copied before the frame counts, because it allocates.
     } catch (...) {
         check_.forget(slot);
+        clock_.forget(slot);
         instances_.invalidate();
         throw;
     }
@@ -174,6 +179,7 @@ void FramesInFlight::forget_recorded() noexcept {
         if (frames_[slot].timeline_value != 0 || is_done(slot)) continue;
         frames_[slot].number = 0;
         check_.forget(slot);
+        clock_.forget(slot);
         forgotten = true;
     }
     if (forgotten) instances_.invalidate();
@@ -225,6 +231,7 @@ void FramesInFlight::take_back(std::uint32_t slot) noexcept {
     if (!queued_.empty() && queued_.back() == slot) queued_.pop_back();
     frames_[slot].number = 0;
     check_.forget(slot);
+    clock_.forget(slot);
     --recorded_;  // The next frame gets the same slot: the other slot may still be in use.
     instances_.invalidate();
 }
@@ -239,12 +246,14 @@ Picture FramesInFlight::finish() {
     } catch (...) {
         frame.number = 0;  // A lost device leaves no marks.
         check_.forget(slot);
+        clock_.forget(slot);
         throw;
     }
     count_differences(slot);
     Picture picture = read_picture(frame.picture, frame.size);
     add_deformed_counts(frame.recorded);
     report_ = frame.recorded.report;
+    report_.passes = clock_.take(slot);
     report_.frame_ms = milliseconds_since(frame.recorded.started);
     return picture;
 }

@@ -17,6 +17,7 @@
 #include "engine/frame/draw_data.h"
 #include "engine/frame/frame_passes.h"
 #include "engine/frame/instance_states.h"
+#include "engine/frame/pass_clock.h"
 #include "engine/frame/recorded_frame.h"
 #include "engine/frame/shadow_batches.h"
 #include "engine/frame_report.h"
@@ -94,6 +95,7 @@ private:
     OwnedCommandPool command_pool_;
     std::vector<Frame> frames_;
     FrameMarks marks_;
+    PassClock clock_;
     bool checks_silhouettes_;
     ConsistencyCheck check_;
     std::uint64_t recorded_ = 0;         // Frames so far.

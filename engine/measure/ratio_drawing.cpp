@@ -126,16 +126,18 @@ RatioDrawing::RatioDrawing(const DeviceContext& context, const Mesh& mesh,
       positions_(upload_buffer(context, mesh.positions(), "positions")),
       triangles_(upload_buffer(context, triangles, "triangles")),
       line_triangles_(upload_line_triangles(context)),
-      layout_(
-          make_pipeline_layout(context, sizeof(gpu::RatioConstants), VK_SHADER_STAGE_VERTEX_BIT)) {
+      layout_(make_pipeline_layout(context, "visible ratios", sizeof(gpu::RatioConstants),
+                                   VK_SHADER_STAGE_VERTEX_BIT)) {
     GraphicsPipelineDescription surface = surface_description(layout_);
-    all_faces_ = make_graphics_pipeline(context, surface);
+    all_faces_ = make_graphics_pipeline(context, "visible ratios, all faces", surface);
     surface.cull = VK_CULL_MODE_BACK_BIT;
-    front_faces_ = make_graphics_pipeline(context, surface);
+    front_faces_ = make_graphics_pipeline(context, "visible ratios, front faces", surface);
     tested_lines_ =
-        make_graphics_pipeline(context, line_description(layout_, VK_COMPARE_OP_GREATER_OR_EQUAL));
-    hidden_lines_ = make_graphics_pipeline(context, line_description(layout_, VK_COMPARE_OP_NEVER));
-    count_ = make_graphics_pipeline(context, count_description(layout_));
+        make_graphics_pipeline(context, "visible ratios, visible lines",
+                               line_description(layout_, VK_COMPARE_OP_GREATER_OR_EQUAL));
+    hidden_lines_ = make_graphics_pipeline(context, "visible ratios, hidden lines",
+                                           line_description(layout_, VK_COMPARE_OP_NEVER));
+    count_ = make_graphics_pipeline(context, "visible ratios, count", count_description(layout_));
 }
 
 // Copies to buffers begin at multiples of four bytes.
@@ -156,7 +158,8 @@ void RatioDrawing::prepare(RatioTargets& targets, std::span<const RatioView> vie
                                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
             "the picture of a visible ratio");
     if (!targets.queries && options_.has_queries)
-        targets.queries = QueryPool(context_, VK_QUERY_TYPE_OCCLUSION, 2 * options_.max_views);
+        targets.queries = QueryPool(context_, VK_QUERY_TYPE_OCCLUSION, 2 * options_.max_views,
+                                    "counts of pixels");
     const VkDeviceSize stencil_bytes = stencil_stride() * views.size();
     if (keeps_stencil && targets.stencils.size() < stencil_bytes)
         targets.stencils = Buffer(context_, stencil_bytes, BufferPlace::readback,

@@ -41,8 +41,8 @@ VisibleRatioPass::VisibleRatioPass(const DeviceContext& context, const HoughOctr
                 .max_views = k_max_views,
                 .has_queries = has_queries(options.method, context),
                 .has_separate_targets = options.method.has_separate_targets}),
-      timeline_(make_timeline(context)),
-      command_pool_(make_command_pool(context, context.queue_family)) {
+      timeline_(make_timeline(context, "visible ratios")),
+      command_pool_(make_command_pool(context, "visible ratios", context.queue_family)) {
     RIMLINE_CHECK(options.side_px > 0 && options.fov_deg > 0.0 && options.fov_deg < 180.0);
     RIMLINE_CHECK(options.method.has_separate_targets || counts_by_query());
     for (Batch& batch : batches_) batch.commands = make_commands(context, command_pool_);

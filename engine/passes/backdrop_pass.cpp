@@ -12,6 +12,8 @@ namespace rimline {
 
 namespace {
 
+constexpr const char* k_name = "depth of the backdrop";
+
 DescriptorSets make_sets(const DeviceContext& context, const VkSampler& sampler,
                          std::uint32_t count) {
     const VkDescriptorSetLayoutBinding binding{
@@ -20,7 +22,7 @@ DescriptorSets make_sets(const DeviceContext& context, const VkSampler& sampler,
         .descriptorCount = 1,
         .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT,
         .pImmutableSamplers = &sampler};
-    return DescriptorSets(context, {&binding, 1}, count);
+    return DescriptorSets(context, k_name, {&binding, 1}, count);
 }
 
 }  // namespace
@@ -29,9 +31,9 @@ BackdropPass::BackdropPass(const DeviceContext& context, const AttachmentFormats
                            std::uint32_t ring_slots)
     : vk_(context.vk.get()),
       formats_(formats),
-      sampler_(make_sampler(context, VK_FILTER_NEAREST)),
+      sampler_(make_sampler(context, k_name, VK_FILTER_NEAREST)),
       sets_(make_sets(context, sampler_.get(), ring_slots)),
-      layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_FRAGMENT_BIT,
+      layout_(make_pipeline_layout(context, k_name, sizeof(Constants), VK_SHADER_STAGE_FRAGMENT_BIT,
                                    {sets_.layout()})) {}
 
 void BackdropPass::prepare(const DeviceContext& context, const BackdropDepth& backdrop) {
@@ -57,13 +59,13 @@ void BackdropPass::prepare(const DeviceContext& context, const BackdropDepth& ba
                                                 .depth_write = true,
                                                 .sample_mask = 1u << sample,
                                                 .layout = layout_};
-        depth.push_back(make_graphics_pipeline(context, description));
+        depth.push_back(make_graphics_pipeline(context, k_name, description));
         // Where the copied depth is still there, no surface has been drawn before it.
         description.blend = Blend::add;
         description.depth_compare = VK_COMPARE_OP_EQUAL;
         description.depth_write = false;
         description.stencil = StencilUse::not_zero;
-        shade.push_back(make_graphics_pipeline(context, description));
+        shade.push_back(make_graphics_pipeline(context, "shadow on the backdrop", description));
     }
     depth_ = std::move(depth);
     shade_ = std::move(shade);

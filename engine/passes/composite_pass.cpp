@@ -36,9 +36,9 @@ std::optional<VkClearColorValue> composite_of(const glm::vec3& background, VkFor
 }
 
 CompositePass::CompositePass(const DeviceContext& context)
-    : surfaces_(context, 1),
-      layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_FRAGMENT_BIT,
-                                   {surfaces_.layout()})) {}
+    : surfaces_(context, "surfaces for the picture", 1),
+      layout_(make_pipeline_layout(context, "picture", sizeof(Constants),
+                                   VK_SHADER_STAGE_FRAGMENT_BIT, {surfaces_.layout()})) {}
 
 void CompositePass::prepare(const DeviceContext& context, const CompositeKind& kind) {
     if (pipelines_.contains(kind)) return;
@@ -53,15 +53,16 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
     RIMLINE_CHECK(kind.is_layer || kind.use == PictureUse::whole);
     const std::array<std::uint32_t, 4> constants{kind.scale, encoding == PictureEncoding::srgb,
                                                  kind.is_layer, kind.use == PictureUse::whole};
-    pipelines_.emplace(kind, make_graphics_pipeline(context, {.vertex = composite_vert,
-                                                              .geometry = {},
-                                                              .fragment = composite_frag,
-                                                              .fragment_constants = constants,
-                                                              .formats = {.color = kind.format},
-                                                              .blend = kind.use == PictureUse::over
-                                                                           ? Blend::premultiplied
-                                                                           : Blend::replace,
-                                                              .layout = layout_}));
+    pipelines_.emplace(
+        kind, make_graphics_pipeline(
+                  context, "picture",
+                  {.vertex = composite_vert,
+                   .geometry = {},
+                   .fragment = composite_frag,
+                   .fragment_constants = constants,
+                   .formats = {.color = kind.format},
+                   .blend = kind.use == PictureUse::over ? Blend::premultiplied : Blend::replace,
+                   .layout = layout_}));
 }
 
 void CompositePass::record(Commands commands, const CompositeKind& kind, const glm::vec3& color,

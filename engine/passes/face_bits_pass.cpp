@@ -44,8 +44,9 @@ std::vector<Plane> near_degenerate_planes(const HomogeneousPoint& point, std::ui
 
 FaceBitsPass::FaceBitsPass(const DeviceContext& context)
     : context_(context),
-      layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_COMPUTE_BIT)),
-      pipeline_(make_compute_pipeline(context, face_bits_comp, layout_)) {}
+      layout_(make_pipeline_layout(context, "face bits", sizeof(Constants),
+                                   VK_SHADER_STAGE_COMPUTE_BIT)),
+      pipeline_(make_compute_pipeline(context, "face bits", face_bits_comp, layout_)) {}
 
 std::vector<std::uint32_t> FaceBitsPass::compute(std::span<const Plane> planes,
                                                  const HomogeneousPoint& point) {

@@ -14,14 +14,15 @@ struct GridConstants {
     std::int32_t width, height, scale;
 };
 
-OwnedPipeline make_pipeline(const DeviceContext& context, SpirvCode fragment, VkFormat format,
-                            Blend blend, VkPipelineLayout layout) {
-    return make_graphics_pipeline(context, {.vertex = composite_vert,
-                                            .geometry = {},
-                                            .fragment = fragment,
-                                            .formats = {.color = format},
-                                            .blend = blend,
-                                            .layout = layout});
+OwnedPipeline make_pipeline(const DeviceContext& context, const char* name, SpirvCode fragment,
+                            VkFormat format, Blend blend, VkPipelineLayout layout) {
+    return make_graphics_pipeline(context, name,
+                                  {.vertex = composite_vert,
+                                   .geometry = {},
+                                   .fragment = fragment,
+                                   .formats = {.color = format},
+                                   .blend = blend,
+                                   .layout = layout});
 }
 
 template <typename Constants>
@@ -37,17 +38,18 @@ void record(Commands commands, VkPipeline pipeline, VkPipelineLayout layout,
 
 InkPass::InkPass(const DeviceContext& context, VkFormat surface_format)
     : surface_format_(surface_format),
-      layout_(make_pipeline_layout(context, sizeof(GridConstants), VK_SHADER_STAGE_FRAGMENT_BIT)),
-      grid_(make_pipeline(context, grid_frag, surface_format, Blend::over, layout_)),
-      ink_(make_pipeline(context, ink_frag, surface_format, Blend::over_by_target, layout_)),
-      coverage_(context, 1),
-      fold_layout_(make_pipeline_layout(context, sizeof(glm::vec3), VK_SHADER_STAGE_FRAGMENT_BIT,
-                                        {coverage_.layout()})) {}
+      layout_(make_pipeline_layout(context, "grid and ink", sizeof(GridConstants),
+                                   VK_SHADER_STAGE_FRAGMENT_BIT)),
+      grid_(make_pipeline(context, "grid", grid_frag, surface_format, Blend::over, layout_)),
+      ink_(make_pipeline(context, "ink", ink_frag, surface_format, Blend::over_by_target, layout_)),
+      coverage_(context, "coverage of lines", 1),
+      fold_layout_(make_pipeline_layout(context, "ink of a layer", sizeof(glm::vec3),
+                                        VK_SHADER_STAGE_FRAGMENT_BIT, {coverage_.layout()})) {}
 
 void InkPass::prepare_fold(const DeviceContext& context) {
     if (is_fold_prepared()) return;
-    fold_ =
-        make_pipeline(context, fold_ink_frag, surface_format_, Blend::premultiplied, fold_layout_);
+    fold_ = make_pipeline(context, "ink of a layer", fold_ink_frag, surface_format_,
+                          Blend::premultiplied, fold_layout_);
 }
 
 void InkPass::record_fold(Commands commands, const glm::vec3& ink) const {

@@ -42,26 +42,29 @@ GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
 LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                    VkFormat surface_format, LinePath path)
     : path_(possible_path(context, path)),
-      depth_(context, 1),
-      layout_(make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages,
+      depth_(context, "depth for lines", 1),
+      layout_(make_pipeline_layout(context, "lines", sizeof(gpu::DrawConstants), k_draw_stages,
                                    {draw_data, depth_.layout()})),
-      pipeline_(make_graphics_pipeline(context, description_of(path_, surface_format, layout_))),
-      segments_(make_graphics_pipeline(context, {.vertex = picture_line_vert,
-                                                 .geometry = {},
-                                                 .fragment = picture_line_frag,
-                                                 .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
-                                                 .formats = {.color = surface_format},
-                                                 .blend = Blend::maximum_alpha,
-                                                 .layout = layout_})) {
+      pipeline_(
+          make_graphics_pipeline(context, "lines", description_of(path_, surface_format, layout_))),
+      segments_(make_graphics_pipeline(context, "segments",
+                                       {.vertex = picture_line_vert,
+                                        .geometry = {},
+                                        .fragment = picture_line_frag,
+                                        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+                                        .formats = {.color = surface_format},
+                                        .blend = Blend::maximum_alpha,
+                                        .layout = layout_})) {
     if (path_ != LinePath::adjacency) return;
-    adjacency_ = make_graphics_pipeline(
-        context, {.vertex = line_adjacency_vert,
-                  .geometry = line_adjacency_geom,
-                  .fragment = line_frag,
-                  .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
-                  .formats = {.color = surface_format},
-                  .blend = Blend::maximum_alpha,
-                  .layout = layout_});
+    adjacency_ =
+        make_graphics_pipeline(context, "lines by adjacency",
+                               {.vertex = line_adjacency_vert,
+                                .geometry = line_adjacency_geom,
+                                .fragment = line_frag,
+                                .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
+                                .formats = {.color = surface_format},
+                                .blend = Blend::maximum_alpha,
+                                .layout = layout_});
 }
 
 void LinePass::record_list(Commands commands, std::uint32_t edge_count) const {

@@ -32,15 +32,16 @@ VkRect2D cut(const VkRect2D& scissor, VkExtent2D extent) {
 OverlayPass::OverlayPass(const DeviceContext& context, VkFormat picture_format,
                          std::uint32_t ring_slots)
     : context_(context),
-      images_(context, 1, VK_FILTER_LINEAR),
-      layout_(make_pipeline_layout(context, sizeof(gpu::OverlayConstants),
+      images_(context, "overlay", 1, VK_FILTER_LINEAR),
+      layout_(make_pipeline_layout(context, "overlay", sizeof(gpu::OverlayConstants),
                                    VK_SHADER_STAGE_VERTEX_BIT, {images_.layout()})),
-      pipeline_(make_graphics_pipeline(context, {.vertex = overlay_vert,
-                                                 .geometry = {},
-                                                 .fragment = overlay_frag,
-                                                 .formats = {.color = picture_format},
-                                                 .blend = Blend::over,
-                                                 .layout = layout_})),
+      pipeline_(make_graphics_pipeline(context, "overlay",
+                                       {.vertex = overlay_vert,
+                                        .geometry = {},
+                                        .fragment = overlay_frag,
+                                        .formats = {.color = picture_format},
+                                        .blend = Blend::over,
+                                        .layout = layout_})),
       ring_(ring_slots) {
     constexpr std::uint8_t k_opaque = 255;
     set_texture(1, 1, {&k_opaque, 1});

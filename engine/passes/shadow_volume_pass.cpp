@@ -53,32 +53,35 @@ ShadowVolumePass::Pipelines ShadowVolumePass::make_pipelines(const DeviceContext
                                             .depth_clamp = depth_clamp,
                                             .stencil = StencilUse::count,
                                             .layout = layout};
-    pipelines.caps = make_graphics_pipeline(context, description);
+    pipelines.caps = make_graphics_pipeline(context, "caps of shadow volumes", description);
     description.vertex = shadow_sides_vert;
-    pipelines.pulled_sides = make_graphics_pipeline(context, description);
+    pipelines.pulled_sides =
+        make_graphics_pipeline(context, "sides of shadow volumes", description);
     if (stage == SideStage::geometry && context.features.geometry_shader) {
         description.vertex = points_vert;
         description.geometry = shadow_sides_geom;
         description.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
-        pipelines.geometry_sides = make_graphics_pipeline(context, description);
+        pipelines.geometry_sides = make_graphics_pipeline(
+            context, "sides of shadow volumes by geometry shader", description);
     }
     return pipelines;
 }
 
 ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                                    const AttachmentFormats& formats, SideStage stage)
-    : layout_(
-          make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages, {draw_data})),
+    : layout_(make_pipeline_layout(context, "shadow volumes", sizeof(gpu::DrawConstants),
+                                   k_draw_stages, {draw_data})),
       perspective_(make_pipelines(context, formats, layout_, stage, false)),
       orthographic_(make_pipelines(context, formats, layout_, stage, true)) {
-    fold_ = make_graphics_pipeline(context, {.vertex = composite_vert,
-                                             .geometry = {},
-                                             .fragment = {},
-                                             .formats = formats,
-                                             .blend = Blend::none_written,
-                                             .stencil = StencilUse::given,
-                                             .stencil_state = k_fold,
-                                             .layout = layout_});
+    fold_ = make_graphics_pipeline(context, "fold of shadow counts",
+                                   {.vertex = composite_vert,
+                                    .geometry = {},
+                                    .fragment = {},
+                                    .formats = formats,
+                                    .blend = Blend::none_written,
+                                    .stencil = StencilUse::given,
+                                    .stencil_state = k_fold,
+                                    .layout = layout_});
 }
 
 void ShadowVolumePass::record(Commands commands, const DrawList& list, std::size_t light,

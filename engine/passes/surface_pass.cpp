@@ -33,8 +33,8 @@ SurfaceKind surface_kind(Style style, bool has_mesh_colors, SurfaceOutput output
 SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                          const AttachmentFormats& formats)
     : formats_(formats),
-      layout_(
-          make_pipeline_layout(context, sizeof(gpu::DrawConstants), k_draw_stages, {draw_data})) {}
+      layout_(make_pipeline_layout(context, "surfaces", sizeof(gpu::DrawConstants), k_draw_stages,
+                                   {draw_data})) {}
 
 void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind) {
     if (pipelines_.contains(kind)) return;
@@ -50,17 +50,21 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
         const std::array<std::uint32_t, 5> constants{number, has_shade, has_light, fades,
                                                      kind.output == SurfaceOutput::layer};
         return make_graphics_pipeline(
-            context, {.vertex = vertex,
-                      .geometry = {},
-                      .fragment = shading,
-                      .fragment_constants = constants,
-                      .formats = formats_,
-                      .blend = has_shade ? Blend::replace : Blend::add,
-                      .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
-                      .depth_write = has_shade,
-                      .stencil = has_shade ? StencilUse::off : lit,
-                      .sets_cull = true,
-                      .layout = layout_});
+            context,
+            has_shade && has_light ? "surfaces"
+            : has_shade            ? "surfaces, unlit"
+                                   : "surfaces, lit",
+            {.vertex = vertex,
+             .geometry = {},
+             .fragment = shading,
+             .fragment_constants = constants,
+             .formats = formats_,
+             .blend = has_shade ? Blend::replace : Blend::add,
+             .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
+             .depth_write = has_shade,
+             .stencil = has_shade ? StencilUse::off : lit,
+             .sets_cull = true,
+             .layout = layout_});
     };
     const auto make_by_vertices = [&](bool fades) {
         return kind.style == Style::hatch || kind.has_mesh_colors

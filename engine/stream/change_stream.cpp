@@ -44,8 +44,9 @@ constexpr StageAccess k_writers{
 }  // namespace
 
 ScatterPass::ScatterPass(const DeviceContext& context)
-    : layout_(make_pipeline_layout(context, sizeof(ScatterConstants), VK_SHADER_STAGE_COMPUTE_BIT)),
-      pipeline_(make_compute_pipeline(context, scatter_comp, layout_)) {}
+    : layout_(make_pipeline_layout(context, "change streams", sizeof(ScatterConstants),
+                                   VK_SHADER_STAGE_COMPUTE_BIT)),
+      pipeline_(make_compute_pipeline(context, "change streams", scatter_comp, layout_)) {}
 
 StreamSize StreamSize::of(const Mesh& mesh) noexcept {
     return {.slots = mesh.edges_of_class(EdgeClass::border).first,

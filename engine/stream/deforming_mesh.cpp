@@ -121,9 +121,11 @@ std::uint64_t DeformingMesh::size_bytes() const noexcept {
 
 DeformPass::DeformPass(const DeviceContext& context)
     : groups_a_row_(std::min(k_min_group_limit, context.limits.maxComputeWorkGroupCount[0])),
-      layout_(make_pipeline_layout(context, sizeof(Constants), VK_SHADER_STAGE_COMPUTE_BIT)),
-      wave_(make_compute_pipeline(context, deform_wave_comp, layout_)),
-      normals_(make_compute_pipeline(context, deform_normals_comp, layout_)) {}
+      layout_(make_pipeline_layout(context, "deformation", sizeof(Constants),
+                                   VK_SHADER_STAGE_COMPUTE_BIT)),
+      wave_(make_compute_pipeline(context, "deformation, positions", deform_wave_comp, layout_)),
+      normals_(
+          make_compute_pipeline(context, "deformation, normals", deform_normals_comp, layout_)) {}
 
 void DeformPass::record(Commands commands, std::span<const DeformingMesh* const> meshes) const {
     if (meshes.empty()) return;

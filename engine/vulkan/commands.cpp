@@ -4,10 +4,11 @@
 #include <thread>
 
 #include "engine/vulkan/barrier.h"
+#include "engine/vulkan/debug_names.h"
 
 namespace rimline {
 
-OwnedSemaphore make_timeline(const DeviceContext& context) {
+OwnedSemaphore make_timeline(const DeviceContext& context, const std::string& name) {
     const VkSemaphoreTypeCreateInfo type{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO,
                                          .semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE};
     const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO,
@@ -15,6 +16,7 @@ OwnedSemaphore make_timeline(const DeviceContext& context) {
     VkSemaphore semaphore = VK_NULL_HANDLE;
     vk_check(context.vk->CreateSemaphore(context.device, &info, nullptr, &semaphore),
              "vkCreateSemaphore");
+    set_name(*context.vk, VK_OBJECT_TYPE_SEMAPHORE, semaphore, name);
     return {context, semaphore};
 }
 
@@ -42,13 +44,15 @@ void wait_for_fence(const DeviceContext& context, VkFence fence) {
              "vkWaitForFences");
 }
 
-OwnedCommandPool make_command_pool(const DeviceContext& context, std::uint32_t family) {
+OwnedCommandPool make_command_pool(const DeviceContext& context, const std::string& name,
+                                   std::uint32_t family) {
     const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
                                        .queueFamilyIndex = family};
     VkCommandPool pool = VK_NULL_HANDLE;
     vk_check(context.vk->CreateCommandPool(context.device, &info, nullptr, &pool),
              "vkCreateCommandPool");
+    set_name(*context.vk, VK_OBJECT_TYPE_COMMAND_POOL, pool, name);
     return {context, pool};
 }
 
@@ -122,7 +126,8 @@ void drain(const DeviceContext& context, VkQueue queue) noexcept {
 
 void run_commands(const DeviceContext& context, const std::function<void(Commands)>& record,
                   const UploadPoint& uploaded) {
-    const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
+    const OwnedCommandPool pool =
+        make_command_pool(context, "commands that run at once", context.queue_family);
     const OwnedFence done = make_fence(context);
     const Commands commands = begin_commands(context, make_commands(context, pool));
     record(commands);

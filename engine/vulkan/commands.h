@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/vulkan/device_context.h"
@@ -16,8 +17,10 @@
 
 namespace rimline {
 
+// Names are for debug_names.h.
+
 /// A timeline semaphore at 0.
-OwnedSemaphore make_timeline(const DeviceContext& context);
+OwnedSemaphore make_timeline(const DeviceContext& context, const std::string& name);
 /// Waits until `timeline` reaches `value`. Throws what vk_check() does.
 void wait_for_timeline(const DeviceContext& context, VkSemaphore timeline, std::uint64_t value);
 OwnedFence make_fence(const DeviceContext& context, VkFenceCreateFlags flags = 0);
@@ -25,7 +28,8 @@ OwnedFence make_fence(const DeviceContext& context, VkFenceCreateFlags flags = 0
 void wait_for_fence(const DeviceContext& context, VkFence fence);
 
 /// For a queue of `family`. Its command buffers can be reset one by one.
-OwnedCommandPool make_command_pool(const DeviceContext& context, std::uint32_t family);
+OwnedCommandPool make_command_pool(const DeviceContext& context, const std::string& name,
+                                   std::uint32_t family);
 /// A command buffer of `pool`, with which it is freed.
 VkCommandBuffer make_commands(const DeviceContext& context, VkCommandPool pool);
 /// Resets `commands` and begins them, to be submitted once.

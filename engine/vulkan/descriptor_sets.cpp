@@ -1,8 +1,10 @@
 #include "engine/vulkan/descriptor_sets.h"
 
+#include "engine/vulkan/debug_names.h"
+
 namespace rimline {
 
-DescriptorSets::DescriptorSets(const DeviceContext& context,
+DescriptorSets::DescriptorSets(const DeviceContext& context, const std::string& name,
                                std::span<const VkDescriptorSetLayoutBinding> bindings,
                                std::uint32_t count)
     : sets_(count) {
@@ -14,6 +16,7 @@ DescriptorSets::DescriptorSets(const DeviceContext& context,
     vk_check(context.vk->CreateDescriptorSetLayout(context.device, &layout_info, nullptr, &layout),
              "vkCreateDescriptorSetLayout");
     layout_ = {context, layout};
+    set_name(*context.vk, VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, layout, name);
 
     std::vector<VkDescriptorPoolSize> sizes;
     for (const VkDescriptorSetLayoutBinding& binding : bindings)
@@ -27,6 +30,7 @@ DescriptorSets::DescriptorSets(const DeviceContext& context,
     vk_check(context.vk->CreateDescriptorPool(context.device, &pool_info, nullptr, &pool),
              "vkCreateDescriptorPool");
     pool_ = {context, pool};
+    set_name(*context.vk, VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, name);
 
     const std::vector<VkDescriptorSetLayout> layouts(count, layout);
     const VkDescriptorSetAllocateInfo allocate{
@@ -36,6 +40,8 @@ DescriptorSets::DescriptorSets(const DeviceContext& context,
         .pSetLayouts = layouts.data()};
     vk_check(context.vk->AllocateDescriptorSets(context.device, &allocate, sets_.data()),
              "vkAllocateDescriptorSets");
+    for (const VkDescriptorSet set : sets_)
+        set_name(*context.vk, VK_OBJECT_TYPE_DESCRIPTOR_SET, set, name);
 }
 
 }  // namespace rimline

@@ -15,8 +15,8 @@ namespace rimline {
 
 class DescriptorSets {
 public:
-    /// `count` sets of `bindings`, which hold one descriptor each.
-    DescriptorSets(const DeviceContext& context,
+    /// `count` sets of `bindings`, which hold one descriptor each. The name is for debug_names.h.
+    DescriptorSets(const DeviceContext& context, const std::string& name,
                    std::span<const VkDescriptorSetLayoutBinding> bindings, std::uint32_t count);
 
     VkDescriptorSetLayout layout() const noexcept { return layout_; }

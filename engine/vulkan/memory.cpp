@@ -145,6 +145,7 @@ Image::Image(const DeviceContext& context, const ImageDescription& description,
         VkImageView view_handle = VK_NULL_HANDLE;
         vk_check(context.vk->CreateImageView(context.device, &view, nullptr, &view_handle),
                  "vkCreateImageView");
+        set_name(*context.vk, VK_OBJECT_TYPE_IMAGE_VIEW, view_handle, what);
         return OwnedImageView(context, view_handle);
     };
     attachment_view_ = view_of(aspects());

@@ -3,19 +3,22 @@
 #include <array>
 #include <vector>
 
+#include "engine/vulkan/debug_names.h"
 #include "engine/vulkan/picture_target.h"
 
 namespace rimline {
 
 namespace {
 
-OwnedShaderModule make_module(const DeviceContext& context, SpirvCode code) {
+OwnedShaderModule make_module(const DeviceContext& context, const std::string& name,
+                              SpirvCode code) {
     const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                         .codeSize = code.size_bytes(),
                                         .pCode = code.data()};
     VkShaderModule module = VK_NULL_HANDLE;
     vk_check(context.vk->CreateShaderModule(context.device, &info, nullptr, &module),
              "vkCreateShaderModule");
+    set_name(*context.vk, VK_OBJECT_TYPE_SHADER_MODULE, module, name);
     return {context, module};
 }
 
@@ -84,8 +87,8 @@ VkStencilOpState stencil_state(const GraphicsPipelineDescription& description) {
 
 }  // namespace
 
-OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint32_t size_bytes,
-                                         VkShaderStageFlags stages,
+OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, const std::string& name,
+                                         std::uint32_t size_bytes, VkShaderStageFlags stages,
                                          std::initializer_list<VkDescriptorSetLayout> sets) {
     const VkPushConstantRange range{.stageFlags = stages, .size = size_bytes};
     const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
@@ -96,12 +99,13 @@ OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint
     VkPipelineLayout layout = VK_NULL_HANDLE;
     vk_check(context.vk->CreatePipelineLayout(context.device, &info, nullptr, &layout),
              "vkCreatePipelineLayout");
+    set_name(*context.vk, VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout, name);
     return {context, layout};
 }
 
-OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
-                                    VkPipelineLayout layout) {
-    const OwnedShaderModule module = make_module(context, code);
+OwnedPipeline make_compute_pipeline(const DeviceContext& context, const std::string& name,
+                                    SpirvCode code, VkPipelineLayout layout) {
+    const OwnedShaderModule module = make_module(context, name, code);
     const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
                                            .stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, module),
                                            .layout = layout};
@@ -109,16 +113,17 @@ OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code
     vk_check(context.vk->CreateComputePipelines(context.device, context.pipeline_cache, 1, &info,
                                                 nullptr, &pipeline),
              "vkCreateComputePipelines");
+    set_name(*context.vk, VK_OBJECT_TYPE_PIPELINE, pipeline, name);
     return {context, pipeline};
 }
 
-OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
+OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::string& name,
                                      const GraphicsPipelineDescription& description) {
     std::vector<OwnedShaderModule> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     const auto add_stage = [&](VkShaderStageFlagBits stage, SpirvCode code) {
         if (code.empty()) return;
-        modules.push_back(make_module(context, code));
+        modules.push_back(make_module(context, name, code));
         stages.push_back(stage_of(stage, modules.back()));
     };
     add_stage(VK_SHADER_STAGE_VERTEX_BIT, description.vertex);
@@ -207,6 +212,7 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
     vk_check(context.vk->CreateGraphicsPipelines(context.device, context.pipeline_cache, 1, &info,
                                                  nullptr, &pipeline),
              "vkCreateGraphicsPipelines");
+    set_name(*context.vk, VK_OBJECT_TYPE_PIPELINE, pipeline, name);
     return {context, pipeline};
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <span>
+#include <string>
 
 #include "engine/vulkan/device_context.h"
 #include "engine/vulkan/vulkan_handle.h"
@@ -15,13 +16,15 @@ namespace rimline {
 
 using SpirvCode = std::span<const std::uint32_t>;
 
+// Names are for debug_names.h.
+
 /// Push constants of `size_bytes` for `stages`, and descriptor sets of `sets`.
-OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, std::uint32_t size_bytes,
-                                         VkShaderStageFlags stages,
+OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, const std::string& name,
+                                         std::uint32_t size_bytes, VkShaderStageFlags stages,
                                          std::initializer_list<VkDescriptorSetLayout> sets = {});
 
-OwnedPipeline make_compute_pipeline(const DeviceContext& context, SpirvCode code,
-                                    VkPipelineLayout layout);
+OwnedPipeline make_compute_pipeline(const DeviceContext& context, const std::string& name,
+                                    SpirvCode code, VkPipelineLayout layout);
 
 enum class Blend {
     replace,
@@ -75,7 +78,7 @@ struct GraphicsPipelineDescription {
     VkPipelineLayout layout = VK_NULL_HANDLE;
 };
 
-OwnedPipeline make_graphics_pipeline(const DeviceContext& context,
+OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::string& name,
                                      const GraphicsPipelineDescription& description);
 
 }  // namespace rimline

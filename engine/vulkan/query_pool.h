@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
@@ -17,8 +18,9 @@ class QueryPool {
 public:
     /// No pool: for devices that have no use for one.
     QueryPool() = default;
-    /// `count` queries of `type`. Throws what vk_check() does.
-    QueryPool(const DeviceContext& context, VkQueryType type, std::uint32_t count);
+    /// `count` queries of `type`, with a name (debug_names.h). Throws what vk_check() does.
+    QueryPool(const DeviceContext& context, VkQueryType type, std::uint32_t count,
+              const std::string& name);
 
     VkQueryPool handle() const noexcept { return pool_; }
     explicit operator bool() const noexcept { return pool_.get() != VK_NULL_HANDLE; }
@@ -30,6 +32,8 @@ public:
     /// what vk_check() does.
     void read(std::span<std::uint32_t> results) const;
     void read(std::span<std::uint64_t> results) const;
+    /// The same without waiting. False, with undefined results, where one of them is not there.
+    bool read_if_there(std::span<std::uint64_t> results) const noexcept;
 
 private:
     const DeviceFunctions* vk_ = nullptr;

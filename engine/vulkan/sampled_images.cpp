@@ -2,9 +2,11 @@
 
 #include <vector>
 
+#include "engine/vulkan/debug_names.h"
+
 namespace rimline {
 
-OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter) {
+OwnedSampler make_sampler(const DeviceContext& context, const std::string& name, VkFilter filter) {
     // Shaders that fetch texels use no filter, and nearest is allowed for every format.
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = filter,
@@ -14,12 +16,13 @@ OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter) {
     VkSampler sampler = VK_NULL_HANDLE;
     vk_check(context.vk->CreateSampler(context.device, &info, nullptr, &sampler),
              "vkCreateSampler");
+    set_name(*context.vk, VK_OBJECT_TYPE_SAMPLER, sampler, name);
     return {context, sampler};
 }
 
 namespace {
 
-DescriptorSets make_set(const DeviceContext& context, std::uint32_t count,
+DescriptorSets make_set(const DeviceContext& context, const std::string& name, std::uint32_t count,
                         const VkSampler& sampler) {
     std::vector<VkDescriptorSetLayoutBinding> bindings(count);
     for (std::uint32_t i = 0; i < count; ++i)
@@ -28,15 +31,16 @@ DescriptorSets make_set(const DeviceContext& context, std::uint32_t count,
                        .descriptorCount = 1,
                        .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT,
                        .pImmutableSamplers = &sampler};
-    return DescriptorSets(context, bindings, 1);
+    return DescriptorSets(context, name, bindings, 1);
 }
 
 }  // namespace
 
-SampledImages::SampledImages(const DeviceContext& context, std::uint32_t count, VkFilter filter)
+SampledImages::SampledImages(const DeviceContext& context, const std::string& name,
+                             std::uint32_t count, VkFilter filter)
     : vk_(context.vk.get()),
-      sampler_(make_sampler(context, filter)),
-      sets_(make_set(context, count, sampler_.get())) {}
+      sampler_(make_sampler(context, name, filter)),
+      sets_(make_set(context, name, count, sampler_.get())) {}
 
 void SampledImages::set(std::initializer_list<const Image*> images) {
     std::vector<VkDescriptorImageInfo> infos;

@@ -12,12 +12,12 @@
 namespace rimline {
 
 /// Nearest or linear, within the image.
-OwnedSampler make_sampler(const DeviceContext& context, VkFilter filter);
+OwnedSampler make_sampler(const DeviceContext& context, const std::string& name, VkFilter filter);
 
 class SampledImages {
 public:
-    /// VK_FILTER_LINEAR is valid for color images only.
-    SampledImages(const DeviceContext& context, std::uint32_t count,
+    /// The name is for debug_names.h. VK_FILTER_LINEAR is valid for color images only.
+    SampledImages(const DeviceContext& context, const std::string& name, std::uint32_t count,
                   VkFilter filter = VK_FILTER_NEAREST);
 
     /// Sets the images of the bindings. When they are read they must be in SHADER_READ_ONLY_OPTIMAL or, for

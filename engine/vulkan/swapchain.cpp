@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/debug_names.h"
 
 namespace rimline {
 
@@ -14,6 +15,7 @@ OwnedSemaphore make_semaphore(const DeviceContext& context) {
     VkSemaphore semaphore = VK_NULL_HANDLE;
     vk_check(context.vk->CreateSemaphore(context.device, &info, nullptr, &semaphore),
              "vkCreateSemaphore");
+    set_name(*context.vk, VK_OBJECT_TYPE_SEMAPHORE, semaphore, "a picture of the window");
     return {context, semaphore};
 }
 
@@ -121,6 +123,8 @@ void Swapchain::remake(VkExtent2D window_size) {
         VkImageView view_handle = VK_NULL_HANDLE;
         vk_check(context_.vk->CreateImageView(context_.device, &view, nullptr, &view_handle),
                  "vkCreateImageView");
+        set_name(*context_.vk, VK_OBJECT_TYPE_IMAGE, image, "a picture of the window");
+        set_name(*context_.vk, VK_OBJECT_TYPE_IMAGE_VIEW, view_handle, "a picture of the window");
         images_.push_back({image, {context_, view_handle}, make_semaphore(context_)});
     }
     ++generation_;

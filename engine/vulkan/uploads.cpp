@@ -6,7 +6,7 @@
 namespace rimline {
 
 Uploads::Uploads(const DeviceContext& context)
-    : context_(context), timeline_(make_timeline(context)) {}
+    : context_(context), timeline_(make_timeline(context, "uploads")) {}
 
 Uploads::~Uploads() {
     // By the specification, frames that waited for the timeline no longer use it when they have ended. But
@@ -31,7 +31,7 @@ bool Uploads::is_done() noexcept {
 
 void Uploads::send(std::vector<StagedCopy>& copies) {
     is_done();  // Frees finished copies.
-    OwnedCommandPool pool = make_command_pool(context_, context_.transfer_family);
+    OwnedCommandPool pool = make_command_pool(context_, "uploads", context_.transfer_family);
     const Commands commands = begin_commands(context_, make_commands(context_, pool));
     for (const StagedCopy& copy : copies) {
         const VkBufferCopy region{.size = copy.staging.size()};

@@ -132,9 +132,9 @@ public:
             "the host's depth");
         pixels_ = Buffer(context, VkDeviceSize{16} * extent.width * extent.height,
                          BufferPlace::readback, "the host's pixels");
-        layout_ = make_pipeline_layout(context, sizeof(Constants), k_stages);
+        layout_ = make_pipeline_layout(context, "the host", sizeof(Constants), k_stages);
         pipeline_ = make_graphics_pipeline(
-            context,
+            context, "the host",
             {.vertex = sample_surface_vert,
              .geometry = {},
              .fragment = sample_surface_frag,
@@ -142,7 +142,7 @@ public:
              .depth_compare = view.is_reversed ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS,
              .depth_write = true,
              .layout = layout_});
-        pool_ = make_command_pool(context, context.queue_family);
+        pool_ = make_command_pool(context, "the host", context.queue_family);
         commands_ = make_commands(context, pool_);
     }
 

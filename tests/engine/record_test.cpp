@@ -77,7 +77,7 @@ public:
         vk_check(context.vk->CreateImageView(context.device, &view_info, nullptr, &view), "view");
         view_ = {context, view};
 
-        pool_ = make_command_pool(context, context.queue_family);
+        pool_ = make_command_pool(context, "test", context.queue_family);
         for (Flight& flight : flights_) {
             flight.commands = make_commands(context, pool_);
             flight.fence = make_fence(context, VK_FENCE_CREATE_SIGNALED_BIT);

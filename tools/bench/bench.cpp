@@ -20,6 +20,7 @@ public:
         suites_.push_back({make_hough_suite()});
         suites_.push_back({make_service_suite()});
         suites_.push_back({make_engine_suite()});
+        suites_.push_back({make_frames_suite()});
         suites_.push_back({make_fields_suite()});
         suites_.push_back({make_views_suite()});
         suites_.push_back({make_points_suite()});

@@ -75,17 +75,6 @@ std::vector<StreamedBytes> stream_bytes_by_step(const HoughOctree& octree,
     return curve;
 }
 
-double differing_share(const Picture& a, const Picture& b) {
-    std::size_t differing = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); i += 4)
-        for (std::size_t c = 0; c < 3; ++c)
-            if (std::abs(int{a.rgba[i + c]} - int{b.rgba[i + c]}) > 1) {
-                ++differing;
-                break;
-            }
-    return 4.0 * static_cast<double>(differing) / static_cast<double>(a.rgba.size());
-}
-
 // One way to draw the picture.
 struct FrameWay {
     std::string name;
@@ -94,11 +83,12 @@ struct FrameWay {
     bool draws_the_same = true;            // Whether its picture equals that of the first way.
 };
 
-// Draws frames in all ways in turn. Fills `times`, or returns the first difference from the first way.
+// Draws frames in all ways in turn. Adds to `passes`, unless null, those of all ways. Fills `times`, or returns the first difference from the first way.
 std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& octree,
                         const Device& device, std::uint32_t frames,
                         const std::function<void(Scene&)>& change, std::vector<EngineTime>& times,
-                        const std::string& doing, const Context& context) {
+                        const std::string& doing, const Context& context,
+                        PassMedians* passes = nullptr) {
     std::vector<std::unique_ptr<Renderer>> renderers;
     for (const FrameWay& way : ways)
         renderers.push_back(std::make_unique<Renderer>(device.context(), way.renderer));
@@ -109,7 +99,10 @@ std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& oc
         Scene scene = scene_at(octree, frame);
         change(scene);
         Picture first{};
-        for (std::size_t w = 0; w < ways.size(); ++w) {
+        for (std::size_t turn = 0; turn < ways.size(); ++turn) {
+            // Forwards and backwards: who comes second finds the mesh in the processor's caches.
+            const bool is_backwards = frame >= k_warm_up_frames && frame % 2 == 1;
+            const std::size_t w = is_backwards ? ways.size() - 1 - turn : turn;
             call.checkpoint(double(frame) / (frames + k_warm_up_frames));
             Scene changed = scene;
             if (ways[w].change) ways[w].change(changed);
@@ -119,10 +112,10 @@ std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& oc
             const std::chrono::duration<double, std::milli> took = Clock::now() - start;
             if (frame >= k_warm_up_frames) {
                 taken_ms[w].push_back(took.count());
+                if (passes) passes->add(renderers[w]->report());
             } else if (w == 0) {
                 first = std::move(picture);
-            } else if (ways[w].draws_the_same &&
-                       differing_share(first, picture) > k_max_differing_pixels) {
+            } else if (ways[w].draws_the_same && draws_other_pixels(first, picture)) {
                 return ways[w].name + ": its picture";
             }
         }
@@ -241,6 +234,18 @@ double over(const EngineTime& baseline, const EngineTime& ours) {
 
 }  // namespace
 
+bool draws_other_pixels(const Picture& a, const Picture& b) {
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (std::abs(int{a.rgba[i + c]} - int{b.rgba[i + c]}) > 1) {
+                ++differing;
+                break;
+            }
+    return 4.0 * static_cast<double>(differing) >
+           k_max_differing_pixels * static_cast<double>(a.rgba.size());
+}
+
 const EngineTime* EngineResult::find_line_path(const std::string& name) const {
     const auto found = std::ranges::find(lines, name, &EngineTime::name);
     return found == lines.end() ? nullptr : &*found;
@@ -268,6 +273,19 @@ EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Devi
     result.difference = time_frames(shadow_ways(device.context()), octree, device, options.frames,
                                     with_sun, result.shadows, "drawing shadows", context);
     if (!result.difference.empty()) return result;
+
+    const auto with_lines = [&](Scene& scene) {
+        with_sun(scene);
+        scene.lines = true;
+    };
+    PassMedians passes;
+    result.difference =
+        time_frames({{"without timestamps", {.samples = 1, .scale = 1}},
+                     {"with timestamps", {.samples = 1, .scale = 1, .pass_times = true}}},
+                    octree, device, options.frames, with_lines, result.timestamps, "timing passes",
+                    context, &passes);
+    if (!result.difference.empty()) return result;
+    result.passes = passes.each();
 
     result.record = time_recording(octree, device, options.frames, context);
     result.difference = time_ratios(octree, device, options, result.ratios, context);

@@ -13,6 +13,8 @@
 
 #include "engine/vulkan/device.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/picture.h"
+#include "tools/bench/pass_medians.h"
 #include "tools/bench/record_time.h"
 #include "tools/bench/targets.h"
 #include "tools/command.h"
@@ -49,10 +51,17 @@ struct EngineResult {
         lines;  ///< Frames with lines; the slots by geometry shader or pulling first.
     std::vector<EngineTime> shadows;  ///< Frames with shadows and without lines.
     RecordTimes record;
+    /// Frames with lines and a sun, without and with timestamps: what they cost.
+    std::vector<EngineTime> timestamps;
+    std::vector<PassTime> passes;    ///< Of these frames, medians by timestamps; empty without.
     std::vector<EngineTime> ratios;  ///< Ours first, then the baseline.
 
     const EngineTime* find_line_path(const std::string& name) const;
 };
+
+/// Whether two pictures of one size differ in more than the rare pixel where two ways round a corner
+/// differently.
+bool draws_other_pixels(const Picture& a, const Picture& b);
 
 /// The mesh must have an extent (check_has_extent). Throws the errors of devices and renderers.
 EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Device& device,

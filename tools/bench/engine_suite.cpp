@@ -40,6 +40,9 @@ void print_result(const EngineResult& result) {
                     bytes.full, bytes.full / bytes.streamed);
     print_times("frame with lines, 1024x1024", result.lines, 0);
     print_times("frame without lines, one sun, 1024x1024", result.shadows, 0);
+    print_times("frame with lines and one sun, 1024x1024", result.timestamps, 0);
+    for (const PassTime& pass : result.passes)
+        std::printf("      %-44s %9.2f ms\n", pass.name.c_str(), pass.time_ms);
     std::printf("  a frame on the CPU beside the trackers\n");
     const RecordTimes& record = result.record;
     for (const auto& [light, ms] : {std::pair{"a sun", record.sun_ms},
@@ -55,6 +58,13 @@ Json to_json(const std::vector<EngineTime>& times) {
         array.push_back({{"name", time.name},
                          {"median_ms", time.median_ms},
                          {"ratio", time.median_ms / times.front().median_ms}});
+    return array;
+}
+
+Json to_json(const std::vector<PassTime>& passes) {
+    Json array = Json::array();
+    for (const PassTime& pass : passes)
+        array.push_back({{"name", pass.name}, {"median_ms", pass.time_ms}});
     return array;
 }
 
@@ -77,6 +87,8 @@ Json to_json(const EngineResult& result) {
     object.update({{"bytes", std::move(bytes)},
                    {"lines", to_json(result.lines)},
                    {"shadows", to_json(result.shadows)},
+                   {"timestamps", to_json(result.timestamps)},
+                   {"passes", to_json(result.passes)},
                    {"record", to_json(result.record)},
                    {"visible_ratios", to_json(result.ratios)}});
     return object;
@@ -157,12 +169,12 @@ public:
                                 "The greatest size of --growth");
         for (CLI::Option* option : {viewpoints, frames, rounds, min_option_, max_option_})
             option->group("Amount");
-        app.add_option("--device", device_, "gpu, cpu, an index, or a part of a name")
-            ->group("Machine");
+        add_device(app, device_, "gpu, cpu, an index, or a part of a name");
         app.footer(
             "For each model: bytes streamed a frame by step size, frames with lines by every "
             "path,\n"
-            "frames with shadows, frames on the CPU, and visible ratios. Pictures and counts are\n"
+            "frames with shadows, the passes by timestamps, frames on the CPU, and visible ratios. "
+            "Pictures and counts are\n"
             "compared first. A ratio is the median of one way over the median of the first way.\n\n"
             "--check requires: igea streamed 1/4; closed meshes of 60,000 to 110,000 faces\n"
             "adjacency 1.8x, visible ratios 1.4x.\n\n"

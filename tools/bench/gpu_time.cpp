@@ -3,26 +3,18 @@
 
 #include <array>
 #include <chrono>
-#include <vector>
 
 namespace rimline::tools {
 
-CommandTimer::CommandTimer(const DeviceContext& context) : context_(context) {
-    std::uint32_t family_count = 0;
-    context.vk->GetPhysicalDeviceQueueFamilyProperties(context.physical_device, &family_count,
-                                                       nullptr);
-    std::vector<VkQueueFamilyProperties> families(family_count);
-    context.vk->GetPhysicalDeviceQueueFamilyProperties(context.physical_device, &family_count,
-                                                       families.data());
-    valid_bits_ = families.at(context.queue_family).timestampValidBits;
-    tick_ms_ = double{context.limits.timestampPeriod} * 1e-6;
-    queries_ = QueryPool(context, VK_QUERY_TYPE_TIMESTAMP, 2);
-}
+CommandTimer::CommandTimer(const DeviceContext& context)
+    : context_(context),
+      unit_(timestamp_unit(context)),
+      queries_(context, VK_QUERY_TYPE_TIMESTAMP, 2, "times of commands") {}
 
 CommandTimes CommandTimer::run(const std::function<void(Commands)>& record) const {
     const auto start = std::chrono::steady_clock::now();
     run_commands(context_, [&](Commands commands) {
-        if (valid_bits_ == 0) return record(commands);
+        if (unit_.valid_bits == 0) return record(commands);
         queries_.record_reset(commands);
         commands->CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                      queries_.handle(), 0);
@@ -34,12 +26,10 @@ CommandTimes CommandTimer::run(const std::function<void(Commands)>& record) cons
                                       std::chrono::steady_clock::now() - start)
                                       .count(),
                        .device_ms = {}};
-    if (valid_bits_ == 0) return times;
+    if (unit_.valid_bits == 0) return times;
     std::array<std::uint64_t, 2> ticks{};
     queries_.read(ticks);
-    const std::uint64_t mask =
-        valid_bits_ >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << valid_bits_) - 1;
-    times.device_ms = tick_ms_ * static_cast<double>((ticks[1] - ticks[0]) & mask);
+    times.device_ms = unit_.elapsed_ms(ticks[0], ticks[1]);
     return times;
 }
 

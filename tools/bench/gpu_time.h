@@ -10,6 +10,7 @@
 #include "engine/vulkan/device_context.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/query_pool.h"
+#include "engine/vulkan/timestamps.h"
 
 namespace rimline::tools {
 
@@ -27,8 +28,7 @@ public:
 
 private:
     DeviceContext context_;
-    std::uint32_t valid_bits_ = 0;
-    double tick_ms_ = 0.0;
+    TimestampUnit unit_;
     QueryPool queries_;
 };
 

@@ -11,6 +11,7 @@ namespace rimline::tools {
 std::unique_ptr<Command> make_hough_suite();
 std::unique_ptr<Command> make_service_suite();
 std::unique_ptr<Command> make_engine_suite();
+std::unique_ptr<Command> make_frames_suite();
 std::unique_ptr<Command> make_fields_suite();
 std::unique_ptr<Command> make_views_suite();
 std::unique_ptr<Command> make_points_suite();

@@ -97,8 +97,7 @@ public:
                                ->group("Kind");
         up_option_ =
             add_direction(app, "--up", up_, "The up direction of --pictures")->group("Kind");
-        app.add_option("--device", device_, "gpu, cpu, an index, or a part of a name")
-            ->group("Machine");
+        add_device(app, device_, "gpu, cpu, an index, or a part of a name");
         app.footer(
             "The suite chooses four views by planes' votes and by other measures at 256 "
             "candidates.\n"

@@ -10,6 +10,11 @@ std::unique_ptr<Command> make_engine_suite() {
                                            "Streams and frames on a Vulkan device", "bench");
 }
 
+std::unique_ptr<Command> make_frames_suite() {
+    return std::make_unique<AbsentCommand>(BuildPart::engine, "frames",
+                                           "What a frame's time depends on", "bench");
+}
+
 std::unique_ptr<Command> make_views_suite() {
     return std::make_unique<AbsentCommand>(
         BuildPart::engine, "views", "The best views and lights beside those of other measures",

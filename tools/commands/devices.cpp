@@ -6,6 +6,7 @@
 #include "engine/vulkan/device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/command.h"
+#include "tools/options/option_types.h"
 
 namespace rimline::tools {
 
@@ -25,10 +26,9 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        app.add_option("--device", request_,
-                       "gpu, cpu, an index or a name: show which device this request chooses in "
-                       "other subcommands")
-            ->type_name("DEVICE");
+        add_device(app, request_,
+                   "gpu, cpu, an index or a name: show which device this request chooses in "
+                   "other subcommands");
         app.footer(
             "Examples:\n"
             "  rimline devices\n"

@@ -36,6 +36,9 @@ public:
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
+        app.add_flag("--pass-times", pass_times_,
+                     "Report the time of each pass on the device, where its queue has timestamps")
+            ->group("Machine");
         app.footer(
             "Without a model, a built-in scene is drawn. Camera and light are chosen if they are "
             "not given.\n"
@@ -76,7 +79,7 @@ public:
             scene.instances.front().picture_lines =
                 lines->draw(scene.camera, picture_.size, options_.line_style(), progress.call());
         }
-        Renderer renderer(device.context());
+        Renderer renderer(device.context(), {.pass_times = pass_times_});
         const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
         context.checkpoint();
 
@@ -109,6 +112,13 @@ private:
         return shadows;
     }
 
+    static nlohmann::ordered_json passes_of(const FrameReport& report) {
+        nlohmann::ordered_json passes = nlohmann::ordered_json::array();
+        for (const PassTime& pass : report.passes)
+            passes.push_back({{"name", pass.name}, {"ms", pass.time_ms}});
+        return passes;
+    }
+
     void print_result(const DrawingDevice& device, const Renderer& renderer,
                       const FrameReport& report) const {
         nlohmann::ordered_json result{{"model", model_.model}};
@@ -124,6 +134,7 @@ private:
                        {"tracker_memory_bytes", renderer.tracker_bytes()},
                        {"frame_ms", report.frame_ms},
                        {"output", output_}});
+        if (pass_times_) result["passes"] = passes_of(report);
         print_json(result);
     }
 
@@ -136,6 +147,10 @@ private:
                     static_cast<unsigned long long>(report.bytes_streamed));
         std::printf("  time        %.1f ms on %s\n", report.frame_ms,
                     device.device.facts().name.c_str());
+        for (const PassTime& pass : report.passes)
+            std::printf("    %-28s %8.3f ms\n", pass.name.c_str(), pass.time_ms);
+        if (pass_times_ && report.passes.empty())
+            std::printf("    the device's queue has no timestamps\n");
         print_validation(device);
     }
 
@@ -143,6 +158,7 @@ private:
     PictureOptions picture_;
     std::string output_ = k_default_output;
     SceneOptions options_;
+    bool pass_times_ = false;
 };
 
 }  // namespace

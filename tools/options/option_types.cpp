@@ -274,4 +274,11 @@ CLI::Option* add_image_size(CLI::App& app, const std::string& name, ImageSize& v
         ->default_str(std::to_string(value.width) + "x" + std::to_string(value.height));
 }
 
+CLI::Option* add_device(CLI::App& app, std::string& value, const std::string& description) {
+    return app.add_option("--device", value, description)
+        ->envname("RIMLINE_DEVICE")
+        ->type_name("DEVICE")
+        ->group("Machine");
+}
+
 }  // namespace rimline::tools

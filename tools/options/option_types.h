@@ -64,6 +64,9 @@ struct Color {
 CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,
                        const std::string& description);
 
+/// --device: which Vulkan device to use. The variable RIMLINE_DEVICE is its default. `description` says what for.
+CLI::Option* add_device(CLI::App& app, std::string& value, const std::string& description);
+
 struct ImageSize {
     std::uint32_t width, height;
 };

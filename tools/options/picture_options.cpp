@@ -51,12 +51,9 @@ void PictureOptions::add_image_to(CLI::App& app) {
 
 void PictureOptions::add_machine_to(CLI::App& app) {
     constexpr const char* k_group = "Machine";
-    app.add_option(
-           "--device", device,
-           "gpu, cpu, an index or a name (default: a discrete GPU if there is one, else any "
-           "device)")
-        ->type_name("DEVICE")
-        ->group(k_group);
+    add_device(app, device,
+               "gpu, cpu, an index or a name (default: a discrete GPU if there is one, else any "
+               "device)");
     app.add_flag("--validate", validate,
                  "Turn on the Vulkan validation layers; exit 1 if they are missing")
         ->group(k_group);

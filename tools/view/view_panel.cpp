@@ -275,6 +275,11 @@ void draw_model_counters(const FrameReport& report) {
                                     grouped(report.camera.counters.face_checks));
     row("bytes streamed", grouped(report.bytes_streamed));
     row("bytes of all", grouped(report.bytes_full));
+    for (const PassTime& pass : report.passes) {
+        char time[32];
+        std::snprintf(time, sizeof time, "%.2f ms", pass.time_ms);
+        row(pass.name.c_str(), time);
+    }
 }
 
 void ViewPanel::draw_counters(const ViewSession& session, const Status& status) {

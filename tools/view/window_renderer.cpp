@@ -41,7 +41,7 @@ struct WindowRenderer::OnDevice {
           device(instance, request, user_cache_folder()),
           swapchain(device.context(), surface.get(), k_ring_slots),
           overlay(device.context(), swapchain.format(), k_ring_slots),
-          pool(make_command_pool(device.context(), device.context().queue_family)) {
+          pool(make_command_pool(device.context(), "the window", device.context().queue_family)) {
         overlay.set_texture(font.width, font.height, font.opacity);
         for (RingSlot& slot : ring) {
             slot.commands = make_commands(device.context(), pool);
@@ -110,7 +110,8 @@ void WindowRenderer::OnDevice::make_renderer(const ViewPicture& scene, std::uint
         renderer.reset();
         splat_renderer.reset();
         if (is_model)
-            renderer = std::make_unique<Renderer>(device.context());
+            renderer =
+                std::make_unique<Renderer>(device.context(), RendererOptions{.pass_times = true});
         else
             splat_renderer = std::make_unique<SplatRenderer>(device.context());
     }

@@ -26,7 +26,8 @@ std::unique_ptr<Renderer> undisturbed_renderer(Stage& stage) {
 }
 
 RIMLINE_FAULT_SCENARIO("a picture") {
-    const auto renderer = stage.make<Renderer>(stage.context(), RendererOptions{});
+    const auto renderer =
+        stage.make<Renderer>(stage.context(), RendererOptions{.pass_times = true});
     const Scene scene = stage.scene();
     stage.show(stage.step([&] { return renderer->render(scene, 24, 24); }).rgba);
 }
@@ -34,7 +35,8 @@ RIMLINE_FAULT_SCENARIO("a picture") {
 RIMLINE_FAULT_SCENARIO("an instance and its device") {
     const auto instance = stage.make<VulkanInstance>(
         InstanceOptions{.validate = stage.instance().validates(), .loader = &failing_loader});
-    const auto device = stage.step([&] { return std::make_unique<TestedDevice>(*instance); });
+    const auto device =
+        stage.step([&] { return std::make_unique<TestedDevice>(*instance, requested_device()); });
     CHECK(device->face_bits_agree());
     stage.show(std::vector<char>(device->facts().name.begin(), device->facts().name.end()));
     CHECK(instance->first_validation_message() == "");

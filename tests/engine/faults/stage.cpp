@@ -132,7 +132,7 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
         FaultReport report;
         bool ended = false;
         {
-            const TestedDevice device(gpu->instance());
+            const TestedDevice device(gpu->instance(), requested_device());
             Stage stage(gpu->instance(), device.context(), models);
             stage.end_with_device();
             arm({.kind = FaultKind::lost_device, .call = calls, .result = 0});
@@ -156,7 +156,7 @@ void play_with_lost_devices(Scenario scenario, Extent extent) {
         injected = report.injected;
         if (!injected) break;
         // Another device, and everything anew.
-        const TestedDevice device(gpu->instance());
+        const TestedDevice device(gpu->instance(), requested_device());
         Stage again(gpu->instance(), device.context(), models);
         scenario(again);
         CHECK(again.shown() == expected);

@@ -1,7 +1,8 @@
 #pragma once
 
 // A device for a test. Where the validation layer is installed it is on, with synchronization checks, and any
-// message of it fails the case; the case prints whether it is on. Without a device the case is skipped.
+// message of it fails the case; the case prints whether it is on. Without a device the case is skipped. The
+// variable RIMLINE_DEVICE chooses the device (requested_device.h).
 
 #include <doctest/doctest.h>
 
@@ -12,6 +13,7 @@
 #include "engine/tested_device.h"
 #include "engine/vulkan/vulkan_instance.h"
 #include "silhouette/error.h"
+#include "tests/engine/support/requested_device.h"
 #include "tests/skip.h"
 
 namespace rimline::tests {
@@ -24,7 +26,8 @@ public:
         try {
             return std::unique_ptr<Gpu>(new Gpu(loader));
         } catch (const Error& error) {
-            if (error.code() != ErrorCode::no_device) throw;
+            // A device that was asked for and is not there is no reason to skip.
+            if (error.code() != ErrorCode::no_device || !requested_device().empty()) throw;
             reason = error.what();
             return nullptr;
         }
@@ -51,7 +54,7 @@ private:
             MESSAGE("validation: off, ", std::string(error.what()));
             instance_.emplace(InstanceOptions{.loader = loader});
         }
-        device_.emplace(*instance_);
+        device_.emplace(*instance_, requested_device());
     }
 
     std::optional<VulkanInstance> instance_;

@@ -18,6 +18,20 @@ TEST_CASE("an opened device says who it is and decides face bits as the CPU does
     CHECK((gpu->context().sample_counts & VK_SAMPLE_COUNT_1_BIT) != 0);
 }
 
+TEST_CASE(
+    "tests on a device that RIMLINE_DEVICE names and that is not there fail and do not skip") {
+    RIMLINE_OPEN_GPU(gpu);
+    const std::string before = tests::requested_device();
+    REQUIRE(setenv("RIMLINE_DEVICE", "no such device", 1) == 0);
+    std::string reason;
+    CHECK_THROWS_WITH_AS(tests::Gpu::open(reason), doctest::Contains("'no such device'"), Error);
+    REQUIRE(setenv("RIMLINE_DEVICE", gpu->device().facts().name.c_str(), 1) == 0);
+    const std::unique_ptr<tests::Gpu> same = tests::Gpu::open(reason);
+    REQUIRE(same != nullptr);
+    CHECK(same->device().facts().name == gpu->device().facts().name);
+    REQUIRE(setenv("RIMLINE_DEVICE", before.c_str(), 1) == 0);
+}
+
 TEST_CASE("asking for a device that is not there is an error that names it") {
     RIMLINE_OPEN_GPU(gpu);
     CHECK_THROWS_WITH_AS(TestedDevice(gpu->instance(), "no such device"),
@@ -56,7 +70,7 @@ std::optional<std::string> first_message(const std::function<void(Commands, cons
                                          std::string& reason) {
     try {
         const VulkanInstance instance({.validate = true});
-        const TestedDevice device(instance);
+        const TestedDevice device(instance, tests::requested_device());
         REQUIRE(instance.validation_message_count() == 0u);
         const Buffer buffer(device.context(), 64, BufferPlace::device, "test");
         run_commands(device.context(), [&](Commands commands) { record(commands, buffer); });

@@ -82,7 +82,7 @@ TEST_CASE("a device keeps its pipelines in a folder, and replaces a file that is
     const tests::ScratchFolder scratch;
     const std::filesystem::path folder = scratch / "new" / "folder";
     const auto open = [&] {
-        const TestedDevice device(gpu->instance(), {}, folder);
+        const TestedDevice device(gpu->instance(), tests::requested_device(), folder);
         CHECK(device.context().pipeline_cache != VK_NULL_HANDLE);
         CHECK(device.face_bits_agree());
     };
@@ -119,7 +119,7 @@ TEST_CASE("a cache folder that cannot be made is no error") {
     const tests::ScratchFolder scratch;
     const std::filesystem::path file = scratch / "file";
     write(file, {});
-    const TestedDevice device(gpu->instance(), {}, file / "folder");
+    const TestedDevice device(gpu->instance(), tests::requested_device(), file / "folder");
     CHECK(device.context().pipeline_cache != VK_NULL_HANDLE);
 }
 

@@ -47,12 +47,12 @@ TEST_CASE(
     // One that reads on the queue that draws waits there, not here.
     const std::size_t last = buffers.size() - 1;
     const Buffer result(context, buffers[last].size(), BufferPlace::readback, "a test");
-    const OwnedCommandPool pool = make_command_pool(context, context.queue_family);
+    const OwnedCommandPool pool = make_command_pool(context, "test", context.queue_family);
     const Commands commands = begin_commands(context, make_commands(context, pool));
     const VkBufferCopy region{.size = buffers[last].size()};
     commands->CmdCopyBuffer(commands, buffers[last].handle(), result.handle(), 1, &region);
     vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
-    const OwnedSemaphore drawn = make_timeline(context);
+    const OwnedSemaphore drawn = make_timeline(context, "test");
     submit_commands(context, {.queue = context.queue,
                               .commands = commands,
                               .waits = {uploads.sent()},

@@ -15,6 +15,12 @@ def test_bench_engine_compares_and_then_measures():
         assert all(way["median_ms"] > 0 for way in model[table])
     for lamp in ("resting_lamp_ms", "moving_lamp_ms"):
         assert 0 < model["record"][lamp] < 1000, model["record"]
+    assert [way["name"] for way in model["timestamps"]] == ["without timestamps", "with timestamps"]
+    if model["passes"]:  # Where the device's queue has timestamps.
+        assert [p["name"] for p in model["passes"]] == [
+            "silhouettes", "surfaces, unlit", "shadow volumes, light 0", "surfaces, light 0", "lines", "picture"]
+        assert all(p["median_ms"] >= 0 for p in model["passes"])
+        assert sum(p["median_ms"] for p in model["passes"]) > 0
     growth = succeed("bench", "engine", "--growth", *few[:2], "--least-faces", "1000", "--most-faces", "3000")
     assert [step["verified"] for step in growth["growth"]] == [True, True]
     assert all(0 < step["move_ms"] <= step["stream_ms"] for step in growth["growth"])

@@ -161,6 +161,21 @@ def test_render_shows_the_colors_of_the_file():
         fail(2, "render", cube, "-o", output, "--materials", "maybe")
 
 
+def test_render_reports_the_time_of_each_pass_where_it_is_asked():
+    have_device()
+    draw = ("render", "shape:knot:1000", "--size", "64x64", "--sun", "1,2,3", "-o", os.devnull)
+    assert "passes" not in succeed(*draw)
+    result = succeed(*draw, "--pass-times")
+    text = run(*draw, "--pass-times").stdout
+    if not result["passes"]:
+        assert "no timestamps" in text
+        return
+    names = [p["name"] for p in result["passes"]]
+    assert names[:3] == ["silhouettes", "surfaces, unlit", "shadow volumes, light 0"] and names[-1] == "picture"
+    assert all(f"    {name} " in text for name in names), text
+    assert 0 < sum(p["ms"] for p in result["passes"]) <= result["frame_ms"]
+
+
 def test_render_is_silent_under_validation():
     have_device()
     with tempfile.TemporaryDirectory() as folder:

@@ -14,6 +14,7 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/faults/failing_new.h"
 #include "tests/engine/faults/vulkan_faults.h"
+#include "tests/engine/support/requested_device.h"
 #include "tests/engine/support/test_pictures.h"
 #include "tests/skip.h"
 #include "tests/tools/view/virtual_display.h"
@@ -48,7 +49,8 @@ public:
 
     std::unique_ptr<WindowRenderer> make_renderer() {
         const NoFaults none;
-        return std::make_unique<WindowRenderer>(instance_, window_, "", FontTexture{1, 1, {255}});
+        return std::make_unique<WindowRenderer>(instance_, window_, tests::requested_device(),
+                                                FontTexture{1, 1, {255}});
     }
 
     // Three frames of a camera that moves, as the window shows them. A frame that throws is drawn once

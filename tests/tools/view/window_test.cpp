@@ -16,6 +16,7 @@
 #include "engine/tested_device.h"
 #include "engine/view_defaults.h"
 #include "engine/vulkan/device_context.h"
+#include "tests/engine/support/requested_device.h"
 #include "tests/skip.h"
 #include "tests/tools/scratch_folder.h"
 #include "tests/tools/view/virtual_display.h"
@@ -39,6 +40,7 @@ public:
         session.show(open_document({.model = "shape:knot:3000", .as_points = as_points},
                                    [](const std::string&) { return LongCall{}; }),
                      double(k_width) / k_height);
+        options.device = tests::requested_device();
         loop.emplace(window, *instance, session, options);
     }
     ~Shown() {
@@ -66,7 +68,7 @@ public:
     // The same scene by a device and a renderer of its own, as `rimline render` draws it.
     Picture rendered(std::uint32_t width, std::uint32_t height) const {
         const VulkanInstance own;
-        const TestedDevice device(own);
+        const TestedDevice device(own, tests::requested_device());
         if (session.is_cloud())
             return SplatRenderer(device.context()).render(session.cloud_scene(), width, height);
         const ViewPicture picture = session.picture(ImageSize{width, height});
@@ -142,7 +144,7 @@ int contrast(const Picture& picture) {
     if (!display) RIMLINE_SKIP(display##_reason);                       \
     try {                                                               \
         const VulkanInstance probe;                                     \
-        const TestedDevice device(probe);                               \
+        const TestedDevice device(probe, tests::requested_device());    \
     } catch (const Error& error) {                                      \
         RIMLINE_SKIP(error.what());                                     \
     }
@@ -211,7 +213,7 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
     RIMLINE_OPEN_DISPLAY(display);
     const Window window("test", k_width, k_height);
     const VulkanInstance instance({.window_extensions = window.vulkan_extensions()});
-    const TestedDevice device(instance);
+    const TestedDevice device(instance, tests::requested_device());
     const WindowSurface surface = window.make_surface(instance);
     Swapchain swapchain(device.context(), surface.get(), 1);
     CHECK_FALSE(swapchain.acquire(0, {0, 0}));
