@@ -58,7 +58,7 @@ glm::dvec3 light_vector(const ShadowCaster& caster) { return glm::dvec3(caster.l
 // The end of a finite volume's ray that begins at `point` of the caster. For orthographic views.
 glm::dvec3 extruded(const ShadowCaster& caster, const glm::dvec3& point) {
     const glm::dvec3 light = light_vector(caster);
-    if (caster.light.is_direction()) return point - caster.extrusion * glm::normalize(light);
+    if (caster.light.is_direction()) return point - caster.extrusion * light;
     return point + caster.extrusion * (point - light);
 }
 

@@ -87,7 +87,8 @@ bool is_outside(const ShadowView& view, const glm::dvec3& low, const glm::dvec3&
 struct ShadowCaster {
     glm::dvec3 low{0.0}, high{0.0};  ///< Bounds of all its vertices.
     bool is_closed_chain = false;
-    HomogeneousPoint light{};  ///< The point of its face bits and its volume.
+    HomogeneousPoint
+        light{};  ///< The point of its face bits and its volume. A direction is a unit vector.
     /// LightData.extrusion. 0: to infinity, as it must be unless the view is orthographic.
     double extrusion = 0.0;
     /// Whether a finite volume was extruded as far as needed.

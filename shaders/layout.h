@@ -203,8 +203,8 @@ struct LightData {
     RIMLINE_ADDRESS(FaceList) part_faces;     // The same.
     vec4 point;                               // Homogeneous, in the mesh's coordinates.
     vec3 color;                               // Its share in the light of a fully lit surface.
-    // 0: volumes reach infinity. Else their length: a distance for a directional light, a multiple of
-    // the distance to the edge for a point light. For orthographic views, which do not contain infinity.
+    // 0: volumes reach infinity. Else their length, as a multiple: of the way from a point light to the edge, or
+    // of `point`, a unit vector, for a directional light. For orthographic views, which do not contain infinity.
     float extrusion;
 };
 

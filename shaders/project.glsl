@@ -34,8 +34,7 @@ vec4 clip_from_extruded(vec3 position) {
     const float extrusion = light.extrusion;
     precise vec3 away = position * from.w - from.xyz;
     if (extrusion == 0.0) return clip_from_eye(eye_from_object(away), 0.0);
-    const float times = from.w == 0.0 ? extrusion * inversesqrt(dot(away, away)) : extrusion;
-    precise vec3 from_camera = (position - instance.camera) + away * times;
+    precise vec3 from_camera = (position - instance.camera) + away * extrusion;
     return clip_from_eye(eye_from_object(from_camera), 1.0);
 }
 

@@ -205,7 +205,7 @@ TEST_CASE("depth pass in an orthographic view needs the volume's end behind the 
         const ShadowCaster caster{.low = glm::dvec3(box.bounds().low),
                                   .high = glm::dvec3(box.bounds().high),
                                   .is_closed_chain = true,
-                                  .light = HomogeneousPoint::direction(towards),
+                                  .light = HomogeneousPoint::direction(glm::normalize(towards)),
                                   .extrusion = 20.0};
         return choose_shadow(wanted, ShadowForm::automatic, view, caster).method;
     };
