@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec4.hpp>
-#include <string>
 #include <utility>
 
 #include "engine/frame/drawn_rect.h"
@@ -170,7 +169,6 @@ void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
 
 void FramePasses::record_light(Commands commands, const Frame& frame, std::size_t light) const {
     const DrawList& list = frame.list;
-    const std::string of_light = ", light " + std::to_string(light);
     if (list.shadows) {
         const PassLabel shadows(commands, "shadow volumes");
         shadow_pass_.record(commands, list, light, targets_->in_pass(frame.area.rect));
@@ -178,10 +176,10 @@ void FramePasses::record_light(Commands commands, const Frame& frame, std::size_
             backdrop_pass_.record_shade(
                 commands, frame.ring_slot, frame.backdrop, frame.target.corner,
                 shadow_opacity(frame.view.scene) / static_cast<float>(list.light_count));
-        frame.clock.end_pass(commands, "shadow volumes" + of_light);
+        frame.clock.end_pass(commands, "shadow volumes", light);
     }
     surface_pass_.record_lit(commands, list, light);
-    frame.clock.end_pass(commands, "surfaces" + of_light);
+    frame.clock.end_pass(commands, "surfaces", light);
 }
 
 void FramePasses::record_lines(Commands commands, const Frame& frame) const {

@@ -1,5 +1,7 @@
 #include "engine/frame/pass_clock.h"
 
+#include <utility>
+
 #include "silhouette/error.h"
 
 namespace rimline {
@@ -26,15 +28,19 @@ void PassClock::start(Commands commands, std::uint32_t slot, std::uint32_t pass_
     stamp(commands, {});
 }
 
-void PassClock::start_again(Commands commands) { stamp(commands, {}); }
+void PassClock::start_again(Commands commands) {
+    if (!slots_.empty()) stamp(commands, {});
+}
 
-void PassClock::end_pass(Commands commands, const std::string& name) { stamp(commands, name); }
-
-void PassClock::stamp(Commands commands, const std::string& name) {
+void PassClock::end_pass(Commands commands, const char* name, std::optional<std::size_t> light) {
     if (slots_.empty()) return;
+    stamp(commands, light ? std::string(name) + ", light " + std::to_string(*light) : name);
+}
+
+void PassClock::stamp(Commands commands, std::string name) {
     Slot& frame = slots_[current_];
     RIMLINE_CHECK(frame.names.size() < frame.query_count);
-    frame.names.push_back(name);
+    frame.names.push_back(std::move(name));
     commands->CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                  frame.queries.handle(),
                                  static_cast<std::uint32_t>(frame.names.size() - 1));

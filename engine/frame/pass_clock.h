@@ -9,7 +9,9 @@
 // Each timestamp waits for all earlier commands. So passes that the GPU could overlap are counted one after
 // the other, and the sum is the time from the first to the last.
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +33,8 @@ public:
     void start(Commands commands, std::uint32_t slot, std::uint32_t pass_count);
     /// The time since the previous call belongs to no pass.
     void start_again(Commands commands);
-    /// The time since the previous call is that of the pass `name`.
-    void end_pass(Commands commands, const std::string& name);
+    /// The time since the previous call is that of the pass `name`, for one light where there is one.
+    void end_pass(Commands commands, const char* name, std::optional<std::size_t> light = {});
 
     /// The passes of the frame of `slot`, once. Never waits. Empty where the frame was forgotten or its
     /// timestamps are not there yet.
@@ -47,7 +49,7 @@ private:
         std::vector<std::string>
             names;  // Of the timestamps written. Empty: what ends there is no pass.
     };
-    void stamp(Commands commands, const std::string& name);
+    void stamp(Commands commands, std::string name);
 
     DeviceContext context_;
     TimestampUnit unit_;
