@@ -88,6 +88,7 @@ DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device) {
     facts.geometry_shader = features.v10.features.geometryShader == VK_TRUE;
     facts.occlusion_query_precise = features.v10.features.occlusionQueryPrecise == VK_TRUE;
     facts.depth_clamp = features.v10.features.depthClamp == VK_TRUE;
+    facts.depth_bounds = features.v10.features.depthBounds == VK_TRUE;
     facts.buffer_device_address = features.v12.bufferDeviceAddress == VK_TRUE;
     facts.scalar_block_layout = features.v12.scalarBlockLayout == VK_TRUE;
     facts.timeline_semaphore = features.v12.timelineSemaphore == VK_TRUE;
@@ -135,6 +136,7 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
     features.v10.features.geometryShader = facts_.geometry_shader;
     features.v10.features.occlusionQueryPrecise = facts_.occlusion_query_precise;
     features.v10.features.depthClamp = VK_TRUE;
+    features.v10.features.depthBounds = facts_.depth_bounds;
     features.v12.bufferDeviceAddress = VK_TRUE;
     features.v12.scalarBlockLayout = VK_TRUE;
     features.v12.timelineSemaphore = VK_TRUE;
@@ -182,6 +184,7 @@ void Device::open_queues(const VulkanInstance& instance, VkDevice device, VkPhys
                              .features = {.geometry_shader = facts_.geometry_shader,
                                           .swapchain = presents,
                                           .occlusion_query_precise = facts_.occlusion_query_precise,
+                                          .depth_bounds = facts_.depth_bounds,
                                           .debug_names = instance.has_debug_utils()},
                              .loader = instance.loader()});
     context_.vk->GetDeviceQueue(device, queues.family, 0, &context_.queue);

@@ -22,7 +22,8 @@ struct DeviceFeatures {
     bool geometry_shader = false;
     bool swapchain = false;  ///< Enabled only for an instance that presents.
     bool occlusion_query_precise = false;
-    bool debug_names = false;  ///< The instance has enabled VK_EXT_debug_utils.
+    bool depth_bounds = false;  ///< Shadow volumes are counted at fewer samples (shadow_bounds.h).
+    bool debug_names = false;   ///< The instance has enabled VK_EXT_debug_utils.
 };
 
 /// A lock around every use of a caller's queues, for callers that use them on other threads too.
