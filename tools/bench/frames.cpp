@@ -188,10 +188,13 @@ std::string measure_limits(Rows& rows, const FrameSubject& subject, const Device
     return difference;
 }
 
-void measure_sampling(Rows& rows, const FrameSubject& subject, const DeviceContext& context) {
-    for (const std::uint32_t scale : {1u, 2u, 3u})
-        rows.measure("scale", std::to_string(scale) + ", 1 sample", subject,
-                     {.samples = 1, .scale = scale});
+void measure_sampling(Rows& rows, const FrameSubject& subject, const DeviceContext& context,
+                      const FramesBenchOptions& options) {
+    if (options.has("scale"))
+        for (const std::uint32_t scale : {1u, 2u, 3u})
+            rows.measure("scale", std::to_string(scale) + ", 1 sample", subject,
+                         {.samples = 1, .scale = scale});
+    if (!options.has("samples")) return;
     for (const std::uint32_t samples : {1u, 4u, 8u}) {
         const std::string name = std::to_string(samples) + ", scale 1";
         const std::uint32_t taken = sampling_of(context, samples, 1).samples;
@@ -253,13 +256,15 @@ FramesResult bench_frames(const std::string& model, const Mesh& mesh, const Devi
     about_model(model, [&] {
         const HoughOctree octree(mesh);
         const FrameSubject subject{octree, is_solid(mesh, {context.stop, {}})};
-        measure_lights(rows, subject);
-        result.difference = measure_limits(rows, subject, device.context(), options);
-        measure_sampling(rows, subject, device.context());
+        if (options.has("light")) measure_lights(rows, subject);
+        if (options.has("limits"))
+            result.difference = measure_limits(rows, subject, device.context(), options);
+        measure_sampling(rows, subject, device.context(), options);
+        if (!options.has("lines")) return;
         const std::string difference = measure_lines(rows, subject, device.context());
         if (result.difference.empty()) result.difference = difference;
     });
-    measure_growth(rows, options.max_faces, context);
+    if (options.has("growth")) measure_growth(rows, options.max_faces, context);
     result.rows = rows.take();
     return result;
 }

@@ -30,6 +30,9 @@ struct FramesBenchOptions {
     std::uint32_t width = 1280, height = 960;
     std::uint32_t frames = 24;
     std::uint32_t max_faces = 10'000'000;  ///< Of the growth.
+    std::string only{};                    ///< One group; empty: all.
+
+    bool has(const char* group) const { return only.empty() || only == group; }
 };
 
 /// One row of the table.

@@ -103,6 +103,9 @@ public:
         max_option_ = add_count(app, "--most-faces", options_.max_faces, 1, 1u << 28,
                                 "The greatest size of the growing knots; 0 of them below 10,000")
                           ->group("Amount");
+        app.add_option("--only", only_, "Measure one group of rows")
+            ->check(CLI::IsMember({"light", "limits", "scale", "samples", "lines", "growth"}))
+            ->group("Amount");
         add_device(app, device_, "gpu, cpu, an index, or a part of a name");
         app.footer(
             "One table: the sun and lamps near and far, limits of shadows, output scales, sample "
@@ -164,10 +167,12 @@ private:
         }
         if (frames_option_->count() > 0) options.frames = options_.frames;
         if (max_option_->count() > 0) options.max_faces = options_.max_faces;
+        options.only = only_;
         return options;
     }
 
     std::string model_, device_;
+    std::string only_;
     bool quick_ = false;
     ImageSize size_{FramesBenchOptions{}.width, FramesBenchOptions{}.height};
     FramesBenchOptions options_;
