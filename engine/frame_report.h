@@ -22,6 +22,8 @@ struct ShadowReport {
     std::uint32_t bound = 0;
     /// Number of parts of the volume that were drawn for themselves (counted_volume.h). 0: it was drawn whole.
     std::uint32_t runs = 0;
+    /// All that is seen is in its shadow, which is counted once everywhere: the light is inside a closed mesh.
+    bool shades_all = false;
     /// The light lay exactly on a vertex and was moved (light_off_vertices()).
     bool light_moved = false;
 };

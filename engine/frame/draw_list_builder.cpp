@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "engine/frame/line_segments.h"
+#include "engine/frame/near_count.h"
 #include "engine/frame/scene_data.h"
+#include "engine/frame/segment_crossings.h"
 #include "engine/frame/shadow_bounds.h"
 #include "engine/frame/silhouette_points.h"
 #include "silhouette/mesh/face_bits.h"
@@ -21,6 +23,9 @@ std::size_t ink_index(std::vector<glm::vec3>& inks, const glm::vec3& color) {
     if (place == inks.end()) inks.push_back(color);
     return number;
 }
+
+// Of the light's distance from the mesh, in radii of it, for rounding (shadow_choice.cpp).
+constexpr double k_winding_margin = 0x1p-15;
 
 // The bytes of all face bits of a mesh.
 std::uint64_t face_bits_bytes(std::uint32_t face_count) { return 4 * face_word_count(face_count); }
@@ -194,7 +199,7 @@ private:
     void choose_volume(std::size_t i, std::size_t l, const Caster& caster,
                        const gpu::LightData& data, DrawnLight& light) {
         const LightView& seen = view_.instances[i].lights[l];
-        const ShadowChoice choice =
+        ShadowChoice choice =
             choose_shadow(scene_.shadow_method, scene_.shadow_form, caster.view,
                           {.low = caster.box.low,
                            .high = caster.box.high,
@@ -203,6 +208,8 @@ private:
                            .extrusion = data.extrusion,
                            .reaches_far_enough = seen.point.is_direction() ||
                                                  data.extrusion < k_max_extrusion_times});
+        if (choice.form == ShadowForm::general && may_know_winding(i, caster, seen.point))
+            choose_by_winding(i, seen.point, choice, light);
         light.method = choice.method;
         light.form = choice.form;
         const ShadowReach reach =
@@ -215,7 +222,37 @@ private:
                                          .light = static_cast<std::uint32_t>(l),
                                          .choice = choice,
                                          .reach = reach,
+                                         .shades_all = light.shades_all,
                                          .light_moved = seen.is_moved});
+    }
+
+    // Only of lights within the bounds of a mesh that the camera sees from outside. There the tree of the faces is
+    // needed for the bound of the count too (VolumeCounter).
+    bool may_know_winding(std::size_t i, const Caster& caster, const HomogeneousPoint& point) {
+        const InstanceState& state = state_of(i);
+        return scene_.shadow_form != ShadowForm::general && !scene_.camera.is_orthographic() &&
+               !state.deforming && state.is_closed_chain && !point.is_direction() &&
+               !outer_axis(state.caster->mesh().bounds(), point) &&
+               is_outside(caster.view, caster.box.low, caster.box.high);
+    }
+
+    // The difference of front and back triangles between a light and a visible point is the winding number around
+    // the light, as in shadow_choice.h. If it is 0, the single form is right. Else there is always a triangle.
+    void choose_by_winding(std::size_t i, const HomogeneousPoint& point, ShadowChoice& choice,
+                           DrawnLight& light) {
+        CasterMesh& caster = *state_of(i).caster;
+        const std::optional<int> winding =
+            winding_number(caster.faces(), caster.mesh(), glm::dvec3(point.xyz()),
+                           k_winding_margin * caster.mesh().radius());
+        if (!winding || (*winding != 0 && scene_.shadow_method == ShadowMethod::fail)) return;
+        choice.form = ShadowForm::single;
+        choice.form_reason =
+            "closed, with the camera out of its bounds and the light outside of it";
+        if (*winding == 0) return;
+        light.shades_all = true;
+        choice.form_reason = "closed, with the light inside: all is in shadow";
+        choice.method = ShadowMethod::pass;
+        choice.method_reason = "nothing is to be counted";
     }
 
     // The silhouette and face bits that the volume is drawn from.
@@ -251,16 +288,15 @@ private:
                 shadow.bound = batches.add_unseen(shadow.instance, state.mesh->face_count());
                 continue;
             }
-            const TrackedSilhouette& volume = *state.lights[l];
-            shadow.bound = batches.add(shadow.instance,
-                                       {.caster = state.caster,
-                                        .silhouette = volume.silhouette(),
-                                        .face_words = volume.face_words(),
-                                        .light = volume.point(),
-                                        .form = shadow.choice.form},
-                                       state.volumes[l]);
+            if (list_.instances[shadow.instance].lights[l].shades_all) {
+                shadow.bound = batches.add_darkness(shadow.instance);
+                continue;
+            }
+            shadow.bound = batches.add(shadow.instance, counted_volume(shadow), state.volumes[l]);
         }
         list_.shadow_batches[l] = batches.end();
+        for (ShadowReport& shadow : shadows)
+            if (shadow.light == l && may_count_from_near(shadow)) count_from_near(shadow);
         for (const ShadowBatch& batch : list_.shadow_batches[l])
             for (const ShadowDraw& draw : batch.draws) {
                 if (!draw.part) continue;
@@ -268,6 +304,42 @@ private:
                       return shadow.light == l && shadow.instance == draw.instance;
                   })->runs;
             }
+    }
+
+    CountedVolume counted_volume(const ShadowReport& shadow) {
+        InstanceState& state = state_of(shadow.instance);
+        const TrackedSilhouette& volume = *state.lights[shadow.light];
+        return {.caster = state.caster,
+                .silhouette = volume.silhouette(),
+                .face_words = volume.face_words(),
+                .light = volume.point(),
+                .form = shadow.choice.form};
+    }
+
+    // Only of lights within the bounds, where the tree of the faces is there already (VolumeCounter).
+    bool may_count_from_near(const ShadowReport& shadow) {
+        const InstanceState& state = state_of(shadow.instance);
+        if (shadow.choice.method == ShadowMethod::pass ||
+            scene_.shadow_method == ShadowMethod::fail || scene_.camera.is_orthographic() ||
+            state.deforming || shadow.reach.is_empty())
+            return false;
+        const HomogeneousPoint& point = view_.instances[shadow.instance].lights[shadow.light].point;
+        return !point.is_direction() && !outer_axis(state.caster->mesh().bounds(), point);
+    }
+
+    // Takes depth pass, where it is known what lies before the near plane.
+    void count_from_near(ShadowReport& shadow) {
+        const auto counts =
+            near_counts(counted_volume(shadow), state_of(shadow.instance).volumes[shadow.light],
+                        shadow_view(view_, scene_.instances[shadow.instance]));
+        if (!counts) return;
+        list_.instances[shadow.instance].lights[shadow.light].method = ShadowMethod::pass;
+        shadow.choice.method = ShadowMethod::pass;
+        shadow.choice.method_reason = "the count is the same at all of the near plane";
+        auto next = counts->begin();
+        for (ShadowBatch& batch : list_.shadow_batches[shadow.light])
+            for (ShadowDraw& draw : batch.draws)
+                if (draw.instance == shadow.instance) draw.near_count = *next++;
     }
 
     // Copies the lists of all volumes that are drawn in parts.

@@ -9,13 +9,23 @@ void ShadowBatches::begin() noexcept { added_.clear(); }
 std::uint32_t ShadowBatches::add(std::uint32_t instance, const CountedVolume& volume,
                                  VolumeCount& count) {
     counter_.update(volume, k_batch_limit, count);
-    added_.push_back({instance, count.bound, volume, &count});
+    added_.push_back(
+        {.instance = instance, .bound = count.bound, .volume = volume, .count = &count});
     return count.bound;
 }
 
 std::uint32_t ShadowBatches::add_unseen(std::uint32_t instance, std::uint32_t face_count) {
-    added_.push_back({instance, std::min(face_count, k_batch_limit), {}, nullptr});
+    added_.push_back({.instance = instance,
+                      .bound = std::min(face_count, k_batch_limit),
+                      .volume = {},
+                      .count = nullptr});
     return added_.back().bound;
+}
+
+std::uint32_t ShadowBatches::add_darkness(std::uint32_t instance) {
+    added_.push_back(
+        {.instance = instance, .bound = 1, .volume = {}, .count = nullptr, .is_darkness = true});
+    return 1;
 }
 
 std::vector<ShadowBatch> ShadowBatches::end() {
@@ -31,7 +41,11 @@ std::vector<ShadowBatch> ShadowBatches::end() {
     };
     for (const Added& added : added_) {
         if (added.bound <= k_batch_limit) {
-            draw({.instance = added.instance}, added.bound);
+            draw({.instance = added.instance,
+                  .part = {},
+                  .near_count = added.is_darkness ? 1u : 0u,
+                  .has_volume = !added.is_darkness},
+                 added.bound);
             continue;
         }
         counter_.divide(added.volume, k_batch_limit, *added.count);

@@ -29,6 +29,8 @@ public:
     /// A volume whose silhouette only the GPU knows. It is assumed to count to at most k_batch_limit. That is
     /// proven only for meshes of at most as many faces.
     std::uint32_t add_unseen(std::uint32_t instance, std::uint32_t face_count);
+    /// A caster with all surfaces in its shadow: counted once everywhere, without a volume. Returns 1.
+    std::uint32_t add_darkness(std::uint32_t instance);
     /// At least one batch; one alone if the bounds of all added volumes sum up to at most k_batch_limit. Divides
     /// volumes whose bounds are above it (VolumeCounter::divide()).
     std::vector<ShadowBatch> end();
@@ -39,6 +41,7 @@ private:
         std::uint32_t bound;
         CountedVolume volume;
         VolumeCount* count;  // Null if unseen.
+        bool is_darkness = false;
     };
 
     VolumeCounter counter_;

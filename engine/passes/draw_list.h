@@ -42,6 +42,7 @@ struct DrawnLight {
     IndirectDraw sides;              ///< Draws its silhouette slots; only for casters.
     ShadowMethod method = ShadowMethod::fail;  ///< Not automatic.
     ShadowForm form = ShadowForm::general;     ///< Not automatic.
+    bool shades_all = false;  ///< All surfaces are in its shadow, as if it were counted once.
     /// Where its volume is counted, in pixels of the pass, and at which stored depths. No extent: nowhere.
     VkRect2D rect{};
     float min_depth = 0.0f, max_depth = 1.0f;
@@ -77,6 +78,9 @@ struct ShadowDraw {
     };
     std::uint32_t instance = 0;
     std::optional<Part> part;
+    /// With depth pass: what it counts before the near plane (near_count.h).
+    std::uint32_t near_count = 0;
+    bool has_volume = true;  ///< False: the near count is all of it.
 };
 
 /// The volumes counted between two folds of the stencil (shadow_volume_pass.h).

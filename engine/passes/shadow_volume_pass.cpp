@@ -68,6 +68,15 @@ constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
                                   .writeMask = 0xff,
                                   .reference = 1};
 
+// Everything is counted once.
+constexpr VkStencilOpState k_raise{.failOp = VK_STENCIL_OP_KEEP,
+                                   .passOp = VK_STENCIL_OP_INCREMENT_AND_WRAP,
+                                   .depthFailOp = VK_STENCIL_OP_KEEP,
+                                   .compareOp = VK_COMPARE_OP_ALWAYS,
+                                   .compareMask = 0xff,
+                                   .writeMask = 0xff,
+                                   .reference = 0};
+
 }  // namespace
 
 ShadowVolumePass::Pipelines ShadowVolumePass::make_pipelines(const DeviceContext& context,
@@ -115,6 +124,16 @@ ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSet
                                     .stencil = StencilUse::given,
                                     .stencil_state = k_fold,
                                     .layout = layout_});
+    raise_ = make_graphics_pipeline(context, "counts before the near plane",
+                                    {.vertex = composite_vert,
+                                     .geometry = {},
+                                     .fragment = {},
+                                     .formats = formats,
+                                     .blend = Blend::none_written,
+                                     .depth_bounds = context.features.depth_bounds,
+                                     .stencil = StencilUse::given,
+                                     .stencil_state = k_raise,
+                                     .layout = layout_});
 }
 
 void ShadowVolumePass::record(Commands commands, const DrawList& list, std::size_t light,
@@ -136,6 +155,7 @@ void ShadowVolumePass::record(Commands commands, const DrawList& list, std::size
             commands->CmdDraw(commands, 3, 1, 0, 0);
         }
         // One batch after the other, because each fold changes the dynamic state.
+        record_near_counts(commands, list, light, batch, area);
         record_caps(commands, list, light, batch, area);
         record_sides(commands, list, light, batch, area);
     }
@@ -160,6 +180,17 @@ bool ShadowVolumePass::limit(Commands commands, const DrawnLight& drawn,
     return true;
 }
 
+void ShadowVolumePass::record_near_counts(Commands commands, const DrawList& list,
+                                          std::size_t light, const ShadowBatch& batch,
+                                          const VkRect2D& area) const {
+    for (const ShadowDraw& draw : batch.draws) {
+        if (draw.near_count == 0) continue;
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, raise_);
+        if (limit(commands, list.instances[draw.instance].lights[light], area))
+            commands->CmdDraw(commands, 3, draw.near_count, 0, 0);
+    }
+}
+
 void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std::size_t light,
                                    const ShadowBatch& batch, const VkRect2D& area) const {
     commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
@@ -168,7 +199,7 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
         for (const ShadowDraw& draw : batch.draws) {
             const DrawnInstance& instance = list.instances[draw.instance];
             const DrawnLight& drawn = instance.lights[light];
-            if (drawn.method == ShadowMethod::pass) continue;
+            if (drawn.method == ShadowMethod::pass || !draw.has_volume) continue;
             const bool single = drawn.form == ShadowForm::single;
             if (single && front_bit == 0) continue;
             if (!limit(commands, drawn, area)) continue;
@@ -196,7 +227,7 @@ void ShadowVolumePass::record_sides(Commands commands, const DrawList& list, std
     for (const ShadowDraw& draw : batch.draws) {
         const DrawnInstance& instance = list.instances[draw.instance];
         const DrawnLight& drawn = instance.lights[light];
-        if (!limit(commands, drawn, area)) continue;
+        if (!draw.has_volume || !limit(commands, drawn, area)) continue;
         const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
         const bool single = drawn.form == ShadowForm::single;
         const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;

@@ -20,7 +20,7 @@
 // and surfaces must be clipped at the same planes, because a new corner from clipping changes the depths of
 // its whole triangle. So in perspective volumes are clipped at the near plane, as surfaces are. Parts nearer
 // than that lie in front of everything visible: depth fail does not count them, and depth pass is not chosen
-// for such a volume. In orthographic views no surface is clipped; volumes end behind the far plane, and depth
+// for such a volume, or it begins with what they count to everywhere (near_count.h). In orthographic views no surface is clipped; volumes end behind the far plane, and depth
 // is clamped. Where the light lies in a face's plane, the sides lie on the face too; there the surface pass
 // uses the face bit.
 // Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
@@ -57,6 +57,8 @@ private:
     const Pipelines& pipelines_of(const DrawList& list) const noexcept {
         return list.is_orthographic ? orthographic_ : perspective_;
     }
+    void record_near_counts(Commands commands, const DrawList& list, std::size_t light,
+                            const ShadowBatch& batch, const VkRect2D& area) const;
     void record_caps(Commands commands, const DrawList& list, std::size_t light,
                      const ShadowBatch& batch, const VkRect2D& area) const;
     void record_sides(Commands commands, const DrawList& list, std::size_t light,
@@ -69,7 +71,7 @@ private:
     bool has_depth_bounds_;
     OwnedPipelineLayout layout_;
     Pipelines perspective_, orthographic_;
-    OwnedPipeline fold_;
+    OwnedPipeline fold_, raise_;
 };
 
 }  // namespace rimline

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <deque>
@@ -31,9 +32,12 @@ constexpr std::uint32_t k_size = 256;
 class Counts {
 public:
     Counts(const Scene& scene, const std::vector<ShadowReport>& shadows)
-        : scene_(scene), rays_(scene), single_(scene.instances.size(), false) {
-        for (const ShadowReport& shadow : shadows)
-            single_[shadow.instance] = shadow.choice.form == ShadowForm::single;
+        : scene_(scene), rays_(scene), single_(scene.instances.size(), false), dark_(single_) {
+        for (const ShadowReport& shadow : shadows) {
+            single_[shadow.instance] =
+                shadow.choice.form == ShadowForm::single && !shadow.shades_all;
+            dark_[shadow.instance] = shadow.shades_all;
+        }
     }
 
     /// Between the light and the viewer's side of what is seen there; nothing where nothing is.
@@ -48,6 +52,7 @@ public:
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
             if (!scene_.instances[i].casts_shadows) continue;
             const Mesh& mesh = scene_.instances[i].octree->mesh();
+            const int before = count;
             for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
                 glm::dvec3 v[3];
                 for (std::size_t c = 0; c < 3; ++c)
@@ -67,6 +72,7 @@ public:
                 const double along = glm::dot(n, v[0]) / glm::dot(n, to_light);
                 count += along > 0.0 && (light.directional || along < 1.0) ? 1 : 0;
             }
+            if (dark_[i]) count = std::min(count, before + 1);
         }
         return count;
     }
@@ -87,6 +93,7 @@ private:
     const Scene& scene_;
     RayReference rays_;
     std::vector<bool> single_;
+    std::vector<bool> dark_;  // Counted once, if at all.
 };
 
 }  // namespace

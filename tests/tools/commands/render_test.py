@@ -58,7 +58,7 @@ def test_render_casts_the_same_shadows_by_every_method():
         assert pictures[0] == pictures[1]
         # Where depth pass is not shown to be right it is not taken.
         result = succeed("render", "shape:terrain:500", "-o", output, "--size", "64x64", "--shadows", "auto",
-                         "--light", "0,0.2,0", "--eye", "0.1,0.05,0.1")
+                         "--light", "0,3,0", "--eye", "0.1,0.05,0.1")
         assert [(s["method"], s["form"]) for s in result["shadows"]] == [("fail", "general")]
 
 
