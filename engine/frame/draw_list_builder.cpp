@@ -93,7 +93,8 @@ private:
                             .segment_count = {},
                             .output = surface_output(scene_, parts_.target, instance),
                             .fades = instance.fade_radius > 0.0,
-                            .has_mesh_colors = has_mesh_colors(scene_, instance),
+                            .colors = surface_colors(scene_, instance),
+                            .textured_faces = {},
                             .ink = 0,
                             .silhouette = {},
                             .every_edge = {},
@@ -102,6 +103,8 @@ private:
             state.deforming->begin_frame(instance.deformation, ring_slot_, frame_.deformed);
         const VkDeviceAddress slots = drawn.has_lines ? add_lines(i, drawn) : 0;
         drawn.data = put_instance(i, slots);
+        if (drawn.colors == SurfaceColors::textures)
+            drawn.textured_faces = state.mesh->materials()->textures()->ranges();
         const Caster caster{shadow_view(view_, instance), caster_box(instance)};
         // A ground seen from below would show nothing but its back.
         drawn.shows_backs =

@@ -55,7 +55,7 @@ public:
     ExitStatus run(const Context& context) override {
         OutputFile output(output_, model_.model);  // Reports a bad path before the work.
         if (model_.model.empty()) model_.model = k_default_model;
-        const Mesh mesh = model_.load_mesh(context);
+        const Mesh mesh = model_.load_mesh(context, options_.textures());
         context.checkpoint();
         const DrawingDevice device(picture_);
         const HoughOctree octree = build_octree(model_.model, mesh, context);
