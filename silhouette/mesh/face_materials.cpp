@@ -6,9 +6,9 @@
 namespace rimline {
 
 bool FaceMaterials::has_pictures() const noexcept {
-    return !corner_uvs.empty() &&
-           std::ranges::any_of(
-               textures, [](const MaterialTexture& texture) { return texture.picture != nullptr; });
+    return !corner_uvs.empty() && std::ranges::any_of(textures, [](const MaterialTexture& texture) {
+        return texture.picture != nullptr;
+    });
 }
 
 bool are_materials_of(const FaceMaterials& materials, std::size_t face_count) noexcept {
