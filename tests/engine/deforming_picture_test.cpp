@@ -222,6 +222,28 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a deep shadow is bounded where the mesh has moved to, and not where it rests") {
+    RIMLINE_OPEN_GPU(gpu);
+    constexpr int k_sheets = 256;
+    // At rest the sheets lie beside one another.
+    MeshSource row = stack(k_sheets);
+    for (std::size_t i = 0; i < row.positions.size(); ++i)
+        row.positions[i].x += 3.0f * float(i / 4);
+    const Mesh row_mesh(row);
+    const Stage stage(stack(k_sheets));
+    const Mesh& stacked = stage.model.mesh;
+    REQUIRE(row_mesh.vertex_count() == stacked.vertex_count());
+    Scene scene = stack_scene(stage);
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    const Picture expected = renderer.render(scene, k_side, k_side);
+    deform(scene, row_mesh,
+           MovedPositions{stacked.positions(), stacked.center(), stacked.radius()});
+    scene.instances[0].has_deep_shadows = true;
+    CHECK(differing(expected, renderer.render(scene, k_side, k_side), 0) == 0);
+    CHECK(renderer.report().shadows[0].bound >= k_sheets);
+    CHECK(renderer.report().shadows[0].runs >= 2);
+}
+
 TEST_CASE("waves that the CPU computes for deep shadows give the picture of those of the GPU") {
     RIMLINE_OPEN_GPU(gpu);
     const Stage stage(make_built_in_shape("spring", 3000));
