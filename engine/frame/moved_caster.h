@@ -23,7 +23,7 @@ public:
     MovedPositions move(const Deformation& deformation);
 
     /// The volume from a light, where move() left the mesh. Valid until the next call of either. O(faces + edges):
-    /// about 20 ns a face.
+    /// about 50 ns a face.
     CountedVolume volume(const HomogeneousPoint& light, ShadowForm form);
 
 private:
