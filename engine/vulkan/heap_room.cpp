@@ -1,7 +1,5 @@
 #include "engine/vulkan/heap_room.h"
 
-#include "engine/vulkan/device_context.h"
-
 namespace rimline {
 
 std::vector<HeapRoom> heap_rooms(const InstanceFunctions& vk, VkPhysicalDevice device,
@@ -22,10 +20,6 @@ std::vector<HeapRoom> heap_rooms(const InstanceFunctions& vk, VkPhysicalDevice d
                          .is_device_local = (heap.flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0});
     }
     return rooms;
-}
-
-std::vector<HeapRoom> heap_rooms(const DeviceContext& context) {
-    return heap_rooms(*context.vk, context.physical_device, context.features.memory_budget);
 }
 
 }  // namespace rimline

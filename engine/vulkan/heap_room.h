@@ -4,13 +4,12 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/vulkan/functions.h"
 
 namespace rimline {
-
-struct DeviceContext;
 
 /// One heap. Budget and use are the driver's estimates and change with what other programs do.
 struct HeapRoom {
@@ -25,10 +24,9 @@ struct HeapRoom {
     }
 };
 
-/// Every heap, in Vulkan's order. One call of the driver. `has_budget`: the device has the extension.
+/// Every heap, in Vulkan's order. One call of the driver. `has_budget`: the device has the extension, as
+/// DeviceFeatures::memory_budget says.
 std::vector<HeapRoom> heap_rooms(const InstanceFunctions& vk, VkPhysicalDevice device,
                                  bool has_budget);
-/// The same of a context's device, with budgets if DeviceFeatures::memory_budget.
-std::vector<HeapRoom> heap_rooms(const DeviceContext& context);
 
 }  // namespace rimline

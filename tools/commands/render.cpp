@@ -116,7 +116,8 @@ private:
     // Budget and use only where the device knows them (VK_EXT_memory_budget).
     static nlohmann::ordered_json heaps_of(const DeviceContext& context) {
         nlohmann::ordered_json heaps = nlohmann::ordered_json::array();
-        for (const HeapRoom& room : heap_rooms(context)) {
+        for (const HeapRoom& room :
+             heap_rooms(*context.vk, context.physical_device, context.features.memory_budget)) {
             nlohmann::ordered_json heap{{"size_bytes", room.size_bytes},
                                         {"device_local", room.is_device_local}};
             if (context.features.memory_budget)

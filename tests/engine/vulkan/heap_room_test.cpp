@@ -14,9 +14,8 @@ constexpr VkDeviceSize k_mib = VkDeviceSize{1} << 20;
 
 TEST_CASE("without VK_EXT_memory_budget the budget of a heap is its size") {
     RIMLINE_OPEN_GPU(gpu);
-    DeviceContext context = gpu->context();
-    context.features.memory_budget = false;
-    const std::vector<HeapRoom> rooms = heap_rooms(context);
+    const DeviceContext& context = gpu->context();
+    const std::vector<HeapRoom> rooms = heap_rooms(*context.vk, context.physical_device, false);
     REQUIRE(rooms.size() == context.memory.memoryHeapCount);
     for (std::size_t i = 0; i < rooms.size(); ++i) {
         CHECK(rooms[i].size_bytes == context.memory.memoryHeaps[i].size);
@@ -37,7 +36,8 @@ TEST_CASE(
     const DeviceContext& context = gpu->context();
     CHECK(std::ranges::count(mask.opened_with(), VK_EXT_MEMORY_BUDGET_EXTENSION_NAME) == 1);
     CHECK(context.features.memory_budget);
-    for (const HeapRoom& room : heap_rooms(context)) CHECK(room.budget_bytes == 512 * k_mib);
+    for (const HeapRoom& room : heap_rooms(*context.vk, context.physical_device, true))
+        CHECK(room.budget_bytes == 512 * k_mib);
 
     auto& blocks = dynamic_cast<MemoryBlocks&>(*context.allocator);
     blocks.trim();
