@@ -4,8 +4,9 @@
 //
 // A frame draws only a rectangle around the scene (drawn_rect.h). On the CPU less area is less work. A GPU that
 // clears by metadata (a "fast clear") does so only where the whole image is cleared: RADV and others fall back to
-// drawing a rectangle. There the render area is the image, and a scissor limits what is drawn. GPUs that work tile by
-// tile clear a tile for nothing, and write every tile of the render area back to memory: there the rectangle stays.
+// drawing a rectangle. There the render area is the image, and a scissor limits what is drawn. Samples are then
+// resolved everywhere, too. GPUs that work tile by tile clear a tile for nothing, and write every tile of the render
+// area back to memory: there the rectangle stays.
 // Nothing of this is measured on a GPU. The picture is the same either way: what is outside is never read.
 
 #include <vulkan/vulkan.h>

@@ -248,6 +248,9 @@ TEST_CASE("waves that the CPU computes for deep shadows give the picture of thos
     RIMLINE_OPEN_GPU(gpu);
     const Stage stage(make_built_in_shape("spring", 3000));
     Scene scene = stage.scene(Style::mask);
+    // Within the bounds.
+    scene.lights.push_back(
+        {.vector = stage.model.mesh.center() + glm::dvec3(0.05, 0.1, 0.0), .directional = false});
     for (const double turns : {0.1, 0.4, 0.8}) {
         CAPTURE(turns);
         deform(scene, stage.model.mesh, default_wave(stage.model.mesh, {0, 1, 0}, turns));
