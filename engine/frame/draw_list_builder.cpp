@@ -99,8 +99,7 @@ private:
                             .silhouette = {},
                             .every_edge = {},
                             .lights = {}};
-        if (state.deforming)
-            state.deforming->begin_frame(instance.deformation, ring_slot_, frame_.deformed);
+        if (state.deforming) deform(i);
         const VkDeviceAddress slots = drawn.has_lines ? add_lines(i, drawn) : 0;
         drawn.data = put_instance(i, slots);
         if (drawn.colors == SurfaceColors::textures)
@@ -113,6 +112,19 @@ private:
         for (std::size_t l = 0; l < scene_.lights.size(); ++l)
             drawn.lights.push_back(add_light(i, l, caster, drawn));
         list_.instances.push_back(std::move(drawn));
+    }
+
+    void deform(std::size_t i) {
+        const SceneInstance& instance = scene_.instances[i];
+        InstanceState& state = state_of(i);
+        if (!instance.has_deep_shadows || !casts_shadows(scene_, instance)) {
+            state.moved.reset();
+            state.deforming->begin_frame(instance.deformation, ring_slot_, frame_.deformed);
+            return;
+        }
+        if (!state.moved) state.moved = std::make_unique<MovedCaster>(*state.source);
+        state.deforming->begin_frame(state.moved->move(instance.deformation), ring_slot_,
+                                     frame_.deformed);
     }
 
     // Returns the address of the silhouette's slots; 0 for a line path without slots, and for lines of the caller.
@@ -239,6 +251,16 @@ private:
         for (ShadowReport& shadow : shadows) {
             if (shadow.light != l) continue;
             InstanceState& state = state_of(shadow.instance);
+            if (state.moved) {
+                VolumeCount& count = state.volumes[l];
+                count.light.reset();  // It was counted where the vertices were in another frame.
+                shadow.bound = batches.add(
+                    shadow.instance,
+                    state.moved->volume(view_.instances[shadow.instance].lights[l].point,
+                                        shadow.choice.form),
+                    count);
+                continue;
+            }
             if (state.deforming) {
                 shadow.bound = batches.add_unseen(shadow.instance, state.mesh->face_count());
                 continue;

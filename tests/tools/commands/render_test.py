@@ -12,6 +12,8 @@ from program import fail, fail_for_memory, have_device, is_count, png_rows, png_
 def check_render(result, output, size):
     assert all(is_count(result[k]) for k in ("silhouette", "shadow_edges", "bytes_streamed", "bytes_full", "bytes_uploaded",
                                                 "stream_memory_bytes", "tracker_memory_bytes"))
+    assert result["device_heaps"] and all(0 <= heap.get("used_bytes", 0) and heap["size_bytes"] > 0
+                                          for heap in result["device_heaps"])
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
     assert result["output"] == output and png_size(output) == size
 
