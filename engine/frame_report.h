@@ -16,6 +16,8 @@ struct ShadowReport {
     std::uint32_t instance = 0;
     std::uint32_t light = 0;
     ShadowChoice choice;
+    /// Where its volume was counted; all of the picture without RendererOptions::limits_shadows.
+    ShadowReach reach;
     /// Upper bound of the triangles that a ray from the light meets (ray_bound.h).
     std::uint32_t bound = 0;
     /// Number of parts of the volume that were drawn for themselves (counted_volume.h). 0: it was drawn whole.

@@ -32,6 +32,9 @@ struct RendererOptions {
     /// Moves the trackers. Several renderers may share one; it must outlive them. Null: the renderer makes
     /// its own.
     SilhouetteService* service = nullptr;
+    /// Counts each shadow volume only where it can matter (shadow_bounds.h). Does not change the picture. False is
+    /// for tests and measurements.
+    bool limits_shadows = true;
     /// Keeps the stencil of Renderer::targets() after the frame, where there is one sample. For tests.
     bool keeps_stencil = false;
     /// Reads slots, face bits and draw arguments back in every frame and compares them with the trackers

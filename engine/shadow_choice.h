@@ -99,6 +99,16 @@ struct ShadowCaster {
 ShadowChoice choose_shadow(ShadowMethod wanted_method, ShadowForm wanted_form,
                            const ShadowView& view, const ShadowCaster& caster);
 
+/// Where the shadow of one caster from one light can change a picture (engine/frame/shadow_bounds.h): a rectangle of
+/// pixels, and the depths of the surfaces in it that may lie in the shadow. Volumes are counted only there.
+struct ShadowReach {
+    std::int32_t x = 0, y = 0;            ///< In pixels of the picture.
+    std::uint32_t width = 0, height = 0;  ///< 0: the shadow is not in the picture.
+    float min_depth = 0.0f, max_depth = 1.0f;
+
+    bool is_empty() const noexcept { return width == 0 || height == 0; }
+};
+
 const char* name_of(ShadowMethod method);
 const char* name_of(ShadowForm form);
 

@@ -1,10 +1,12 @@
 #include "engine/frame/draw_list_builder.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "engine/frame/line_segments.h"
 #include "engine/frame/scene_data.h"
+#include "engine/frame/shadow_bounds.h"
 #include "engine/frame/silhouette_points.h"
 #include "silhouette/mesh/face_bits.h"
 
@@ -42,6 +44,8 @@ public:
                  .inks = {},
                  .shadow_batches = {}};
         put_segments(frame_data);
+        if (scene_.shadows && parts_.limits_shadows)
+            shadow_bounds_.emplace(view_, parts_.target.backdrop.has_value());
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
         if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
         list_.shadow_batches.resize(light_count);
@@ -216,9 +220,16 @@ private:
                                                  data.extrusion < k_max_extrusion_times});
         light.method = choice.method;
         light.form = choice.form;
+        const ShadowReach reach =
+            shadow_bounds_ ? shadow_bounds_->reach_of(i, l, data.extrusion)
+                           : ShadowReach{.width = view_.size.width, .height = view_.size.height};
+        light.rect = parts_.targets.in_pass({{reach.x, reach.y}, {reach.width, reach.height}});
+        light.min_depth = reach.min_depth;
+        light.max_depth = reach.max_depth;
         frame_.report.shadows.push_back({.instance = static_cast<std::uint32_t>(i),
                                          .light = static_cast<std::uint32_t>(l),
                                          .choice = choice,
+                                         .reach = reach,
                                          .light_moved = seen.is_moved});
     }
 
@@ -321,8 +332,9 @@ private:
     std::uint32_t ring_slot_;
     const DrawListParts& parts_;
     RecordedFrame& frame_;
-    std::vector<Segments> segments_;      // Of each instance.
-    std::vector<gpu::LightData> lights_;  // Of each instance, and of each of its lights.
+    std::optional<ShadowBounds> shadow_bounds_;  // Empty: shadows are not limited.
+    std::vector<Segments> segments_;             // Of each instance.
+    std::vector<gpu::LightData> lights_;         // Of each instance, and of each of its lights.
     DrawList list_;
 };
 

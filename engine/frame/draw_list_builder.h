@@ -9,6 +9,7 @@
 #include "engine/frame/frame_view.h"
 #include "engine/frame/instance_states.h"
 #include "engine/frame/recorded_frame.h"
+#include "engine/frame/render_targets.h"
 #include "engine/frame/shadow_batches.h"
 #include "engine/line_path.h"
 #include "engine/passes/draw_list.h"
@@ -23,6 +24,8 @@ struct DrawListParts {
     ShadowBatches& shadow_batches;
     const PictureTarget& target;
     LinePath line_path;  ///< As LinePass::path().
+    const RenderTargets& targets;
+    bool limits_shadows;  ///< As RendererOptions::limits_shadows.
 };
 
 /// Builds the draw list of the frame in `ring_slot`, whose draw data begins with `frame_data`. Adds to

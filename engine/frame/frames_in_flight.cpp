@@ -45,6 +45,7 @@ FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptio
       frames_(options.frames_in_flight),
       marks_(context, options.frames_in_flight),
       clock_(context, options.frames_in_flight, options.pass_times),
+      limits_shadows_(options.limits_shadows),
       checks_silhouettes_(options.check_silhouettes),
       check_(context, options.frames_in_flight),
       instances_(context, options.service ? *options.service : *own_service_,
@@ -129,9 +130,11 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
         const FrameView view(scene, target.extent, instances_.casters());
         RIMLINE_CHECK(!is_callers || instances_.has_silhouettes(view));
         instances_.prepare_silhouettes(view);
-        const DrawList list = build_draw_list(
-            view, frame_data(view, *passes_.targets()), slot,
-            {instances_, draw_data_, shadow_batches_, target, passes_.line_path()}, recorded);
+        const DrawList list =
+            build_draw_list(view, frame_data(view, *passes_.targets()), slot,
+                            {instances_, draw_data_, shadow_batches_, target, passes_.line_path(),
+                             *passes_.targets(), limits_shadows_},
+                            recorded);
         clock_.start(commands, slot, FramePasses::max_passes(scene) + 1);
         record_silhouettes(commands, recorded);
         clock_.end_pass(commands, "silhouettes");

@@ -96,6 +96,7 @@ private:
     std::vector<Frame> frames_;
     FrameMarks marks_;
     PassClock clock_;
+    bool limits_shadows_;
     bool checks_silhouettes_;
     ConsistencyCheck check_;
     std::uint64_t recorded_ = 0;         // Frames so far.

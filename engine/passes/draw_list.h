@@ -51,6 +51,9 @@ struct DrawnLight {
     IndirectDraw sides;              ///< Draws its silhouette slots; only for casters.
     ShadowMethod method = ShadowMethod::fail;  ///< Not automatic.
     ShadowForm form = ShadowForm::general;     ///< Not automatic.
+    /// Where its volume is counted, in pixels of the pass, and at which stored depths. No extent: nowhere.
+    VkRect2D rect{};
+    float min_depth = 0.0f, max_depth = 1.0f;
 };
 
 struct DrawnInstance {

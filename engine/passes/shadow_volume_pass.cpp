@@ -1,5 +1,7 @@
 #include "engine/passes/shadow_volume_pass.h"
 
+#include <algorithm>
+
 #include "composite_vert.h"
 #include "points_vert.h"
 #include "shaders/shadow_emission.h"
@@ -28,6 +30,35 @@ void set_counting(Commands commands, ShadowMethod method, bool turned_round) {
     set(VK_STENCIL_FACE_BACK_BIT, front_counts ? down : up);
 }
 
+bool is_empty(const VkRect2D& rect) { return rect.extent.width == 0 || rect.extent.height == 0; }
+
+VkRect2D rect_between(std::int64_t left, std::int64_t top, std::int64_t right,
+                      std::int64_t bottom) {
+    if (right <= left || bottom <= top) return {};
+    return {{static_cast<std::int32_t>(left), static_cast<std::int32_t>(top)},
+            {static_cast<std::uint32_t>(right - left), static_cast<std::uint32_t>(bottom - top)}};
+}
+
+std::int64_t right_of(const VkRect2D& rect) {
+    return std::int64_t{rect.offset.x} + rect.extent.width;
+}
+std::int64_t bottom_of(const VkRect2D& rect) {
+    return std::int64_t{rect.offset.y} + rect.extent.height;
+}
+
+VkRect2D intersection(const VkRect2D& a, const VkRect2D& b) {
+    return rect_between(std::max(a.offset.x, b.offset.x), std::max(a.offset.y, b.offset.y),
+                        std::min(right_of(a), right_of(b)), std::min(bottom_of(a), bottom_of(b)));
+}
+
+// The rectangle around both; an empty one does not count.
+VkRect2D joined(const VkRect2D& a, const VkRect2D& b) {
+    if (is_empty(a)) return b;
+    if (is_empty(b)) return a;
+    return rect_between(std::min(a.offset.x, b.offset.x), std::min(a.offset.y, b.offset.y),
+                        std::max(right_of(a), right_of(b)), std::max(bottom_of(a), bottom_of(b)));
+}
+
 // Everything that was counted becomes 1.
 constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
                                   .passOp = VK_STENCIL_OP_REPLACE,
@@ -51,6 +82,7 @@ ShadowVolumePass::Pipelines ShadowVolumePass::make_pipelines(const DeviceContext
                                             .blend = Blend::none_written,
                                             .depth_compare = VK_COMPARE_OP_GREATER,
                                             .depth_clamp = depth_clamp,
+                                            .depth_bounds = context.features.depth_bounds,
                                             .stencil = StencilUse::count,
                                             .layout = layout};
     pipelines.caps = make_graphics_pipeline(context, "caps of shadow volumes", description);
@@ -69,7 +101,8 @@ ShadowVolumePass::Pipelines ShadowVolumePass::make_pipelines(const DeviceContext
 
 ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                                    const AttachmentFormats& formats, SideStage stage)
-    : layout_(make_pipeline_layout(context, "shadow volumes", sizeof(gpu::DrawConstants),
+    : has_depth_bounds_(context.features.depth_bounds),
+      layout_(make_pipeline_layout(context, "shadow volumes", sizeof(gpu::DrawConstants),
                                    k_draw_stages, {draw_data})),
       perspective_(make_pipelines(context, formats, layout_, stage, false)),
       orthographic_(make_pipelines(context, formats, layout_, stage, true)) {
@@ -86,24 +119,49 @@ ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSet
 
 void ShadowVolumePass::record(Commands commands, const DrawList& list, std::size_t light,
                               const VkRect2D& area) const {
-    const VkClearAttachment stencil{.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT,
-                                    .clearValue = {.depthStencil = {0.0f, 0}}};
-    const VkClearRect everywhere{.rect = area, .layerCount = 1};
-    commands->CmdClearAttachments(commands, 1, &stencil, 1, &everywhere);
-
+    // Where the light before has counted.
+    if (const VkRect2D counted = light > 0 ? counted_rect(list, light - 1, area) : VkRect2D{};
+        !is_empty(counted)) {
+        const VkClearAttachment stencil{.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT,
+                                        .clearValue = {.depthStencil = {0.0f, 0}}};
+        const VkClearRect rect{.rect = counted, .layerCount = 1};
+        commands->CmdClearAttachments(commands, 1, &stencil, 1, &rect);
+    }
     for (const ShadowBatch& batch : list.shadow_batches[light]) {
         if (&batch != &list.shadow_batches[light].front()) {
+            const VkRect2D counted = counted_rect(list, light, area);
+            if (is_empty(counted)) break;
+            commands->CmdSetScissor(commands, 0, 1, &counted);
             commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, fold_);
             commands->CmdDraw(commands, 3, 1, 0, 0);
         }
         // One batch after the other, because each fold changes the dynamic state.
-        record_caps(commands, list, light, batch);
-        record_sides(commands, list, light, batch);
+        record_caps(commands, list, light, batch, area);
+        record_sides(commands, list, light, batch, area);
     }
+    commands->CmdSetScissor(commands, 0, 1, &area);
+}
+
+VkRect2D ShadowVolumePass::counted_rect(const DrawList& list, std::size_t light,
+                                        const VkRect2D& area) {
+    VkRect2D all{};
+    for (const DrawnInstance& instance : list.instances)
+        if (instance.lights[light].casts_shadow)
+            all = joined(all, intersection(instance.lights[light].rect, area));
+    return all;
+}
+
+bool ShadowVolumePass::limit(Commands commands, const DrawnLight& drawn,
+                             const VkRect2D& area) const {
+    const VkRect2D rect = intersection(drawn.rect, area);
+    if (is_empty(rect)) return false;
+    commands->CmdSetScissor(commands, 0, 1, &rect);
+    if (has_depth_bounds_) commands->CmdSetDepthBounds(commands, drawn.min_depth, drawn.max_depth);
+    return true;
 }
 
 void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std::size_t light,
-                                   const ShadowBatch& batch) const {
+                                   const ShadowBatch& batch, const VkRect2D& area) const {
     commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
     for (const std::uint32_t front_bit : {1u, 0u}) {
         set_counting(commands, ShadowMethod::fail, front_bit == 0);
@@ -113,6 +171,7 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
             if (drawn.method == ShadowMethod::pass) continue;
             const bool single = drawn.form == ShadowForm::single;
             if (single && front_bit == 0) continue;
+            if (!limit(commands, drawn, area)) continue;
             const std::uint32_t flag = draw.part ? RIMLINE_CAPS_PART : 0;
             set_draw(commands, layout_, list, instance, &drawn, front_bit | flag);
             // If all light rays end in one point, there is no dark cap.
@@ -125,7 +184,7 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
 }
 
 void ShadowVolumePass::record_sides(Commands commands, const DrawList& list, std::size_t light,
-                                    const ShadowBatch& batch) const {
+                                    const ShadowBatch& batch, const VkRect2D& area) const {
     const Pipelines& pipelines = pipelines_of(list);
     const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
     VkPipeline bound = VK_NULL_HANDLE;
@@ -137,6 +196,7 @@ void ShadowVolumePass::record_sides(Commands commands, const DrawList& list, std
     for (const ShadowDraw& draw : batch.draws) {
         const DrawnInstance& instance = list.instances[draw.instance];
         const DrawnLight& drawn = instance.lights[light];
+        if (!limit(commands, drawn, area)) continue;
         const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
         const bool single = drawn.form == ShadowForm::single;
         const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;

@@ -13,6 +13,9 @@
 // batches that count to 254. Between two batches the stencil is folded: everything that was counted becomes
 // 1. Lit samples are still exactly those with a stencil of 0.
 //
+// Each volume is counted only within a rectangle and, where the device tests it, an interval of stored depths
+// (shadow_bounds.h).
+//
 // Caps lie on their own surfaces. Depth is compared strictly, so that a surface does not shade itself. Caps
 // and surfaces must be clipped at the same planes, because a new corner from clipping changes the depths of
 // its whole triangle. So in perspective volumes are clipped at the near plane, as surfaces are. Parts nearer
@@ -36,8 +39,9 @@ public:
     ShadowVolumePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                      const AttachmentFormats& formats, SideStage stage = SideStage::vertex);
 
-    /// Clears the stencil within `area`, the render area of the scope, and counts into it. Depth must be
-    /// complete. Writes no color.
+    /// Counts the volumes of `light` into the stencil, within `area`, the render area of the scope: lights one
+    /// after the other, from 0 on, into a stencil that the scope has cleared. The pass clears what the light
+    /// before has counted. Depth must be complete. Writes no color. Leaves the scissor at `area`.
     void record(Commands commands, const DrawList& list, std::size_t light,
                 const VkRect2D& area) const;
 
@@ -54,10 +58,15 @@ private:
         return list.is_orthographic ? orthographic_ : perspective_;
     }
     void record_caps(Commands commands, const DrawList& list, std::size_t light,
-                     const ShadowBatch& batch) const;
+                     const ShadowBatch& batch, const VkRect2D& area) const;
     void record_sides(Commands commands, const DrawList& list, std::size_t light,
-                      const ShadowBatch& batch) const;
+                      const ShadowBatch& batch, const VkRect2D& area) const;
+    // The rectangle around all that a light's volumes count.
+    static VkRect2D counted_rect(const DrawList& list, std::size_t light, const VkRect2D& area);
+    // Limits the next draws to where a volume matters. False: it matters nowhere.
+    bool limit(Commands commands, const DrawnLight& drawn, const VkRect2D& area) const;
 
+    bool has_depth_bounds_;
     OwnedPipelineLayout layout_;
     Pipelines perspective_, orthographic_;
     OwnedPipeline fold_;

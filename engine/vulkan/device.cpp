@@ -96,6 +96,7 @@ DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device, VkSur
     facts.geometry_shader = features.v10.features.geometryShader == VK_TRUE;
     facts.occlusion_query_precise = features.v10.features.occlusionQueryPrecise == VK_TRUE;
     facts.depth_clamp = features.v10.features.depthClamp == VK_TRUE;
+    facts.depth_bounds = features.v10.features.depthBounds == VK_TRUE;
     facts.buffer_device_address = features.v12.bufferDeviceAddress == VK_TRUE;
     facts.scalar_block_layout = features.v12.scalarBlockLayout == VK_TRUE;
     facts.timeline_semaphore = features.v12.timelineSemaphore == VK_TRUE;
@@ -146,6 +147,7 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
     features.v10.features.geometryShader = facts_.geometry_shader;
     features.v10.features.occlusionQueryPrecise = facts_.occlusion_query_precise;
     features.v10.features.depthClamp = VK_TRUE;
+    features.v10.features.depthBounds = facts_.depth_bounds;
     features.v12.bufferDeviceAddress = VK_TRUE;
     features.v12.scalarBlockLayout = VK_TRUE;
     features.v12.timelineSemaphore = VK_TRUE;
@@ -194,6 +196,7 @@ void Device::open_queues(const VulkanInstance& instance, VkDevice device, VkPhys
                              .features = {.geometry_shader = facts_.geometry_shader,
                                           .swapchain = presents,
                                           .occlusion_query_precise = facts_.occlusion_query_precise,
+                                          .depth_bounds = facts_.depth_bounds,
                                           .debug_names = instance.has_debug_utils(),
                                           .memory_budget = facts_.memory_budget},
                              .loader = instance.loader()});

@@ -22,6 +22,7 @@ struct DeviceFacts {
     bool geometry_shader = false;
     bool occlusion_query_precise = false;
     bool depth_clamp = false;
+    bool depth_bounds = false;
     bool buffer_device_address = false;
     bool scalar_block_layout = false;
     bool timeline_semaphore = false;

@@ -23,7 +23,8 @@ struct DeviceFeatures {
     bool geometry_shader = false;
     bool swapchain = false;  ///< Enabled only for an instance that presents.
     bool occlusion_query_precise = false;
-    bool debug_names = false;  ///< The instance has enabled VK_EXT_debug_utils.
+    bool depth_bounds = false;  ///< Shadow volumes are counted at fewer samples (shadow_bounds.h).
+    bool debug_names = false;   ///< The instance has enabled VK_EXT_debug_utils.
     bool memory_budget =
         false;  ///< VK_EXT_memory_budget: large allocations ask for the budget first.
 };

@@ -65,6 +65,7 @@
     X(CmdPushConstants)             \
     X(CmdResetQueryPool)            \
     X(CmdSetCullMode)               \
+    X(CmdSetDepthBounds)            \
     X(CmdSetScissor)                \
     X(CmdSetStencilOp)              \
     X(CmdSetViewport)               \

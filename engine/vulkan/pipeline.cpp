@@ -167,6 +167,7 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::st
         .depthTestEnable = description.formats.depth_stencil != VK_FORMAT_UNDEFINED,
         .depthWriteEnable = description.depth_write,
         .depthCompareOp = description.depth_compare,
+        .depthBoundsTestEnable = description.depth_bounds,
         .stencilTestEnable = description.stencil != StencilUse::off,
         .front = stencil,
         .back = stencil};
@@ -180,6 +181,7 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::st
     if (description.stencil == StencilUse::count) {
         dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_OP);
     }
+    if (description.depth_bounds) dynamic_states.push_back(VK_DYNAMIC_STATE_DEPTH_BOUNDS);
     if (description.sets_cull) dynamic_states.push_back(VK_DYNAMIC_STATE_CULL_MODE);
     const VkPipelineDynamicStateCreateInfo dynamic{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,

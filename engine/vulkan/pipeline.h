@@ -68,6 +68,8 @@ struct GraphicsPipelineDescription {
     VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
     bool depth_write = false;
     bool depth_clamp = false;
+    bool depth_bounds =
+        false;  ///< Tests the stored depth; the bounds are dynamic state. A device feature.
     /// Slope-scaled depth bias: a multiple of the change of depth to the next pixel, right or down.
     float depth_bias_slopes = 0.0f;
     StencilUse stencil = StencilUse::off;

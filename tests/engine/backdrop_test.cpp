@@ -404,6 +404,47 @@ TEST_CASE("surfaces stand in what the host has drawn, and cast their shadows on 
     }
 }
 
+TEST_CASE("shadows limited to where they can be seen fall on a backdrop as others do") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Place place;
+    Model caster(make_built_in_shape("box", 12));
+    std::size_t limited_count = 0;
+    for (const HostView& view : k_views) {
+        if (!can_sample(*gpu, view.depth_format)) continue;
+        Scene scene = place.scene(view.projection);
+        const std::vector<glm::vec3> ground = place.corners(scene.instances[1]);
+        scene.instances.pop_back();
+        scene.instances.push_back({.octree = &caster.octree, .translation = {2.5, -0.8, 1.0}});
+        // The last lamps are close to the eye, within the box of the knot, and behind the camera.
+        const std::array<Light, 6> lights{Light{.vector = {0.4, 1.0, 0.3}},
+                                          {.vector = {1.0, 0.2, -0.4}},
+                                          {.vector = {1.0, 4.0, -3.0}, .directional = false},
+                                          {.vector = {2.6, 3.0, 6.6}, .directional = false},
+                                          {.vector = {0.1, 0.1, 0.1}, .directional = false},
+                                          {.vector = {5.0, 6.0, 13.0}, .directional = false}};
+        for (const PictureUse use : {PictureUse::layer, PictureUse::over})
+            for (const Light& light : lights) {
+                CAPTURE(std::string(view.name));
+                CAPTURE(light.vector.z);
+                scene.lights = {light, lights[0]};
+                Renderer limited(gpu->context(), k_plain);
+                Renderer everywhere(gpu->context(),
+                                    {.samples = 1, .scale = 1, .limits_shadows = false});
+                Host host(gpu->context(), view, 1);
+                const std::vector<glm::vec4> some =
+                    host.draw(limited, scene, ground, host.target(use, true));
+                const std::vector<glm::vec4> all =
+                    host.draw(everywhere, scene, ground, host.target(use, true));
+                save("backdrop_limited", some, k_size);
+                CHECK(some == all);
+                limited.render(scene, k_width, k_height);
+                for (const ShadowReport& shadow : limited.report().shadows)
+                    limited_count += shadow.reach.width * shadow.reach.height < k_width * k_height;
+            }
+    }
+    CHECK(limited_count > 0);
+}
+
 TEST_CASE("a layer laid over a background is the picture on it") {
     RIMLINE_OPEN_GPU(gpu);
     const Place place;

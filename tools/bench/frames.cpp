@@ -8,6 +8,7 @@
 #include "engine/view_defaults.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/orbit.h"
+#include "silhouette/mesh/ground_axes.h"
 #include "silhouette/mesh/solid.h"
 #include "tools/bench/engine.h"
 #include "tools/options/model_argument.h"
@@ -18,6 +19,7 @@ namespace rimline::tools {
 namespace {
 
 constexpr std::uint32_t k_frames_first = 2;  // Not timed.
+constexpr double k_ground_radii = 8.0;
 constexpr double k_frame_radians = 0.5 * std::numbers::pi / 180.0;
 
 // A model and how its frames look.
@@ -59,11 +61,12 @@ public:
     // Returns the first frame's picture; none where the row was refused.
     Picture measure(const std::string& group, const std::string& name, const FrameSubject& subject,
                     RendererOptions renderer_options,
-                    const std::function<void(Scene&)>& change = {}) {
+                    const std::function<void(Scene&)>& change = {}, const SampleTests& tests = {}) {
         FrameRow row{.group = group,
                      .name = name,
                      .faces = subject.octree.mesh().face_count(),
-                     .passes = {}};
+                     .passes = {},
+                     .tests = tests};
         Picture first{};
         renderer_options.pass_times = true;
         try {
@@ -92,7 +95,12 @@ public:
 
     void refuse(const std::string& group, const std::string& name, std::uint32_t faces,
                 const std::string& why) {
-        add({.group = group, .name = name, .faces = faces, .refusal = why, .passes = {}});
+        add({.group = group,
+             .name = name,
+             .faces = faces,
+             .refusal = why,
+             .passes = {},
+             .tests = {}});
     }
 
     std::vector<FrameRow> take() { return std::move(rows_); }
@@ -126,10 +134,67 @@ void measure_lights(Rows& rows, const FrameSubject& subject) {
                      });
 }
 
-void measure_sampling(Rows& rows, const FrameSubject& subject, const DeviceContext& context) {
-    for (const std::uint32_t scale : {1u, 2u, 3u})
-        rows.measure("scale", std::to_string(scale) + ", 1 sample", subject,
-                     {.samples = 1, .scale = scale});
+// Rows without and with limits of shadows. Returns the first one whose picture differs.
+std::string measure_limits(Rows& rows, const FrameSubject& subject, const DeviceContext& context,
+                           const FramesBenchOptions& options) {
+    const Mesh& mesh = subject.octree.mesh();
+    const glm::dvec3 up = direction_of(mesh.up());
+    const Mesh ground(make_ground(mesh, up, k_ground_radii * mesh.radius()));
+    const HoughOctree ground_octree(ground);
+    const auto set_on_ground = [&](Scene& scene) {
+        scene.instances.push_back({.octree = &ground_octree,
+                                   .has_lines = false,
+                                   .casts_shadows = false,
+                                   .is_solid = false,
+                                   .fade_radius = 0.5 * k_ground_radii * mesh.radius(),
+                                   .fade_center = mesh.center()});
+    };
+    const auto add_others = [&](Scene& scene) {
+        const GroundAxes axes = ground_axes(up);
+        for (int row = -1; row <= 1; ++row)
+            for (int column = -1; column <= 1; ++column) {
+                if (row == 0 && column == 0) continue;
+                scene.instances.push_back(scene.instances[0]);
+                scene.instances.back().translation =
+                    1.6 * mesh.radius() * (double(column) * axes.first + double(row) * axes.second);
+            }
+        scene.camera.eye += 1.2 * (scene.camera.eye - scene.camera.target) + mesh.radius() * up;
+    };
+    const std::pair<const char*, std::function<void(Scene&)>> scenes[] = {
+        {"", [](Scene&) {}}, {", ground", set_on_ground}, {", nine on a ground", [&](Scene& scene) {
+                                                               add_others(scene);
+                                                               set_on_ground(scene);
+                                                           }}};
+    std::string difference;
+    for (const auto& [suffix, arrange] : scenes)
+        for (const bool is_lamp : {false, true}) {
+            const auto change = [&, &arrange = arrange](Scene& scene) {
+                scene.lines = false;
+                if (is_lamp) make_lamp(scene, 3.0);
+                arrange(scene);
+            };
+            const std::string name = (is_lamp ? "lamp" : "sun") + std::string(suffix);
+            Scene scene = subject.at(0);
+            change(scene);
+            const SampleTests tests =
+                count_sample_tests(context, scene, options.width, options.height);
+            const Picture everywhere = rows.measure("limits", name + ", none", subject,
+                                                    {.limits_shadows = false}, change, tests);
+            const Picture limited = rows.measure("limits", name, subject, {}, change, tests);
+            if (difference.empty() && !limited.rgba.empty() && !everywhere.rgba.empty() &&
+                draws_other_pixels(everywhere, limited))
+                difference = name + ": its picture";
+        }
+    return difference;
+}
+
+void measure_sampling(Rows& rows, const FrameSubject& subject, const DeviceContext& context,
+                      const FramesBenchOptions& options) {
+    if (options.has("scale"))
+        for (const std::uint32_t scale : {1u, 2u, 3u})
+            rows.measure("scale", std::to_string(scale) + ", 1 sample", subject,
+                         {.samples = 1, .scale = scale});
+    if (!options.has("samples")) return;
     for (const std::uint32_t samples : {1u, 4u, 8u}) {
         const std::string name = std::to_string(samples) + ", scale 1";
         const std::uint32_t taken = sampling_of(context, samples, 1).samples;
@@ -191,11 +256,15 @@ FramesResult bench_frames(const std::string& model, const Mesh& mesh, const Devi
     about_model(model, [&] {
         const HoughOctree octree(mesh);
         const FrameSubject subject{octree, is_solid(mesh, {context.stop, {}})};
-        measure_lights(rows, subject);
-        measure_sampling(rows, subject, device.context());
-        result.difference = measure_lines(rows, subject, device.context());
+        if (options.has("light")) measure_lights(rows, subject);
+        if (options.has("limits"))
+            result.difference = measure_limits(rows, subject, device.context(), options);
+        measure_sampling(rows, subject, device.context(), options);
+        if (!options.has("lines")) return;
+        const std::string difference = measure_lines(rows, subject, device.context());
+        if (result.difference.empty()) result.difference = difference;
     });
-    measure_growth(rows, options.max_faces, context);
+    if (options.has("growth")) measure_growth(rows, options.max_faces, context);
     result.rows = rows.take();
     return result;
 }

@@ -29,15 +29,18 @@ void print_head(const Device& device, const FramesBenchOptions& options) {
     print_machine(this_machine());
     std::printf(
         "%s, %s\n%ux%u, medians of %u frames, ms; frame and record by the clock, the "
-        "rest by the device's\ntimestamps%s\n\n",
+        "rest by the device's\ntimestamps%s. Last, of limits: sample tests of volumes, millions, "
+        "counted on the\nprocessor at one sample a pixel: in the drawn area, the shadows' "
+        "rectangles, these and their depths;\nand in the rectangles up to the ends of these "
+        "depths\n\n",
         device.facts().name.c_str(), device.facts().driver.c_str(), options.width, options.height,
         options.frames,
         device.facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU
             ? ", which miss the work of threads that still rasterize"
             : "");
-    std::printf("%-8s %-28s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s\n", "", "", "faces", "frame",
-                "record", "passes", "silhouet.", "surfaces", "volumes", "resolve", "lines",
-                "picture");
+    std::printf("%-8s %-28s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s\n", "", "",
+                "faces", "frame", "record", "passes", "silhouet.", "surfaces", "volumes", "resolve",
+                "lines", "picture", "area", "rects", "depths", "ends");
 }
 
 void print_row(const FrameRow& row) {
@@ -47,6 +50,10 @@ void print_row(const FrameRow& row) {
     } else {
         std::printf(" %9.3f %9.3f", row.frame_ms, row.record_ms);
         for (const char* const kind : k_kinds) std::printf(" %9.3f", row.passes.sum_ms(kind));
+        if (row.tests.drawn_area > 0.0)
+            for (const double tests :
+                 {row.tests.drawn_area, row.tests.rectangle, row.tests.depth, row.tests.ended})
+                std::printf(" %9.2f", 1e-6 * tests);
         std::printf("\n");
     }
     std::fflush(stdout);
@@ -65,6 +72,11 @@ Json to_json(const FrameRow& row) {
                    {"record_ms", row.record_ms},
                    {"passes_ms", row.passes.sum_ms("")},
                    {"passes", std::move(passes)}});
+    if (row.tests.drawn_area > 0.0)
+        object["sample_tests"] = {{"drawn_area", row.tests.drawn_area},
+                                  {"rectangle", row.tests.rectangle},
+                                  {"depth", row.tests.depth},
+                                  {"ended", row.tests.ended}};
     return object;
 }
 
@@ -91,9 +103,13 @@ public:
         max_option_ = add_count(app, "--most-faces", options_.max_faces, 1, 1u << 28,
                                 "The greatest size of the growing knots; 0 of them below 10,000")
                           ->group("Amount");
+        app.add_option("--only", only_, "Measure one group of rows")
+            ->check(CLI::IsMember({"light", "limits", "scale", "samples", "lines", "growth"}))
+            ->group("Amount");
         add_device(app, device_, "gpu, cpu, an index, or a part of a name");
         app.footer(
-            "One table: the sun and lamps near and far, output scales, sample counts, ways to "
+            "One table: the sun and lamps near and far, limits of shadows, output scales, sample "
+            "counts, ways to "
             "draw lines,\n"
             "and growing knots. Columns: a frame by the clock, with reading the picture back; the "
             "processor's\n"
@@ -151,10 +167,12 @@ private:
         }
         if (frames_option_->count() > 0) options.frames = options_.frames;
         if (max_option_->count() > 0) options.max_faces = options_.max_faces;
+        options.only = only_;
         return options;
     }
 
     std::string model_, device_;
+    std::string only_;
     bool quick_ = false;
     ImageSize size_{FramesBenchOptions{}.width, FramesBenchOptions{}.height};
     FramesBenchOptions options_;

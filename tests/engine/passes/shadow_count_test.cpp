@@ -14,8 +14,8 @@
 
 #include "engine/frame/render_targets.h"
 #include "engine/renderer.h"
-#include "engine/vulkan/commands.h"
-#include "engine/vulkan/image_barrier.h"
+#include "engine/vulkan/memory.h"
+#include "tests/engine/support/depth_readback.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/ray_reference.h"
 #include "tests/engine/support/shadow_scenes.h"
@@ -26,28 +26,6 @@ using namespace rimline::tests;
 namespace {
 
 constexpr std::uint32_t k_size = 256;
-
-std::vector<std::uint8_t> read_stencil(const DeviceContext& context, const Image& depth) {
-    const VkExtent2D extent = depth.description().extent;
-    const Buffer buffer(context, std::uint64_t{extent.width} * extent.height, BufferPlace::readback,
-                        "the stencil");
-    constexpr StageAccess k_all{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
-    constexpr StageAccess k_copy{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
-    run_commands(context, [&](Commands commands) {
-        record_barrier(commands, k_all, k_copy,
-                       {{depth, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
-                         VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
-        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_STENCIL_BIT, 0, 0, 1},
-                                       .imageExtent = {extent.width, extent.height, 1}};
-        commands->CmdCopyImageToBuffer(commands, depth.handle(),
-                                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle(), 1,
-                                       &region);
-        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                       {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
-    });
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(buffer.mapped());
-    return {bytes, bytes + buffer.size()};
-}
 
 // Counts along rays in double, triangle by triangle.
 class Counts {
