@@ -80,8 +80,9 @@ struct FaceRun {
 class VolumeCounter {
 public:
     /// Brings `count` up to `volume`, without parts. If the light or the form is another than before, it costs
-    /// O(silhouette + edges that are not regular), some nanoseconds each; else nothing. The first light within the mesh's bounds
-    /// needs CasterMesh::faces(), or, of a mesh that deforms, O(faces). Where a bound is above `enough`, more axes are tried.
+    /// O(silhouette + edges that are not regular), some nanoseconds each; else nothing. The first light within
+    /// the mesh's bounds needs CasterMesh::faces(), or, of a mesh that deforms, O(faces). Where a bound is above
+    /// `enough`, more axes are tried.
     void update(const CountedVolume& volume, std::uint32_t enough, VolumeCount& count);
 
     /// Adds parts whose bounds are at most `limit`, if there are none yet. `limit` must not be 0. O(faces log
