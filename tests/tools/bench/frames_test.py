@@ -10,7 +10,7 @@ def test_bench_frames_measures_one_change_at_a_time():
     assert result["device"]["name"] and result["device"]["driver"] and result["verified"] is True
     assert (result["width"], result["height"], result["frames"]) == (64, 48, 1)
     rows = {(row["group"], row["name"]): row for row in result["rows"]}
-    assert {group for group, _ in rows} == {"light", "scale", "samples", "lines", "growth"}
+    assert {group for group, _ in rows} == {"light", "limits", "scale", "samples", "lines", "growth"}
     lamps = [f"lamp at {radii} radi{'us' if radii == 1 else 'i'}" for radii in (1, 3, 10, 100, 1000)]
     for name in ("no shadow", "sun", *lamps):
         assert ("light", name) in rows, name
@@ -23,6 +23,11 @@ def test_bench_frames_measures_one_change_at_a_time():
                for row in measured if row["group"] == "light" and row["passes"]}
     assert all(found == ([] if name == "no shadow" else ["shadow volumes, light 0"])
                for name, found in volumes.items()), volumes
+    # Rectangles hold less than the drawn area, and with depths even less.
+    for row in measured:
+        if row["group"] == "limits":
+            tests = row["sample_tests"]
+            assert tests["drawn_area"] >= tests["rectangle"] >= tests["depth"] > 0, row
     assert ("growth", "shape:knot:10000") in rows and ("growth", "shape:knot:30000") not in rows
     # The engine takes 4 samples at most.
     assert rows["samples", "8, scale 1"]["refusal"].endswith("are taken")
