@@ -10,6 +10,7 @@
 namespace rimline {
 
 enum class LinePath : std::uint8_t {
+    automatic,  ///< Geometry or pulling, by the device (passes/line_path_choice.h).
     geometry,   ///< A geometry shader over the slots, one point for each.
     pulling,    ///< A vertex shader over the slots, an instance of four vertices for each.
     all_edges,  ///< A geometry shader over all edges; tests each by its faces' planes.
@@ -17,11 +18,12 @@ enum class LinePath : std::uint8_t {
     adjacency,  ///< A geometry shader over all faces and their neighbors; tests corners.
 };
 
+/// Automatic draws slots, and takes a path that needs no geometry shader where there is none.
 constexpr bool draws_slots(LinePath path) noexcept {
-    return path == LinePath::geometry || path == LinePath::pulling;
+    return path == LinePath::automatic || path == LinePath::geometry || path == LinePath::pulling;
 }
 constexpr bool needs_geometry_shader(LinePath path) noexcept {
-    return path != LinePath::pulling && path != LinePath::quads;
+    return path == LinePath::geometry || path == LinePath::all_edges || path == LinePath::adjacency;
 }
 
 }  // namespace rimline

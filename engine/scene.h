@@ -40,9 +40,14 @@ struct SceneInstance {
     const HoughOctree* octree = nullptr;  ///< Null for a mesh that deforms.
     std::string name = "a model";         ///< For messages; the name of its file, for example.
     /// A mesh whose vertices move, instead of the octree's. Its silhouettes are found on the GPU. It must
-    /// outlive every renderer that has drawn it.
+    /// outlive every renderer that has drawn it. Drawing it throws Error{no_device} on a device without
+    /// DeviceFacts::round_to_nearest_float32.
     const Mesh* deforming = nullptr;
-    Deformation deformation;   ///< Of `deforming`, in this frame.
+    Deformation deformation;  ///< Of `deforming`, in this frame.
+    /// Of `deforming`. False: its shadow is right where at most 254 of its triangles are in a row from a light, which
+    /// is assumed. True: it is right whatever is in a row, as that of a mesh that does not deform. Then the CPU computes
+    /// the positions of a wave, and in each frame, for each light, face bits and a bound: about 50 ns a face.
+    bool has_deep_shadows = false;
     glm::dmat3 rotation{1.0};  ///< Orthonormal, without reflection.
     glm::dvec3 translation{0.0};
     Material material;

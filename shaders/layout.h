@@ -121,6 +121,9 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Mat
     uint at[];
 };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colors { vec3 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CornerUvs {
+    vec2 at[];
+};
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LineList {
     LineEnds at[];
 };
@@ -184,6 +187,9 @@ struct InstanceData {
     RIMLINE_ADDRESS(MaterialList)
     face_materials;                         // Index in `materials` of each face, or k_no_material.
     RIMLINE_ADDRESS(Colors) corner_colors;  // If has_corner_colors is 1.
+    // For surfaces with textures, else 0.
+    RIMLINE_ADDRESS(FaceList) textured_faces;  // All faces, ordered by texture.
+    RIMLINE_ADDRESS(CornerUvs) corner_uvs;
     mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
     vec3 camera;           // The camera's position.
     vec4 viewpoint;        // The camera's silhouette point, homogeneous.
@@ -231,7 +237,7 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 27);
-static_assert(sizeof(InstanceData) == 14 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
+static_assert(sizeof(InstanceData) == 16 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 4);
 }  // namespace rimline::gpu

@@ -4,4 +4,4 @@
 
 // Surfaces in one color.
 
-void main() { write_corner(); }
+void main() { write_corner(gl_VertexIndex); }

@@ -28,15 +28,15 @@ uint side_grazed(uint face, TriangleRecord triangle) {
     return 2u - (light.face_words.at[face / 32u] >> (face % 32u) & 1u);
 }
 
-// Writes the outputs of corner gl_VertexIndex.
-void write_corner() {
-    const uint face = gl_VertexIndex / 3u;
-    const uint corner = gl_VertexIndex % 3u;
+// Writes the outputs of corner `number` of all corners.
+void write_corner(uint number) {
+    const uint face = number / 3u;
+    const uint corner = number % 3u;
     const TriangleRecord triangle = instance.triangles.at[face];
     const uint vertex = corner == 0u ? triangle.v0 : corner == 1u ? triangle.v1 : triangle.v2;
     grazed_side = draw.choice == 1u ? side_grazed(face, triangle) : 0u;
     position = instance.positions.at[vertex];
-    normal = instance.corner_normals.at[gl_VertexIndex];
+    normal = instance.corner_normals.at[number];
     gl_Position = clip_from_object(position);
 }
 

@@ -72,7 +72,7 @@ Picture decode_png(std::span<const std::byte> bytes) {
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
         refuse_png(image.message);
     Picture picture{image.width, image.height, {}};
-    if (std::uint64_t{image.width} * image.height > k_max_png_pixels) {
+    if (std::uint64_t{image.width} * image.height > k_max_decoded_pixels) {
         png_image_free(&image);
         refuse_png("more than 2^28 pixels");
     }

@@ -19,18 +19,18 @@ constexpr std::uint32_t k_distance_classes = 1u << 16;
 // Up to so many times the least number of parts, another order is not tried.
 constexpr std::size_t k_few_parts = 2;
 
-FaceBox box_of_face(const Mesh& mesh, std::uint32_t face) {
+FaceBox box_of_face(const CountedVolume& volume, std::uint32_t face) {
     FaceBox box;
-    for (const VertexId vertex : mesh.triangles()[face]) {
-        const glm::vec3& place = mesh.positions()[index(vertex)];
+    for (const VertexId vertex : volume.caster->mesh().triangles()[face]) {
+        const glm::vec3& place = volume.positions()[index(vertex)];
         box.include({place, place});
     }
     return box;
 }
 
-Bounds bounds_of(const Mesh& mesh, const FaceRun& run) {
+Bounds bounds_of(const CountedVolume& volume, const FaceRun& run) {
     FaceBox box;
-    for (const std::uint32_t face : run.faces()) box.include(box_of_face(mesh, face));
+    for (const std::uint32_t face : run.faces()) box.include(box_of_face(volume, face));
     return {box.low, box.high};
 }
 
@@ -71,12 +71,14 @@ std::uint32_t VolumeCounter::bound_from_within(const Bounds& bounds, const Homog
 void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, VolumeCount& count) {
     if (count.light == volume.light && count.form == volume.form) return;
     const Mesh& mesh = volume.caster->mesh();
+    const std::span<const glm::vec3> positions = volume.positions();
+    const Bounds& bounds = volume.bounds();
     const bool single = volume.form == ShadowForm::single;
     const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
     sides_.clear();
     const auto add = [&](EdgeId edge, std::int32_t times) {
         const auto& [a, b] = mesh.edge(edge).vertices;
-        sides_.push_back({mesh.positions()[index(a)], mesh.positions()[index(b)], times});
+        sides_.push_back({positions[index(a)], positions[index(b)], times});
     };
     // Edges and their vertices lie anywhere in memory.
     const std::span<const EdgeId> silhouette = volume.silhouette;
@@ -85,7 +87,7 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
             __builtin_prefetch(&mesh.edge(silhouette[i + 2 * k_prefetched]));
         if (i + k_prefetched < silhouette.size())
             for (const VertexId vertex : mesh.edge(silhouette[i + k_prefetched]).vertices)
-                __builtin_prefetch(&mesh.positions()[index(vertex)]);
+                __builtin_prefetch(&positions[index(vertex)]);
         if (index(silhouette[i]) < regular_end) add(silhouette[i], single ? 1 : 2);
     }
     for (std::uint32_t e = regular_end; e < mesh.edge_count(); ++e) {
@@ -95,11 +97,16 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
         if (times > 0) add(EdgeId{e}, times);
     }
     std::uint32_t bound = 0;
-    if (const std::optional<int> outer = outer_axis(mesh.bounds(), volume.light))
-        bound = rays_.from_outside(sides_, mesh.bounds(), volume.light, *outer, enough);
+    if (const std::optional<int> outer = outer_axis(bounds, volume.light))
+        bound = rays_.from_outside(sides_, bounds, volume.light, *outer, enough);
     else
-        bound = bound_from_within(mesh.bounds(), volume.light, enough, [&](const FaceBox& line) {
+        bound = bound_from_within(bounds, volume.light, enough, [&](const FaceBox& line) {
             std::uint32_t met = 0;
+            if (volume.moved) {
+                for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
+                    met += box_of_face(volume, face).meets(line) ? 1 : 0;
+                return met;
+            }
             volume.caster->faces().any_meeting(line, 0, [&](std::uint32_t) {
                 ++met;
                 return false;
@@ -139,16 +146,19 @@ void VolumeCounter::sort_faces(const CountedVolume& volume) {
     const glm::dvec3 light(volume.light.xyz());
     const glm::dvec3 towards = light / std::max(glm::length(light), double{k_min_point_component});
     const auto distance = [&](std::uint32_t face) {
-        const FaceBox box = box_of_face(mesh, face);
+        const FaceBox box = box_of_face(volume, face);
         const glm::dvec3 middle = 0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high));
         return volume.light.is_direction() ? -glm::dot(middle, towards)
                                            : glm::distance(middle, light);
     };
-    const double center = volume.light.is_direction() ? -glm::dot(mesh.center(), towards)
-                                                      : glm::distance(mesh.center(), light);
-    const double nearest = center - mesh.radius();
-    const double classes_per_length =
-        mesh.radius() > 0.0 ? k_distance_classes / (2.0 * mesh.radius()) : 0.0;
+    const glm::dvec3 low(volume.bounds().low);
+    const glm::dvec3 high(volume.bounds().high);
+    const glm::dvec3 middle_of_all = 0.5 * (low + high);
+    const double radius = volume.moved ? 0.5 * glm::distance(low, high) : mesh.radius();
+    const double center = volume.light.is_direction() ? -glm::dot(middle_of_all, towards)
+                                                      : glm::distance(middle_of_all, light);
+    const double nearest = center - radius;
+    const double classes_per_length = radius > 0.0 ? k_distance_classes / (2.0 * radius) : 0.0;
     std::vector<std::uint32_t> begins(k_distance_classes + 1, 0);
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         ranks_[f] = static_cast<std::uint32_t>(std::clamp(
@@ -188,16 +198,17 @@ std::uint32_t VolumeCounter::bound_of_run(const CountedVolume& volume, std::uint
                                           const FaceRun& run,
                                           std::span<const gpu::EdgeRecord> records) {
     if (run.size() <= enough) return run.size();
-    const Mesh& mesh = volume.caster->mesh();
-    const Bounds bounds = bounds_of(mesh, run);
+    const std::span<const glm::vec3> positions = volume.positions();
+    const Bounds bounds = bounds_of(volume, run);
     sides_.clear();
     for (const gpu::EdgeRecord& record : records)
-        sides_.push_back({mesh.positions()[record.v0], mesh.positions()[record.v1], 1});
+        sides_.push_back({positions[record.v0], positions[record.v1], 1});
     if (const std::optional<int> outer = outer_axis(bounds, volume.light))
         return rays_.from_outside(sides_, bounds, volume.light, *outer, enough);
     return bound_from_within(bounds, volume.light, enough, [&](const FaceBox& line) {
         return static_cast<std::uint32_t>(std::ranges::count_if(
-            run.faces(), [&](std::uint32_t face) { return box_of_face(mesh, face).meets(line); }));
+            run.faces(),
+            [&](std::uint32_t face) { return box_of_face(volume, face).meets(line); }));
     });
 }
 

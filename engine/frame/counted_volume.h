@@ -23,13 +23,28 @@
 
 namespace rimline {
 
-/// The data that one volume is counted from: the state of a SilhouetteTracker at `light`.
+/// Where the vertices of a mesh that deforms are now.
+struct MovedGeometry {
+    std::span<const glm::vec3> positions;  ///< As Mesh::positions().
+    Bounds bounds;
+};
+
+/// The data that one volume is counted from: the state of a SilhouetteTracker at `light`. The silhouette of a mesh
+/// that deforms need only have regular edges.
 struct CountedVolume {
     CasterMesh* caster = nullptr;
     std::span<const EdgeId> silhouette;
     std::span<const std::uint32_t> face_words;
     HomogeneousPoint light{};
     ShadowForm form = ShadowForm::general;
+    std::optional<MovedGeometry> moved{};  ///< Empty: the mesh is at rest.
+
+    std::span<const glm::vec3> positions() const noexcept {
+        return moved ? moved->positions : caster->mesh().positions();
+    }
+    const Bounds& bounds() const noexcept {
+        return moved ? moved->bounds : caster->mesh().bounds();
+    }
 };
 
 /// The volume of some of the faces.
@@ -39,7 +54,7 @@ struct VolumePart {
     std::uint32_t bound = 0;
 };
 
-/// What is known of one volume. Valid for one mesh.
+/// What is known of one volume. Valid for one mesh, and for one place of its vertices.
 struct VolumeCount {
     std::optional<HomogeneousPoint> light;  ///< Empty if nothing is known.
     ShadowForm form = ShadowForm::general;
@@ -65,8 +80,9 @@ struct FaceRun {
 class VolumeCounter {
 public:
     /// Brings `count` up to `volume`, without parts. If the light or the form is another than before, it costs
-    /// O(silhouette + edges that are not regular), some nanoseconds each; else nothing. The first light within the mesh's bounds
-    /// needs CasterMesh::faces(). Where a bound is above `enough`, more axes are tried.
+    /// O(silhouette + edges that are not regular), some nanoseconds each; else nothing. The first light within
+    /// the mesh's bounds needs CasterMesh::faces(), or, of a mesh that deforms, O(faces). Where a bound is above
+    /// `enough`, more axes are tried.
     void update(const CountedVolume& volume, std::uint32_t enough, VolumeCount& count);
 
     /// Adds parts whose bounds are at most `limit`, if there are none yet. `limit` must not be 0. O(faces log

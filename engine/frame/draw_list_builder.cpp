@@ -102,15 +102,17 @@ private:
                             .segment_count = {},
                             .output = surface_output(scene_, parts_.target, instance),
                             .fades = instance.fade_radius > 0.0,
-                            .has_mesh_colors = has_mesh_colors(scene_, instance),
+                            .colors = surface_colors(scene_, instance),
+                            .textured_faces = {},
                             .ink = 0,
                             .silhouette = {},
                             .every_edge = {},
                             .lights = {}};
-        if (state.deforming)
-            state.deforming->begin_frame(instance.deformation, ring_slot_, frame_.deformed);
+        if (state.deforming) deform(i);
         const VkDeviceAddress slots = drawn.has_lines ? add_lines(i, drawn) : 0;
         drawn.data = put_instance(i, slots);
+        if (drawn.colors == SurfaceColors::textures)
+            drawn.textured_faces = state.mesh->materials()->textures()->ranges();
         const Caster caster{shadow_view(view_, instance), caster_box(instance)};
         // A ground seen from below would show nothing but its back.
         drawn.shows_backs =
@@ -119,6 +121,19 @@ private:
         for (std::size_t l = 0; l < scene_.lights.size(); ++l)
             drawn.lights.push_back(add_light(i, l, caster, drawn));
         list_.instances.push_back(std::move(drawn));
+    }
+
+    void deform(std::size_t i) {
+        const SceneInstance& instance = scene_.instances[i];
+        InstanceState& state = state_of(i);
+        if (!instance.has_deep_shadows || !casts_shadows(scene_, instance)) {
+            state.moved.reset();
+            state.deforming->begin_frame(instance.deformation, ring_slot_, frame_.deformed);
+            return;
+        }
+        if (!state.moved) state.moved = std::make_unique<MovedCaster>(*state.source);
+        state.deforming->begin_frame(state.moved->move(instance.deformation), ring_slot_,
+                                     frame_.deformed);
     }
 
     // Returns the address of the silhouette's slots; 0 for a line path without slots, and for lines of the caller.
@@ -284,6 +299,16 @@ private:
         for (ShadowReport& shadow : shadows) {
             if (shadow.light != l) continue;
             InstanceState& state = state_of(shadow.instance);
+            if (state.moved) {
+                VolumeCount& count = state.volumes[l];
+                count.light.reset();  // It was counted where the vertices were in another frame.
+                shadow.bound = batches.add(
+                    shadow.instance,
+                    state.moved->volume(view_.instances[shadow.instance].lights[l].point,
+                                        shadow.choice.form),
+                    count);
+                continue;
+            }
             if (state.deforming) {
                 shadow.bound = batches.add_unseen(shadow.instance, state.mesh->face_count());
                 continue;

@@ -56,7 +56,7 @@ BackdropMap backdrop_map(const FrameView& view, VkFormat format) {
 
 SurfaceKind surface_kind_of(const Scene& scene, const PictureTarget& target,
                             const SceneInstance& instance) {
-    return surface_kind(scene.style, has_mesh_colors(scene, instance),
+    return surface_kind(scene.style, surface_colors(scene, instance),
                         surface_output(scene, target, instance));
 }
 

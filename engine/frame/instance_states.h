@@ -13,6 +13,7 @@
 #include "engine/frame/caster_mesh.h"
 #include "engine/frame/counted_volume.h"
 #include "engine/frame/frame_view.h"
+#include "engine/frame/moved_caster.h"
 #include "engine/line_path.h"
 #include "engine/scene.h"
 #include "engine/stream/deforming_instance.h"
@@ -29,6 +30,7 @@ struct InstanceState {
     CasterMesh* caster = nullptr;  ///< Null where the mesh deforms.
     bool is_closed_chain = false;
     std::unique_ptr<DeformingInstance> deforming;
+    std::unique_ptr<MovedCaster> moved;  ///< Of a mesh that deforms, with has_deep_shadows.
     std::unique_ptr<TrackedSilhouette> camera;
     std::vector<std::unique_ptr<TrackedSilhouette>> lights;
     std::vector<VolumeCount> volumes;  ///< Of each light.

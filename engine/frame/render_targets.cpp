@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/vulkan/image_barrier.h"
+#include "engine/vulkan/layout_uses.h"
 
 namespace rimline {
 
@@ -26,10 +27,6 @@ float fitting_guard(const VkPhysicalDeviceLimits& limits, VkExtent2D extent) {
     return fit ? k_guard : 1.0f;
 }
 
-// All earlier commands: another picture's passes, or the caller's own.
-constexpr StageAccess k_before{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
-constexpr StageAccess k_after{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                              VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
 constexpr StageAccess k_drawing{
     VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
         VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
@@ -39,8 +36,29 @@ constexpr StageAccess k_drawing{
 constexpr StageAccess k_sampling{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 
-void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area, float guard,
-                     const VkRenderingAttachmentInfo& color,
+// All uses of the images of a frame. At its begin: those by the frame before.
+constexpr StageAccess k_drawing_and_sampling = k_drawing | k_sampling;
+
+// Any access of a caller in stages that it names. Nothing where it names none.
+StageAccess in_stages(VkPipelineStageFlags2 stages) {
+    if (stages == VK_PIPELINE_STAGE_2_NONE) return {stages, VK_ACCESS_2_NONE};
+    return {stages, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+}
+
+// What a caller, or the frame before, did with the target. With an undefined initial layout nothing tells it but the
+// layout that frames leave it in. Attachments are always among it: a swapchain's image is waited for in that stage.
+StageAccess earlier_uses(const PictureTarget& target) {
+    return k_drawing | uses_of(target.initial_layout) | uses_of(target.final_layout) |
+           in_stages(target.earlier_stages);
+}
+
+StageAccess later_uses(const PictureTarget& target) {
+    return uses_of(target.final_layout) | in_stages(target.later_stages);
+}
+
+// `area` is the render area; only `drawn`, a part of it, is drawn into.
+void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area,
+                     const VkRect2D& drawn, float guard, const VkRenderingAttachmentInfo& color,
                      const VkRenderingAttachmentInfo* depth = nullptr,
                      const VkRenderingAttachmentInfo* stencil = nullptr, VkOffset2D corner = {}) {
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
@@ -60,7 +78,7 @@ void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area,
                               .minDepth = 0.0f,
                               .maxDepth = 1.0f};
     commands->CmdSetViewport(commands, 0, 1, &viewport);
-    commands->CmdSetScissor(commands, 0, 1, &area);
+    commands->CmdSetScissor(commands, 0, 1, &drawn);
 }
 
 VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp load) {
@@ -98,6 +116,7 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
     : size_(size),
       scale_(sampling.scale),
       samples_(sampling.samples),
+      clear_area_(choose_clear_area(context.type, context.driver)),
       keeps_stencil_(keeps_stencil),
       must_resolve_stencil_(!context.independent_resolve_none),
       guard_(fitting_guard(context.limits, pass_extent())) {
@@ -163,11 +182,14 @@ void RenderTargets::begin_surfaces(Commands commands, const glm::vec3& backgroun
         depth.resolveImageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
         if (must_resolve_stencil_) stencil = depth;
     }
-    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_, color, &depth, &stencil);
+    const VkRect2D drawn = in_pass(area.rect);
+    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_, color, &depth,
+                    &stencil);
 }
 
 void RenderTargets::begin_lines(Commands commands, const DrawnArea& area) const {
-    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_,
+    const VkRect2D drawn = in_pass(area.rect);
+    begin_rendering(commands, pass_extent(), drawn, drawn, guard_,
                     color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD));
 }
 
@@ -181,35 +203,36 @@ void RenderTargets::begin_picture(Commands commands, const PictureTarget& target
                                                  : VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = area.around;
     const VkOffset2D corner = target.corner;
-    begin_rendering(commands, target.extent, {corner, target.extent}, 1.0f, color, nullptr, nullptr,
-                    corner);
     const VkRect2D drawn{{corner.x + area.rect.offset.x, corner.y + area.rect.offset.y},
                          area.rect.extent};
-    commands->CmdSetScissor(commands, 0, 1, &drawn);
+    begin_rendering(commands, target.extent, {corner, target.extent}, drawn, 1.0f, color, nullptr,
+                    nullptr, corner);
 }
 
 void RenderTargets::begin_coverage(Commands commands, const DrawnArea& area) const {
-    begin_rendering(commands, pass_extent(), in_pass(area.rect), guard_,
+    const VkRect2D drawn = in_pass(area.rect);
+    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_,
                     color_attachment(coverage_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
 }
 
 void RenderTargets::record_before_coverage(Commands commands) const {
     record_barrier(
-        commands, {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
-        k_drawing,
+        commands, k_drawing_and_sampling, k_drawing,
         {{coverage_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
 }
 
 void RenderTargets::record_after_coverage(Commands commands) const {
     constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    record_barrier(commands, k_drawing,
-                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+    record_barrier(commands, k_drawing, k_drawing_and_sampling,
                    {{coverage_, k_color, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
                     {surfaces_, k_color, k_color}});
 }
 
 void RenderTargets::record_before_backdrop(Commands commands, const BackdropDepth& backdrop) {
-    record_barrier(commands, k_before, k_sampling, {{backdrop, backdrop.layout, backdrop.layout}});
+    // Resolves of depth write as color attachments do.
+    const StageAccess written = k_drawing | uses_of(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL) |
+                                in_stages(backdrop.earlier_stages);
+    record_barrier(commands, written, k_sampling, {{backdrop, backdrop.layout, backdrop.layout}});
 }
 
 void RenderTargets::record_before_surfaces(Commands commands) const {
@@ -217,35 +240,33 @@ void RenderTargets::record_before_surfaces(Commands commands) const {
     constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_depth = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     if (is_multisampled())
-        record_barrier(commands, k_before, k_drawing,
+        record_barrier(commands, k_drawing_and_sampling, k_drawing,
                        {{surfaces_, k_fresh, k_color},
                         {depth_, k_fresh, k_depth},
                         {multisampled_surfaces_, k_fresh, k_color},
                         {multisampled_depth_, k_fresh, k_depth}});
     else
-        record_barrier(commands, k_before, k_drawing,
+        record_barrier(commands, k_drawing_and_sampling, k_drawing,
                        {{surfaces_, k_fresh, k_color}, {depth_, k_fresh, k_depth}});
 }
 
 void RenderTargets::record_before_lines(Commands commands) const {
     constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    record_barrier(commands, k_drawing,
-                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+    record_barrier(commands, k_drawing, k_drawing_and_sampling,
                    {{surfaces_, k_color, k_color},
                     {depth_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
 }
 
 void RenderTargets::record_before_picture(Commands commands, const PictureTarget& target) const {
-    record_barrier(commands, k_before,
-                   {k_drawing.stages | k_sampling.stages, k_drawing.access | k_sampling.access},
+    record_barrier(commands, earlier_uses(target), k_drawing_and_sampling,
                    {{surfaces_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
                     {target, target.initial_layout, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}});
 }
 
 void RenderTargets::record_after_picture(Commands commands, const PictureTarget& target) {
-    record_barrier(commands, k_drawing, k_after,
+    record_barrier(commands, k_drawing, later_uses(target),
                    {{target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, target.final_layout}});
 }
 

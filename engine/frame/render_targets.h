@@ -12,6 +12,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "engine/frame/clear_area.h"
 #include "engine/sampling.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
@@ -60,8 +61,8 @@ public:
     const Image& depth() const noexcept { return depth_; }
     const Image& coverage() const noexcept { return coverage_; }
 
-    /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area.
-    /// It is cleared to linear `background` and alpha 0: no line covers it.
+    /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area, to which a
+    /// scissor limits all draws; the render area may be larger where something is cleared (clear_area.h). The area is cleared to linear `background` and alpha 0: no line covers it.
     void begin_surfaces(Commands commands, const glm::vec3& background,
                         const DrawnArea& area) const;
     /// For drawing over the finished surfaces and into their alpha.
@@ -81,15 +82,19 @@ public:
     void record_before_coverage(Commands commands) const;
     void record_after_coverage(Commands commands) const;
     void record_before_picture(Commands commands, const PictureTarget& target) const;
-    /// Moves the target to its final layout. All later commands wait for it.
+    /// Moves the target to its final layout. Later uses in that layout wait for it (layout_uses.h).
     static void record_after_picture(Commands commands, const PictureTarget& target);
 
 private:
     bool is_multisampled() const noexcept { return samples_ > 1; }
+    VkRect2D render_area(const VkRect2D& drawn) const noexcept {
+        return clear_area_ == ClearArea::whole ? VkRect2D{{0, 0}, pass_extent()} : drawn;
+    }
 
     VkExtent2D size_;
     std::uint32_t scale_;
     std::uint32_t samples_;
+    ClearArea clear_area_;
     bool keeps_stencil_;
     bool must_resolve_stencil_;  // Because depth is.
     float guard_;

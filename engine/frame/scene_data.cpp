@@ -84,11 +84,13 @@ const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance) {
     return instance.material.line_color ? *instance.material.line_color : scene.palette.ink;
 }
 
-bool has_mesh_colors(const Scene& scene, const SceneInstance& instance) {
+SurfaceColors surface_colors(const Scene& scene, const SceneInstance& instance) {
     const bool style_shows_colors =
         scene.style == Style::ink || scene.style == Style::toon || scene.style == Style::hatch;
-    return style_shows_colors && instance.material.shows_mesh_colors &&
-           !instance.mesh().materials().empty();
+    const FaceMaterials& materials = instance.mesh().materials();
+    if (!style_shows_colors || !instance.material.shows_mesh_colors || materials.empty())
+        return SurfaceColors::one;
+    return materials.has_pictures() ? SurfaceColors::textures : SurfaceColors::mesh;
 }
 
 bool is_layer(const Scene& scene, const PictureTarget& target) {
@@ -144,8 +146,9 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
     const HomogeneousPoint eye =
         HomogeneousPoint::viewpoint(glm::vec3(point_in_object(instance, view.scene.camera.eye)));
     // Otherwise null, and the shaders do not read them.
-    const GpuMaterials* colors =
-        has_mesh_colors(view.scene, instance) ? &*mesh.materials() : nullptr;
+    const SurfaceColors kind = surface_colors(view.scene, instance);
+    const GpuMaterials* colors = kind == SurfaceColors::one ? nullptr : &*mesh.materials();
+    const GpuTextures* textures = kind == SurfaceColors::textures ? &*colors->textures() : nullptr;
     return {.positions = mesh.positions(),
             .triangles = mesh.triangles(),
             .corner_normals = mesh.corner_normals(),
@@ -160,6 +163,8 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .materials = colors ? colors->base_colors() : 0,
             .face_materials = colors ? colors->of_face() : 0,
             .corner_colors = colors ? colors->corner_colors() : 0,
+            .textured_faces = textures ? textures->faces() : 0,
+            .corner_uvs = textures ? textures->corner_uvs() : 0,
             .eye_from_object = glm::mat3(view.eye_from_world * instance.rotation),
             .camera = eye.xyz(),
             .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},

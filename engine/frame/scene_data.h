@@ -20,8 +20,8 @@ namespace rimline {
 /// The color of an instance's lines and strokes.
 const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance);
 
-/// Whether the surfaces of an instance are drawn in the colors of its mesh.
-bool has_mesh_colors(const Scene& scene, const SceneInstance& instance);
+/// What gives an instance's surfaces their color in this scene. O(textures).
+SurfaceColors surface_colors(const Scene& scene, const SceneInstance& instance);
 
 /// Whether the scene is drawn as a layer (PictureUse): color premultiplied, alpha opacity.
 bool is_layer(const Scene& scene, const PictureTarget& target);

@@ -27,7 +27,7 @@ public:
     /// VolumeCounter::update().
     std::uint32_t add(std::uint32_t instance, const CountedVolume& volume, VolumeCount& count);
     /// A volume whose silhouette only the GPU knows. It is assumed to count to at most k_batch_limit. That is
-    /// proven only for meshes of at most as many faces.
+    /// proven only for meshes of at most as many faces. moved_caster.h has the way to count others.
     std::uint32_t add_unseen(std::uint32_t instance, std::uint32_t face_count);
     /// A caster with all surfaces in its shadow: counted once everywhere, without a volume. Returns 1.
     std::uint32_t add_darkness(std::uint32_t instance);

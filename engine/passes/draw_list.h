@@ -9,10 +9,12 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/shadow_choice.h"
 #include "engine/stream/every_edge_draw.h"
+#include "engine/stream/textured_faces.h"
 #include "engine/vulkan/functions.h"
 #include "shaders/layout.h"
 
@@ -32,6 +34,13 @@ enum class SurfaceOutput {
     picture,   ///< Color, and no coverage by lines yet.
     layer,     ///< Premultiplied color and opacity.
     held_out,  ///< No color; shadows as opacity.
+};
+
+/// What gives the surfaces of an instance their color.
+enum class SurfaceColors {
+    one,       ///< InstanceData.color
+    mesh,      ///< Its materials and the colors of its corners.
+    textures,  ///< These and its textures.
 };
 
 /// One instance as seen from one light.
@@ -61,11 +70,13 @@ struct DrawnInstance {
     std::optional<std::uint32_t> segment_count;
     SurfaceOutput output = SurfaceOutput::picture;
     bool fades = false;
-    bool has_mesh_colors = false;  ///< Of surfaces: InstanceData.materials.
-    bool shows_backs = true;       ///< False: back faces are hidden behind front faces.
-    std::size_t ink = 0;           ///< Index in DrawList::inks: the color of its lines.
-    IndirectDraw silhouette;       ///< Draws its slots; only if has_lines and the path draws slots.
-    EveryEdgeDraw every_edge;      ///< Only if has_lines and the path draws no slots.
+    SurfaceColors colors = SurfaceColors::one;
+    /// Of SurfaceColors::textures: ranges that hold all faces.
+    std::span<const TexturedFaces> textured_faces;
+    bool shows_backs = true;   ///< False: back faces are hidden behind front faces.
+    std::size_t ink = 0;       ///< Index in DrawList::inks: the color of its lines.
+    IndirectDraw silhouette;   ///< Draws its slots; only if has_lines and the path draws slots.
+    EveryEdgeDraw every_edge;  ///< Only if has_lines and the path draws no slots.
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
 };
 

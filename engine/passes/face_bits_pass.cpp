@@ -46,7 +46,8 @@ FaceBitsPass::FaceBitsPass(const DeviceContext& context)
     : context_(context),
       layout_(make_pipeline_layout(context, "face bits", sizeof(Constants),
                                    VK_SHADER_STAGE_COMPUTE_BIT)),
-      pipeline_(make_compute_pipeline(context, "face bits", face_bits_comp, layout_)) {}
+      pipeline_((require_round_to_nearest(context, "computing face bits"),
+                 make_compute_pipeline(context, "face bits", face_bits_comp, layout_))) {}
 
 std::vector<std::uint32_t> FaceBitsPass::compute(std::span<const Plane> planes,
                                                  const HomogeneousPoint& point) {

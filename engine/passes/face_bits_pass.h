@@ -17,6 +17,7 @@ namespace rimline {
 
 class FaceBitsPass {
 public:
+    /// Throws Error{no_device} if the device lacks RoundingModeRTE for 32-bit floats.
     explicit FaceBitsPass(const DeviceContext& context);
 
     /// The face bits of `planes` from `point`, packed as in silhouette/mesh/face_bits.h. Uploads, computes,

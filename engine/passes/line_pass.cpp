@@ -1,5 +1,6 @@
 #include "engine/passes/line_pass.h"
 
+#include "engine/passes/line_path_choice.h"
 #include "line_adjacency_geom.h"
 #include "line_adjacency_vert.h"
 #include "line_frag.h"
@@ -12,13 +13,6 @@
 namespace rimline {
 
 namespace {
-
-LinePath possible_path(const DeviceContext& context, LinePath path) {
-    if (context.features.geometry_shader || !needs_geometry_shader(path)) return path;
-    if (path == LinePath::geometry) return LinePath::pulling;
-    throw Error(ErrorCode::no_device,
-                "this path of lines needs geometry shaders, which the device lacks");
-}
 
 GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
                                            VkPipelineLayout layout) {
@@ -41,7 +35,7 @@ GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
 
 LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                    VkFormat surface_format, LinePath path)
-    : path_(possible_path(context, path)),
+    : path_(choose_line_path(path, context.type, context.features.geometry_shader)),
       depth_(context, "depth for lines", 1),
       layout_(make_pipeline_layout(context, "lines", sizeof(gpu::DrawConstants), k_draw_stages,
                                    {draw_data, depth_.layout()})),

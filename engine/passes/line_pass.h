@@ -13,12 +13,12 @@ namespace rimline {
 
 class LinePass {
 public:
-    /// Draws into the alpha of one color attachment of `surface_format`, one sample a pixel. If the device
-    /// has no geometry shaders, LinePath::geometry is replaced by pulling, and other paths that need them
-    /// throw Error{no_device}.
+    /// Draws into the alpha of one color attachment of `surface_format`, one sample a pixel, by the path that
+    /// choose_line_path() takes for `path` (line_path_choice.h). Throws what it does.
     LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data, VkFormat surface_format,
-             LinePath path = LinePath::geometry);
+             LinePath path = LinePath::automatic);
 
+    /// Not automatic.
     LinePath path() const noexcept { return path_; }
 
     /// The finished depth of the surfaces, one sample a pixel.

@@ -2,10 +2,14 @@
 
 #include <array>
 
+#include "engine/vulkan/descriptor_sets.h"
+
 #include "held_out_frag.h"
 #include "surface_colored_frag.h"
 #include "surface_colored_vert.h"
 #include "surface_frag.h"
+#include "surface_textured_frag.h"
+#include "surface_textured_vert.h"
 #include "surface_unlit_vert.h"
 #include "surface_vert.h"
 
@@ -25,26 +29,32 @@ void bind(Commands commands, VkPipeline pipeline, const DrawnInstance& instance)
 
 }  // namespace
 
-SurfaceKind surface_kind(Style style, bool has_mesh_colors, SurfaceOutput output) {
-    if (output == SurfaceOutput::held_out) return {Style::ink, false, output};
-    return {style, has_mesh_colors, output};
+SurfaceKind surface_kind(Style style, SurfaceColors colors, SurfaceOutput output) {
+    if (output == SurfaceOutput::held_out) return {Style::ink, SurfaceColors::one, output};
+    return {style, colors, output};
 }
 
 SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                          const AttachmentFormats& formats)
     : formats_(formats),
+      texture_(make_set_layout(context, "texture", {&k_texture_binding, 1})),
       layout_(make_pipeline_layout(context, "surfaces", sizeof(gpu::DrawConstants), k_draw_stages,
-                                   {draw_data})) {}
+                                   {draw_data, texture_})) {}
 
 void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind) {
     if (pipelines_.contains(kind)) return;
     const auto number = static_cast<std::uint32_t>(kind.style);
-    const SpirvCode corners =
-        kind.has_mesh_colors ? SpirvCode(surface_colored_vert) : SpirvCode(surface_vert);
     const bool is_held_out = kind.output == SurfaceOutput::held_out;
-    const SpirvCode shading = is_held_out            ? SpirvCode(held_out_frag)
-                              : kind.has_mesh_colors ? SpirvCode(surface_colored_frag)
-                                                     : SpirvCode(surface_frag);
+    SpirvCode corners = surface_vert;
+    SpirvCode shading = surface_frag;
+    if (is_held_out) shading = held_out_frag;
+    if (kind.colors == SurfaceColors::mesh) {
+        corners = surface_colored_vert;
+        shading = surface_colored_frag;
+    } else if (kind.colors == SurfaceColors::textures) {
+        corners = surface_textured_vert;
+        shading = surface_textured_frag;
+    }
     const StencilUse lit = is_held_out ? StencilUse::not_zero : StencilUse::zero;
     const auto make = [&](bool has_shade, bool has_light, bool fades, SpirvCode vertex) {
         const std::array<std::uint32_t, 5> constants{number, has_shade, has_light, fades,
@@ -67,7 +77,7 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
              .layout = layout_});
     };
     const auto make_by_vertices = [&](bool fades) {
-        return kind.style == Style::hatch || kind.has_mesh_colors
+        return kind.style == Style::hatch || kind.colors != SurfaceColors::one
                    ? OwnedPipeline()
                    : make(true, false, fades, surface_unlit_vert);
     };
@@ -86,7 +96,20 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
 const SurfacePass::Pipelines& SurfacePass::pipelines_of(const DrawList& list,
                                                         const DrawnInstance& instance) const {
     return pipelines_.at(
-        surface_kind(static_cast<Style>(list.style), instance.has_mesh_colors, instance.output));
+        surface_kind(static_cast<Style>(list.style), instance.colors, instance.output));
+}
+
+// Of all faces, with their corners one by one.
+void SurfacePass::draw_corners(Commands commands, const DrawnInstance& instance) const {
+    if (instance.colors != SurfaceColors::textures || instance.output == SurfaceOutput::held_out) {
+        commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
+        return;
+    }
+    for (const TexturedFaces& faces : instance.textured_faces) {
+        commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1,
+                                        &faces.texture, 0, nullptr);
+        commands->CmdDraw(commands, 3 * faces.face_count, 1, 3 * faces.first_face, 0);
+    }
 }
 
 void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines pipelines,
@@ -95,7 +118,7 @@ void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines
         bind(commands, (pipelines_of(list, instance).*pipelines)[instance.fades], instance);
         const DrawnLight& drawn = instance.lights[light];
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 2);
-        commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
+        draw_corners(commands, instance);
     }
 }
 
@@ -111,7 +134,7 @@ void SurfacePass::record_unlit(Commands commands, const DrawList& list) const {
             commands->CmdBindIndexBuffer(commands, instance.indices, 0, VK_INDEX_TYPE_UINT32);
             commands->CmdDrawIndexed(commands, 3 * instance.face_count, 1, 0, 0, 0);
         } else {
-            commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
+            draw_corners(commands, instance);
         }
     }
 }

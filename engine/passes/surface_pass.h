@@ -3,7 +3,7 @@
 // Depth and shading. First the color of every surface in shadow, with depth; then, for each light, the light
 // it adds where the stencil is zero. Both in one draw if there is one light without shadows.
 //
-// Each style has its own pipelines, for surfaces in one color and for surfaces in the colors of their mesh. With
+// Each style has its own pipelines, for surfaces in one color, in the colors of their mesh, and with textures. With
 // a common one that branches on the style in the fragment stage, lavapipe computed the strokes of hatch for
 // every pixel and discarded them: two thirds of a frame's time.
 
@@ -19,13 +19,13 @@ namespace rimline {
 /// Surfaces that the same pipelines draw.
 struct SurfaceKind {
     Style style;
-    bool has_mesh_colors;
+    SurfaceColors colors;
     SurfaceOutput output = SurfaceOutput::picture;
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
 /// The kind of a surface of these properties; all that are held out are of one kind.
-SurfaceKind surface_kind(Style style, bool has_mesh_colors, SurfaceOutput output);
+SurfaceKind surface_kind(Style style, SurfaceColors colors, SurfaceOutput output);
 
 class SurfacePass {
 public:
@@ -50,16 +50,18 @@ private:
     // Of one kind. Index 1 is for instances that fade.
     struct Pipelines {
         OwnedPipeline unlit[2], lit[2], shadowless[2];
-        // Null if the style shades with strokes, or if corners have colors.
+        // Null if the style shades with strokes, or for the colors of a mesh.
         OwnedPipeline unlit_by_vertices[2];
     };
     using LightPipelines = OwnedPipeline (Pipelines::*)[2];
 
     void record(Commands commands, const DrawList& list, LightPipelines pipelines,
                 std::size_t light) const;
+    void draw_corners(Commands commands, const DrawnInstance& instance) const;
     const Pipelines& pipelines_of(const DrawList& list, const DrawnInstance& instance) const;
 
     AttachmentFormats formats_;
+    OwnedDescriptorSetLayout texture_;
     OwnedPipelineLayout layout_;
     std::map<SurfaceKind, Pipelines> pipelines_;
 };

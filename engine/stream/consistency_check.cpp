@@ -10,13 +10,15 @@ namespace rimline {
 
 namespace {
 
-constexpr StageAccess k_written{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
+// As change streams write (change_stream.cpp), in this frame and in the next.
+constexpr StageAccess k_written{
+    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
+    VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr StageAccess k_copied{VK_PIPELINE_STAGE_2_COPY_BIT,
                                VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 // The host reads the copies; the next frame writes what was copied.
-constexpr StageAccess k_after{
-    VK_PIPELINE_STAGE_2_HOST_BIT | VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-    VK_ACCESS_2_HOST_READ_BIT | VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+constexpr StageAccess k_after{k_written.stages | VK_PIPELINE_STAGE_2_HOST_BIT,
+                              k_written.access | VK_ACCESS_2_HOST_READ_BIT};
 
 std::uint64_t copied_bytes(const SilhouetteSnapshot& state) {
     return sizeof(gpu::SlotArguments) + sizeof(EdgeId) * state.slots.size() +

@@ -15,21 +15,28 @@ namespace {
 constexpr float k_min_clear_rad = 30.0f * std::numbers::pi_v<float> / 180.0f;
 
 static_assert(sizeof(Triangle) == sizeof(gpu::TriangleRecord));
-// As the buffer of base colors.
-static_assert(sizeof(SurfaceMaterial) == sizeof(gpu::vec3));
+
+Buffer add_base_colors(UploadBatch& batch, const FaceMaterials& materials) {
+    std::vector<glm::vec3> colors;
+    for (const SurfaceMaterial& material : materials.materials)
+        colors.push_back(material.base_color);
+    return batch.add(std::span<const glm::vec3>(colors), "base colors");
+}
 
 }  // namespace
 
 GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
-    : base_colors_(batch.add(std::span<const SurfaceMaterial>(materials.materials), "base colors")),
+    : base_colors_(add_base_colors(batch, materials)),
       of_face_(batch.add(std::span<const MaterialId>(materials.of_face), "materials of faces")) {
     if (!materials.corner_colors.empty())
         corner_colors_ =
             batch.add(std::span<const glm::vec3>(materials.corner_colors), "corner colors");
+    if (materials.has_pictures()) textures_.emplace(batch, materials);
 }
 
 std::uint64_t GpuMaterials::size_bytes() const noexcept {
-    return base_colors_.size() + of_face_.size() + corner_colors_.size();
+    return base_colors_.size() + of_face_.size() + corner_colors_.size() +
+           (textures_ ? textures_->size_bytes() : 0);
 }
 
 GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, LinePath line_path)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/line_path.h"
+#include "engine/stream/gpu_textures.h"
 #include "engine/stream/line_comparators.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/uploads.h"
@@ -28,9 +29,12 @@ public:
     bool has_corner_colors() const noexcept { return corner_colors_.size() > 0; }
     /// 0 without corner colors.
     VkDeviceAddress corner_colors() const noexcept { return corner_colors_.address(); }
+    /// Empty if no texture has a picture.
+    const std::optional<GpuTextures>& textures() const noexcept { return textures_; }
 
 private:
     Buffer base_colors_, of_face_, corner_colors_;
+    std::optional<GpuTextures> textures_;
 };
 
 class GpuMesh {

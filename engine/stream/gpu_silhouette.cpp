@@ -195,7 +195,9 @@ GpuSilhouettePass::GpuSilhouettePass(const DeviceContext& context, std::uint32_t
     : groups_a_row_(std::min(groups_a_row, context.limits.maxComputeWorkGroupCount[0])),
       layout_(make_pipeline_layout(context, "silhouettes", sizeof(Constants),
                                    VK_SHADER_STAGE_COMPUTE_BIT)),
-      faces_(make_compute_pipeline(context, "silhouettes, faces", silhouette_faces_comp, layout_)),
+      faces_(
+          (require_round_to_nearest(context, "a mesh that deforms"),
+           make_compute_pipeline(context, "silhouettes, faces", silhouette_faces_comp, layout_))),
       edges_(make_compute_pipeline(context, "silhouettes, edges", silhouette_edges_comp, layout_)),
       scan_(make_compute_pipeline(context, "silhouettes, scan", silhouette_scan_comp, layout_)),
       lists_(make_compute_pipeline(context, "silhouettes, lists", silhouette_lists_comp, layout_)) {

@@ -136,7 +136,8 @@ struct SilhouetteRun {
 class GpuSilhouettePass {
 public:
     /// Dispatches are divided into rows of at most `groups_a_row` workgroups, and of at most the device's
-    /// limit. Tests use short rows.
+    /// limit. Tests use short rows. Throws Error{no_device} if the device lacks RoundingModeRTE for 32-bit floats:
+    /// without it face bits of moving faces would not be the CPU's.
     explicit GpuSilhouettePass(const DeviceContext& context, std::uint32_t groups_a_row = 65535);
 
     /// Records all runs, each silhouette at most once. Waits for earlier reads of the silhouettes, and makes

@@ -4,20 +4,23 @@
 
 namespace rimline {
 
-DescriptorSets::DescriptorSets(const DeviceContext& context, const std::string& name,
-                               std::span<const VkDescriptorSetLayoutBinding> bindings,
-                               std::uint32_t count)
-    : sets_(count) {
-    const VkDescriptorSetLayoutCreateInfo layout_info{
+OwnedDescriptorSetLayout make_set_layout(const DeviceContext& context, const std::string& name,
+                                         std::span<const VkDescriptorSetLayoutBinding> bindings) {
+    const VkDescriptorSetLayoutCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
         .bindingCount = static_cast<std::uint32_t>(bindings.size()),
         .pBindings = bindings.data()};
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    vk_check(context.vk->CreateDescriptorSetLayout(context.device, &layout_info, nullptr, &layout),
+    vk_check(context.vk->CreateDescriptorSetLayout(context.device, &info, nullptr, &layout),
              "vkCreateDescriptorSetLayout");
-    layout_ = {context, layout};
     set_name(*context.vk, VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, layout, name);
+    return {context, layout};
+}
 
+DescriptorSets::DescriptorSets(const DeviceContext& context, const std::string& name,
+                               std::span<const VkDescriptorSetLayoutBinding> bindings,
+                               std::uint32_t count)
+    : layout_(make_set_layout(context, name, bindings)), sets_(count) {
     std::vector<VkDescriptorPoolSize> sizes;
     for (const VkDescriptorSetLayoutBinding& binding : bindings)
         sizes.push_back({binding.descriptorType, binding.descriptorCount * count});
@@ -32,7 +35,7 @@ DescriptorSets::DescriptorSets(const DeviceContext& context, const std::string& 
     pool_ = {context, pool};
     set_name(*context.vk, VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, name);
 
-    const std::vector<VkDescriptorSetLayout> layouts(count, layout);
+    const std::vector<VkDescriptorSetLayout> layouts(count, layout_);
     const VkDescriptorSetAllocateInfo allocate{
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
         .descriptorPool = pool,

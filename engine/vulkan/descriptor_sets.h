@@ -13,9 +13,13 @@
 
 namespace rimline {
 
+/// Names are for debug_names.h.
+OwnedDescriptorSetLayout make_set_layout(const DeviceContext& context, const std::string& name,
+                                         std::span<const VkDescriptorSetLayoutBinding> bindings);
+
 class DescriptorSets {
 public:
-    /// `count` sets of `bindings`, which hold one descriptor each. The name is for debug_names.h.
+    /// `count` sets of `bindings`, which hold one descriptor each.
     DescriptorSets(const DeviceContext& context, const std::string& name,
                    std::span<const VkDescriptorSetLayoutBinding> bindings, std::uint32_t count);
 

@@ -41,12 +41,20 @@ std::vector<VkPhysicalDevice> physical_devices(const VulkanInstance& instance) {
         "vkEnumeratePhysicalDevices");
 }
 
-std::optional<QueueChoice> queues_of(const InstanceFunctions& vk, VkPhysicalDevice device) {
+// Null surface: the queues need not present.
+std::optional<QueueChoice> queues_of(const InstanceFunctions& vk, VkPhysicalDevice device,
+                                     VkSurfaceKHR surface = VK_NULL_HANDLE) {
     std::uint32_t count = 0;
     vk.GetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vk.GetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-    return choose_queues(std::span(families).first(count));
+    families.resize(count);
+    if (surface == VK_NULL_HANDLE) return choose_queues(families);
+    std::vector<VkBool32> presents(count, VK_FALSE);
+    for (std::uint32_t family = 0; family < count; ++family)
+        vk_check(vk.GetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &presents[family]),
+                 "vkGetPhysicalDeviceSurfaceSupportKHR");
+    return choose_queues(families, presents);
 }
 
 bool has_extension(const InstanceFunctions& vk, VkPhysicalDevice device, std::string_view name) {
@@ -68,7 +76,7 @@ bool has_depth_stencil_format(const InstanceFunctions& vk, VkPhysicalDevice devi
     return (properties.optimalTilingFeatures & k_needed) == k_needed;
 }
 
-DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device) {
+DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device, VkSurfaceKHR surface) {
     VkPhysicalDeviceVulkan12Properties v12{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
@@ -96,6 +104,9 @@ DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device) {
     facts.synchronization2 = features.v13.synchronization2 == VK_TRUE;
     facts.maintenance4 = features.v13.maintenance4 == VK_TRUE;
     facts.swapchain = has_extension(vk, device, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    if (surface != VK_NULL_HANDLE)
+        facts.shows_window = facts.swapchain && queues_of(vk, device, surface).has_value();
+    facts.memory_budget = has_extension(vk, device, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
     facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
     facts.graphics_and_compute_queue = queues_of(vk, device).has_value();
     const VkSampleCountFlags counts = common_samples(properties.properties.limits);
@@ -108,22 +119,22 @@ DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device) {
 
 }  // namespace
 
-std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance) {
+std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance, VkSurfaceKHR surface) {
     std::vector<DeviceFacts> facts;
     for (const VkPhysicalDevice device : physical_devices(instance))
-        facts.push_back(describe(instance.functions(), device));
+        facts.push_back(describe(instance.functions(), device, surface));
     return facts;
 }
 
 Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
-               const std::filesystem::path& cache_folder) {
-    const std::vector<DeviceFacts> all = describe_devices(instance);
+               const std::filesystem::path& cache_folder, VkSurfaceKHR surface) {
+    const std::vector<DeviceFacts> all = describe_devices(instance, surface);
     const DeviceChoice choice = choose_device(all, request);
     const VkPhysicalDevice physical = physical_devices(instance).at(choice.index);
     facts_ = all[choice.index];
 
     const QueueChoice queues =
-        queues_of(instance.functions(), physical).value();  // It was judged usable.
+        queues_of(instance.functions(), physical, surface).value();  // It was judged usable.
     const float priority = 1.0f;
     const auto one_queue = [&](std::uint32_t family) {
         return VkDeviceQueueCreateInfo{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
@@ -146,6 +157,7 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
     const bool presents = instance.presents() && facts_.swapchain;
     std::vector<const char*> extensions;
     if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    if (facts_.memory_budget) extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
     // A device that has it must be opened with it. Its name is in a header for beta extensions.
     constexpr const char* k_portability_subset = "VK_KHR_portability_subset";
     if (has_extension(instance.functions(), physical, k_portability_subset))
@@ -185,7 +197,8 @@ void Device::open_queues(const VulkanInstance& instance, VkDevice device, VkPhys
                                           .swapchain = presents,
                                           .occlusion_query_precise = facts_.occlusion_query_precise,
                                           .depth_bounds = facts_.depth_bounds,
-                                          .debug_names = instance.has_debug_utils()},
+                                          .debug_names = instance.has_debug_utils(),
+                                          .memory_budget = facts_.memory_budget},
                              .loader = instance.loader()});
     context_.vk->GetDeviceQueue(device, queues.family, 0, &context_.queue);
     context_.transfer_family = queues.transfer_family;

@@ -17,16 +17,20 @@ namespace rimline {
 class PipelineCache;
 struct QueueChoice;
 
-/// Every physical device of an instance, usable or not, in Vulkan's order.
-std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance);
+/// Every physical device of an instance, usable or not, in Vulkan's order. With a surface, which the instance
+/// presents to: DeviceFacts::shows_window says whether each can show pictures there. Throws what vk_check() does.
+std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance,
+                                          VkSurfaceKHR surface = VK_NULL_HANDLE);
 
 class Device {
 public:
     /// Chooses and opens a device. `instance` must outlive it. Throws Error{no_device} if none fits `request`
     /// (device_choice.h) or none can be opened, Error{too_large} if memory runs out, and Error{device_lost}
     /// if the device is lost. Compiled pipelines are kept in `cache_folder` (pipeline_cache.h); empty: nowhere.
+    /// With a surface: only a device that can show pictures there is chosen, and its queue presents to it.
     explicit Device(const VulkanInstance& instance, const DeviceRequest& request = {},
-                    const std::filesystem::path& cache_folder = {});
+                    const std::filesystem::path& cache_folder = {},
+                    VkSurfaceKHR surface = VK_NULL_HANDLE);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;

@@ -81,8 +81,8 @@ DeviceVerdict judge_device(const DeviceFacts& facts) {
     need(facts.dynamic_rendering, "dynamic rendering");
     need(facts.synchronization2, "synchronization2");
     need(facts.maintenance4, "maintenance4");
-    need(facts.round_to_nearest_float32, "RoundingModeRTE for 32-bit floats");
     need(facts.depth_stencil_format, "the depth format D32_SFLOAT_S8_UINT");
+    need(facts.shows_window.value_or(true), "a queue that can show pictures in this window");
     return verdict;
 }
 

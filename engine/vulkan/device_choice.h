@@ -6,6 +6,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,8 +29,13 @@ struct DeviceFacts {
     bool dynamic_rendering = false;
     bool synchronization2 = false;
     bool maintenance4 = false;
-    bool swapchain = false;                 ///< Can show pictures in a window.
-    bool round_to_nearest_float32 = false;  ///< RoundingModeRTE can be declared.
+    bool swapchain = false;  ///< Can show pictures in some window.
+    /// Can show pictures in the window that the device is wanted for: it has `swapchain`, and a queue that draws,
+    /// computes and presents to the window's surface. std::nullopt: it is wanted for no window.
+    std::optional<bool> shows_window;
+    bool memory_budget = false;  ///< VK_EXT_memory_budget.
+    /// RoundingModeRTE can be declared. Meshes that deform need it (Scene), and nothing else does.
+    bool round_to_nearest_float32 = false;
     bool graphics_and_compute_queue = false;
     /// Greatest sample count, at most 4, that the color, depth and stencil formats share.
     std::uint32_t samples = 1;

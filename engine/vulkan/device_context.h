@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 namespace rimline {
 
@@ -24,6 +25,8 @@ struct DeviceFeatures {
     bool occlusion_query_precise = false;
     bool depth_bounds = false;  ///< Shadow volumes are counted at fewer samples (shadow_bounds.h).
     bool debug_names = false;   ///< The instance has enabled VK_EXT_debug_utils.
+    bool memory_budget =
+        false;  ///< VK_EXT_memory_budget: large allocations ask for the budget first.
 };
 
 /// A lock around every use of a caller's queues, for callers that use them on other threads too.
@@ -56,6 +59,9 @@ struct DeviceContext {
     DeviceFeatures features{};
     std::shared_ptr<MemoryAllocator> allocator;
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+    VkDriverId driver{};  ///< 0: unknown.
+    /// Shaders may declare RoundingModeRTE for 32-bit floats. Only meshes that deform need it.
+    bool round_to_nearest_float32 = false;
     VkSampleCountFlags sample_counts = VK_SAMPLE_COUNT_1_BIT;  ///< Of all attachments.
     /// Depth can be resolved without stencil (VkPhysicalDeviceDepthStencilResolveProperties).
     bool independent_resolve_none = false;
@@ -86,6 +92,9 @@ struct HostDevice {
 
 /// The sample counts that color, depth and stencil share.
 VkSampleCountFlags common_samples(const VkPhysicalDeviceLimits& limits) noexcept;
+
+/// Throws Error{no_device} naming `what` if the device's shaders cannot declare RoundingModeRTE for 32-bit floats.
+void require_round_to_nearest(const DeviceContext& context, const std::string& what);
 
 /// Throws Error{no_device} naming a function that the loader or the device lacks.
 DeviceContext make_device_context(const HostDevice& host);

@@ -12,11 +12,16 @@ FrameMarks::FrameMarks(const DeviceContext& context, std::uint32_t slots)
 }
 
 void FrameMarks::record(Commands commands, std::uint32_t slot, std::uint64_t frame_number) const {
-    constexpr StageAccess k_everything{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                       VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
     constexpr StageAccess k_filling{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                     VK_ACCESS_2_TRANSFER_WRITE_BIT};
-    record_barrier(commands, k_everything, k_filling);
+    // The last stages of all that a frame has: draws, dispatches and copies. A source stage stands for those before it
+    // in the pipeline too, so that draws are waited for as a whole. Of memory only the mark itself matters.
+    constexpr StageAccess k_frame{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
+                                      VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+                                      VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT |
+                                      VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | k_filling.stages,
+                                  k_filling.access};
+    record_barrier(commands, k_frame, k_filling);
     commands->CmdFillBuffer(commands, marks_.handle(), sizeof(std::uint32_t) * slot,
                             sizeof(std::uint32_t), static_cast<std::uint32_t>(frame_number));
     record_barrier(commands, k_filling, {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});

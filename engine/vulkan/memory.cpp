@@ -110,15 +110,21 @@ Image::Image(const DeviceContext& context, const ImageDescription& description,
                                               "x" + std::to_string(description.extent.height) +
                                               " exceeds the device's maxImageDimension2D of " +
                                               std::to_string(limit));
-    const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-                                 .imageType = VK_IMAGE_TYPE_2D,
-                                 .format = description.format,
-                                 .extent = {description.extent.width, description.extent.height, 1},
-                                 .mipLevels = 1,
-                                 .arrayLayers = 1,
-                                 .samples = static_cast<VkSampleCountFlagBits>(description.samples),
-                                 .tiling = VK_IMAGE_TILING_OPTIMAL,
-                                 .usage = description.usage};
+    const std::array families{context.queue_family, context.transfer_family};
+    const bool is_shared = description.is_shared && context.queue_family != context.transfer_family;
+    const VkImageCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .imageType = VK_IMAGE_TYPE_2D,
+        .format = description.format,
+        .extent = {description.extent.width, description.extent.height, 1},
+        .mipLevels = description.mip_levels,
+        .arrayLayers = 1,
+        .samples = static_cast<VkSampleCountFlagBits>(description.samples),
+        .tiling = VK_IMAGE_TILING_OPTIMAL,
+        .usage = description.usage,
+        .sharingMode = is_shared ? VK_SHARING_MODE_CONCURRENT : VK_SHARING_MODE_EXCLUSIVE,
+        .queueFamilyIndexCount = is_shared ? 2u : 0u,
+        .pQueueFamilyIndices = families.data()};
     VkImage handle = VK_NULL_HANDLE;
     const VkDeviceSize pixels = VkDeviceSize{description.extent.width} * description.extent.height;
     check_room(context.vk->CreateImage(context.device, &info, nullptr, &handle), "vkCreateImage",
@@ -136,21 +142,21 @@ Image::Image(const DeviceContext& context, const ImageDescription& description,
     check_room(context.vk->BindImageMemory(context.device, handle, part.memory, part.offset),
                "vkBindImageMemory", requirements.size, what);
 
-    const auto view_of = [&](VkImageAspectFlags aspects) {
+    const auto view_of = [&](VkImageAspectFlags aspects, std::uint32_t levels) {
         const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                          .image = handle,
                                          .viewType = VK_IMAGE_VIEW_TYPE_2D,
                                          .format = description.format,
-                                         .subresourceRange = {aspects, 0, 1, 0, 1}};
+                                         .subresourceRange = {aspects, 0, levels, 0, 1}};
         VkImageView view_handle = VK_NULL_HANDLE;
         vk_check(context.vk->CreateImageView(context.device, &view, nullptr, &view_handle),
                  "vkCreateImageView");
         set_name(*context.vk, VK_OBJECT_TYPE_IMAGE_VIEW, view_handle, what);
         return OwnedImageView(context, view_handle);
     };
-    attachment_view_ = view_of(aspects());
+    attachment_view_ = view_of(aspects(), 1);
     if ((description.usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0)
-        sampled_view_ = view_of(description.sampled_aspect);
+        sampled_view_ = view_of(description.sampled_aspect, description.mip_levels);
 }
 
 }  // namespace rimline

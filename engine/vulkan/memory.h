@@ -97,6 +97,9 @@ struct ImageDescription {
     std::uint32_t samples = 1;
     /// The aspect of its sampled view. Attachments use every aspect of the format.
     VkImageAspectFlags sampled_aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+    std::uint32_t mip_levels = 1;  ///< The sampled view has all of them.
+    /// Uploaded: shared by both queue families, as buffers of BufferPlace::device are.
+    bool is_shared = false;
 };
 
 class Image {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/vulkan/functions.h"
+#include "engine/vulkan/heap_room.h"
 #include "engine/vulkan/memory_budget.h"
 #include "engine/vulkan/vulkan_result.h"
 
@@ -54,8 +55,11 @@ struct MemoryBlocks::Owner {
 
 MemoryBlocks::MemoryBlocks(std::shared_ptr<const DeviceFunctions> vk,
                            const VkPhysicalDeviceMemoryProperties& memory,
-                           VkDeviceSize max_allocation_bytes)
-    : vk_(std::move(vk)), memory_(memory), max_allocation_bytes_(max_allocation_bytes) {}
+                           VkDeviceSize max_allocation_bytes, VkPhysicalDevice budget_of)
+    : vk_(std::move(vk)),
+      memory_(memory),
+      max_allocation_bytes_(max_allocation_bytes),
+      budget_of_(budget_of) {}
 
 MemoryBlocks::~MemoryBlocks() = default;
 
@@ -83,6 +87,12 @@ VkDeviceSize MemoryBlocks::block_limit(std::uint32_t type) const noexcept {
         {k_max_block_bytes, std::max(k_first_block_bytes, heap / 8), max_allocation_bytes_});
 }
 
+// What the budget of the type's heap leaves now; everything where there is no budget.
+VkDeviceSize MemoryBlocks::free_bytes(std::uint32_t type) const {
+    if (budget_of_ == VK_NULL_HANDLE) return ~VkDeviceSize{0};
+    return heap_rooms(*vk_, budget_of_, true)[memory_.memoryTypes[type].heapIndex].free_bytes();
+}
+
 std::unique_ptr<MemoryBlocks::Block> MemoryBlocks::make_block(const MemoryRequest& request,
                                                               std::uint32_t type, VkDeviceSize size,
                                                               bool dedicated) {
@@ -94,6 +104,13 @@ std::unique_ptr<MemoryBlocks::Block> MemoryBlocks::make_block(const MemoryReques
     };
     fail_beyond(max_allocation_bytes_, "maxMemoryAllocationSize");
     fail_beyond(memory_.memoryHeaps[memory_.memoryTypes[type].heapIndex].size, "memory");
+    // Lazily allocated memory may take none.
+    const bool is_lazy =
+        (memory_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT) != 0;
+    if (const VkDeviceSize left = free_bytes(type); size > left && !is_lazy)
+        throw Error(ErrorCode::too_large,
+                    "the device has no memory left for " + request.what + " of " + size_text(size) +
+                        ": the system's budget (VK_EXT_memory_budget) leaves " + size_text(left));
     auto block = std::make_unique<Block>(*this, size);
     const VkMemoryDedicatedAllocateInfo owner{
         .sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO,
@@ -154,8 +171,9 @@ MemoryPart MemoryBlocks::allocate(const MemoryRequest& request) {
     for (const std::unique_ptr<Block>& block : pool.blocks)
         if (RangeAllocator::Part* part = block->ranges.allocate(size, alignment))
             return part_of(*block, *part);
-    const VkDeviceSize block_size =
+    VkDeviceSize block_size =
         std::min(std::max(pool.next_block_bytes, 4 * size), block_limit(type));
+    if (block_size > free_bytes(type)) block_size = size;
     pool.blocks.reserve(pool.blocks.size() + 1);
     std::unique_ptr<Block> block = make_block(request, type, block_size, false);
     RangeAllocator::Part* const part = block->ranges.allocate(size, alignment);

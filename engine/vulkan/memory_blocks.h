@@ -7,6 +7,11 @@
 // beside one another (bufferImageGranularity). Blocks grow from 1 MiB to 64 MiB, or an eighth of the heap. What
 // is larger than half a block has a VkDeviceMemory of its own, as images that the driver wants so. One empty block a
 // pool is kept for what comes next.
+//
+// Where the device has VK_EXT_memory_budget, the budget of the heap is read before a VkDeviceMemory is allocated
+// (heap_room.h): what the system leaves to this program now, which is less than the heap where others use it too.
+// A new block that does not fit is made as small as its first part. A part that does not fit is refused; the
+// driver would otherwise move memory out of the device, or fail later.
 
 #include <atomic>
 #include <cstdint>
@@ -23,9 +28,11 @@ namespace rimline {
 
 class MemoryBlocks : public MemoryAllocator {
 public:
+    /// `budget_of`: the physical device, where it has VK_EXT_memory_budget. Null: without budgets.
     explicit MemoryBlocks(std::shared_ptr<const DeviceFunctions> vk,
                           const VkPhysicalDeviceMemoryProperties& memory,
-                          VkDeviceSize max_allocation_bytes);
+                          VkDeviceSize max_allocation_bytes,
+                          VkPhysicalDevice budget_of = VK_NULL_HANDLE);
     /// All parts must be freed, and the device still be there.
     ~MemoryBlocks() override;
     MemoryBlocks(const MemoryBlocks&) = delete;
@@ -46,6 +53,7 @@ private:
 
     std::uint32_t type_for(const MemoryRequest& request) const;
     VkDeviceSize block_limit(std::uint32_t type) const noexcept;
+    VkDeviceSize free_bytes(std::uint32_t type) const;
     std::unique_ptr<Block> make_block(const MemoryRequest& request, std::uint32_t type,
                                       VkDeviceSize size, bool dedicated);
     Pool& pool_of(const MemoryRequest& request, std::uint32_t type);
@@ -53,6 +61,7 @@ private:
     std::shared_ptr<const DeviceFunctions> vk_;
     VkPhysicalDeviceMemoryProperties memory_;
     VkDeviceSize max_allocation_bytes_;
+    VkPhysicalDevice budget_of_;
     std::atomic<std::size_t> allocations_ = 0;
     std::mutex mutex_;  // Of the pools.
     std::vector<std::unique_ptr<Pool>> pools_;

@@ -44,6 +44,8 @@ struct BackdropDepth {
     VkFormat format = VK_FORMAT_UNDEFINED;
     std::uint32_t samples = 1;
     std::uint32_t layer = 0;
+    /// Stages of yours that wrote it and that the frame must wait for, besides attachments and copies.
+    VkPipelineStageFlags2 earlier_stages = VK_PIPELINE_STAGE_2_NONE;
     /// While the frame reads it; the frame neither writes it nor moves it to another layout.
     VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
 };
@@ -60,6 +62,11 @@ struct PictureTarget {
     /// keep.
     VkImageLayout initial_layout = VK_IMAGE_LAYOUT_UNDEFINED;
     VkImageLayout final_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    /// Stages of yours, before the frame and after it, that it is ordered with besides those that the two layouts allow
+    /// (layout_uses.h). Examples: a write by a compute shader that your own barrier did not order before, and reads
+    /// in ray tracing stages. VK_IMAGE_LAYOUT_GENERAL allows every stage.
+    VkPipelineStageFlags2 earlier_stages = VK_PIPELINE_STAGE_2_NONE;
+    VkPipelineStageFlags2 later_stages = VK_PIPELINE_STAGE_2_NONE;
     PictureUse use = PictureUse::whole;
     std::optional<BackdropDepth> backdrop;
 };

@@ -1,5 +1,7 @@
 #include "engine/vulkan/queue_choice.h"
 
+#include "silhouette/error.h"
+
 namespace rimline {
 
 namespace {
@@ -18,15 +20,19 @@ bool only_copies(const VkQueueFamilyProperties& family) {
 
 }  // namespace
 
-std::optional<QueueChoice> choose_queues(std::span<const VkQueueFamilyProperties> families) {
+std::optional<QueueChoice> choose_queues(std::span<const VkQueueFamilyProperties> families,
+                                         std::optional<std::span<const VkBool32>> presents) {
+    RIMLINE_CHECK(!presents || presents->size() == families.size());
     const auto find = [&](auto&& fits) {
         std::uint32_t family = 0;
-        while (family < families.size() && !fits(families[family])) ++family;
+        while (family < families.size() && !fits(family)) ++family;
         return family;
     };
-    const std::uint32_t family = find(draws);
+    const std::uint32_t family = find([&](std::uint32_t f) {
+        return draws(families[f]) && (!presents || (*presents)[f] == VK_TRUE);
+    });
     if (family == families.size()) return std::nullopt;
-    const std::uint32_t copies = find(only_copies);
+    const std::uint32_t copies = find([&](std::uint32_t f) { return only_copies(families[f]); });
     return QueueChoice{family, copies == families.size() ? family : copies};
 }
 

@@ -18,8 +18,10 @@ struct QueueChoice {
     std::uint32_t transfer_family = 0;
 };
 
-/// Returns the first of equal families; std::nullopt if no family both draws and computes. One queue of each
-/// family is enough: two queues of the family that draws would share the same engine.
-std::optional<QueueChoice> choose_queues(std::span<const VkQueueFamilyProperties> families);
+/// Returns the first of equal families; std::nullopt if no family both draws and computes, and presents where
+/// `presents` is given: of each family, whether it can present to the surface. One queue of each family is enough:
+/// two queues of the family that draws would share the same engine.
+std::optional<QueueChoice> choose_queues(std::span<const VkQueueFamilyProperties> families,
+                                         std::optional<std::span<const VkBool32>> presents = {});
 
 }  // namespace rimline

@@ -6,18 +6,23 @@
 
 namespace rimline {
 
-OwnedSampler make_sampler(const DeviceContext& context, const std::string& name, VkFilter filter) {
-    // Shaders that fetch texels use no filter, and nearest is allowed for every format.
-    const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
-                                   .magFilter = filter,
-                                   .minFilter = filter,
-                                   .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
-                                   .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
+OwnedSampler make_sampler(const DeviceContext& context, const std::string& name,
+                          const VkSamplerCreateInfo& info) {
     VkSampler sampler = VK_NULL_HANDLE;
     vk_check(context.vk->CreateSampler(context.device, &info, nullptr, &sampler),
              "vkCreateSampler");
     set_name(*context.vk, VK_OBJECT_TYPE_SAMPLER, sampler, name);
     return {context, sampler};
+}
+
+OwnedSampler make_sampler(const DeviceContext& context, const std::string& name, VkFilter filter) {
+    // Shaders that fetch texels use no filter, and nearest is allowed for every format.
+    return make_sampler(context, name,
+                        VkSamplerCreateInfo{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                            .magFilter = filter,
+                                            .minFilter = filter,
+                                            .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                            .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE});
 }
 
 namespace {

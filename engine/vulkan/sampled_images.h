@@ -11,6 +11,8 @@
 
 namespace rimline {
 
+OwnedSampler make_sampler(const DeviceContext& context, const std::string& name,
+                          const VkSamplerCreateInfo& info);
 /// Nearest or linear, within the image.
 OwnedSampler make_sampler(const DeviceContext& context, const std::string& name, VkFilter filter);
 

@@ -35,7 +35,9 @@ void Uploads::send(std::vector<StagedCopy>& copies) {
     const Commands commands = begin_commands(context_, make_commands(context_, pool));
     for (const StagedCopy& copy : copies) {
         const VkBufferCopy region{.size = copy.staging.size()};
-        if (region.size == 0)
+        if (copy.image != VK_NULL_HANDLE)
+            record_image(commands, copy);
+        else if (region.size == 0)
             commands->CmdFillBuffer(commands, copy.target, 0, VK_WHOLE_SIZE, 0);
         else
             commands->CmdCopyBuffer(commands, copy.staging.handle(), copy.target, 1, &region);
@@ -55,17 +57,79 @@ void Uploads::send(std::vector<StagedCopy>& copies) {
     ++sent_;
 }
 
-Buffer UploadBatch::add(std::span<const std::byte> data, const std::string& what) {
-    Buffer buffer(context_, data.size(), BufferPlace::device, what);
-    if (data.empty()) return buffer;
-    if (staged_bytes_ + data.size() > k_max_staged_bytes && !staged_.empty()) {
+void Uploads::record_image(Commands commands, const StagedCopy& copy) const {
+    const auto move = [&](VkImageLayout from, VkImageLayout to, VkAccessFlags2 before,
+                          VkAccessFlags2 after) {
+        // Readers wait for the timeline, which waits for this stage.
+        const VkImageMemoryBarrier2 barrier{
+            .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+            .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
+            .srcAccessMask = before,
+            .dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
+            .dstAccessMask = after,
+            .oldLayout = from,
+            .newLayout = to,
+            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .image = copy.image,
+            .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0,
+                                 static_cast<std::uint32_t>(copy.levels.size()), 0, 1}};
+        const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                          .imageMemoryBarrierCount = 1,
+                                          .pImageMemoryBarriers = &barrier};
+        commands->CmdPipelineBarrier2(commands, &dependency);
+    };
+    move(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_2_NONE,
+         VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    commands->CmdCopyBufferToImage(
+        commands, copy.staging.handle(), copy.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+        static_cast<std::uint32_t>(copy.levels.size()), copy.levels.data());
+    move(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+         VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_ACCESS_2_NONE);
+}
+
+Buffer UploadBatch::stage(std::uint64_t size_bytes, const std::string& what) {
+    if (staged_bytes_ + size_bytes > k_max_staged_bytes && !staged_.empty()) {
         send();
         uploads_.wait();
     }
-    Buffer staging(context_, data.size(), BufferPlace::upload, what);
+    Buffer staging(context_, size_bytes, BufferPlace::upload, what);
+    staged_bytes_ += size_bytes;
+    return staging;
+}
+
+Image UploadBatch::add_image(VkFormat format, std::span<const Picture> levels,
+                             const std::string& what) {
+    Image image(context_,
+                {.format = format,
+                 .extent = {levels[0].width, levels[0].height},
+                 .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                 .mip_levels = static_cast<std::uint32_t>(levels.size()),
+                 .is_shared = true},
+                what);
+    std::uint64_t size_bytes = 0;
+    for (const Picture& level : levels) size_bytes += level.rgba.size();
+    Uploads::StagedCopy copy{stage(size_bytes, what), VK_NULL_HANDLE, image.handle()};
+    std::uint64_t offset_bytes = 0;
+    for (const Picture& level : levels) {
+        copy.levels.push_back(
+            {.bufferOffset = offset_bytes,
+             .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT,
+                                  static_cast<std::uint32_t>(copy.levels.size()), 0, 1},
+             .imageExtent = {level.width, level.height, 1}});
+        std::memcpy(copy.staging.mapped() + offset_bytes, level.rgba.data(), level.rgba.size());
+        offset_bytes += level.rgba.size();
+    }
+    staged_.push_back(std::move(copy));
+    return image;
+}
+
+Buffer UploadBatch::add(std::span<const std::byte> data, const std::string& what) {
+    Buffer buffer(context_, data.size(), BufferPlace::device, what);
+    if (data.empty()) return buffer;
+    Buffer staging = stage(data.size(), what);
     std::memcpy(staging.mapped(), data.data(), data.size());
     staged_.push_back({std::move(staging), buffer.handle()});
-    staged_bytes_ += data.size();
     return buffer;
 }
 

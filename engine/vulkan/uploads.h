@@ -1,6 +1,6 @@
 #pragma once
 
-// Copies of data into device buffers, on the queue for copies (queue_choice.h).
+// Copies of data into device buffers and images, on the queue for copies (queue_choice.h).
 //
 //     UploadBatch::add():  data --memcpy--> staging                      any time
 //     UploadBatch::send(): staging --copied--> buffers, timeline = n     the queue for copies
@@ -23,6 +23,7 @@
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/upload_point.h"
+#include "silhouette/picture.h"
 
 namespace rimline {
 
@@ -52,6 +53,9 @@ private:
     struct StagedCopy {
         Buffer staging;  // Empty: the target is filled with zeros.
         VkBuffer target;
+        // If set, the target is this image, of these levels.
+        VkImage image = VK_NULL_HANDLE;
+        std::vector<VkBufferImageCopy> levels = {};
     };
     struct Sent {
         std::uint64_t value;
@@ -60,6 +64,7 @@ private:
     };
 
     void send(std::vector<StagedCopy>& copies);
+    void record_image(Commands commands, const StagedCopy& copy) const;
 
     DeviceContext context_;
     OwnedSemaphore timeline_;
@@ -84,6 +89,10 @@ public:
         return add(std::as_bytes(data), what);
     }
 
+    /// A color image of four bytes a pixel with these mip levels, the largest first, likewise. It is to be sampled, in
+    /// SHADER_READ_ONLY_OPTIMAL. Throws as Image.
+    Image add_image(VkFormat format, std::span<const Picture> levels, const std::string& what);
+
     /// A device buffer of zeros, likewise.
     Buffer add_zeros(VkDeviceSize size_bytes, const std::string& what);
 
@@ -94,6 +103,9 @@ public:
     static constexpr std::uint64_t k_max_staged_bytes = std::uint64_t{64} << 20;
 
 private:
+    // Sends first if there would be too much.
+    Buffer stage(std::uint64_t size_bytes, const std::string& what);
+
     const DeviceContext& context_;
     Uploads& uploads_;
     std::vector<Uploads::StagedCopy> staged_;

@@ -1,6 +1,7 @@
 // Pictures of meshes that deform are those of the same mesh built at its new positions.
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "engine/renderer.h"
@@ -130,6 +131,135 @@ TEST_CASE("frames of a moving mesh, a moving camera and light equal those of mes
         CHECK(differing(expected, pictures[static_cast<std::size_t>(frame)], 2) <= 12);
         if (frame > 0)
             CHECK(differing(pictures[0], pictures[static_cast<std::size_t>(frame)], 2) > 500);
+    }
+}
+
+// So many square sheets, one over the other: a ray from above meets a triangle of each.
+MeshSource stack(int sheets) {
+    MeshSource source;
+    for (int i = 0; i < sheets; ++i) {
+        const auto first = static_cast<std::uint32_t>(source.positions.size());
+        const float y = 0.1f * float(i) / float(sheets);
+        for (const auto& [x, z] :
+             {std::pair{-1.0f, -1.0f}, {-1.0f, 1.0f}, {1.0f, 1.0f}, {1.0f, -1.0f}})
+            source.positions.emplace_back(x, y, z);
+        source.triangles.push_back({first, first + 1, first + 2});
+        source.triangles.push_back({first, first + 2, first + 3});
+    }
+    return source;
+}
+
+// A stack high over the ground, under one low sun: the shadow lies beside it.
+Scene stack_scene(const Stage& stage) {
+    Scene scene = stage.scene(Style::mask);
+    scene.camera = {.eye = {0, 6, 8}};
+    scene.instances[0].translation = {1.0, 2.0, 0.0};
+    scene.lights = {{.vector = {1.2, 1.0, 0.2}, .directional = true}};
+    return scene;
+}
+
+TEST_CASE(
+    "the shadow of a mesh that deforms is right with 254 triangles in a row, and wraps with 256") {
+    RIMLINE_OPEN_GPU(gpu);
+    for (const int sheets : {127, 128, 200, 254, 256}) {
+        CAPTURE(sheets);
+        const Stage stage(stack(sheets));
+        Scene scene = stack_scene(stage);
+        Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+        const Picture expected = renderer.render(scene, k_side, k_side);
+        deform(scene, stage.model.mesh,
+               MovedPositions{stage.model.mesh.positions(), stage.model.mesh.center(),
+                              stage.model.mesh.radius()});
+        const std::size_t wrong = differing(expected, renderer.render(scene, k_side, k_side), 0);
+        if (sheets <= 254)
+            CHECK(wrong == 0);
+        else
+            CHECK(wrong > 100);  // What has_deep_shadows is for.
+    }
+}
+
+TEST_CASE(
+    "with has_deep_shadows any number of triangles may be in a row, at rest and as they move") {
+    RIMLINE_OPEN_GPU(gpu);
+    for (const int sheets : {100, 256, 300, 512, 768}) {
+        CAPTURE(sheets);
+        const Stage stage(stack(sheets));
+        const Mesh& mesh = stage.model.mesh;
+        Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+        Scene scene = stack_scene(stage);
+        const Picture expected = renderer.render(scene, k_side, k_side);
+        scene.instances[0].has_deep_shadows = true;
+        Wave still = default_wave(mesh, {0, 1, 0}, 0.3);
+        still.amplitude = 0.0;
+        deform(scene, mesh, still);
+        CHECK(differing(expected, renderer.render(scene, k_side, k_side), 0) == 0);
+        CHECK((renderer.report().shadows[0].bound > 254) == (sheets > 254));
+        // The same renderer goes on as the sheets are sheared.
+        for (int frame = 1; frame <= 2; ++frame) {
+            CAPTURE(frame);
+            MeshSource moved = stack(sheets);
+            for (glm::vec3& position : moved.positions)
+                position.x += 0.3f * float(frame) * position.z;
+            const tests::Model anew(moved);
+            REQUIRE(anew.mesh.vertex_count() == mesh.vertex_count());
+            Scene rebuilt = scene;
+            rebuilt.instances[0].deforming = nullptr;
+            rebuilt.instances[0].octree = &anew.octree;
+            Renderer fresh(gpu->context(), {.samples = 1, .scale = 1});
+            const Picture still_picture = fresh.render(rebuilt, k_side, k_side);
+            deform(scene, mesh,
+                   MovedPositions{anew.mesh.positions(), mesh.center(), 2.0 * mesh.radius()});
+            const Picture picture = renderer.render(scene, k_side, k_side);
+            // As of meshes built anew above.
+            CHECK(differing(still_picture, picture, 2) <= 12);
+            CHECK(differing(expected, picture, 2) > 100);
+            scene.instances[0].has_deep_shadows = false;
+            const std::size_t shallow =
+                differing(still_picture, renderer.render(scene, k_side, k_side), 2);
+            CHECK((shallow <= 12) == (sheets % 256 != 0));
+            scene.instances[0].has_deep_shadows = true;
+        }
+    }
+}
+
+TEST_CASE("a deep shadow is bounded where the mesh has moved to, and not where it rests") {
+    RIMLINE_OPEN_GPU(gpu);
+    constexpr int k_sheets = 256;
+    // At rest the sheets lie beside one another.
+    MeshSource row = stack(k_sheets);
+    for (std::size_t i = 0; i < row.positions.size(); ++i)
+        row.positions[i].x += 3.0f * float(i / 4);
+    const Mesh row_mesh(row);
+    const Stage stage(stack(k_sheets));
+    const Mesh& stacked = stage.model.mesh;
+    REQUIRE(row_mesh.vertex_count() == stacked.vertex_count());
+    Scene scene = stack_scene(stage);
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    const Picture expected = renderer.render(scene, k_side, k_side);
+    deform(scene, row_mesh,
+           MovedPositions{stacked.positions(), stacked.center(), stacked.radius()});
+    scene.instances[0].has_deep_shadows = true;
+    CHECK(differing(expected, renderer.render(scene, k_side, k_side), 0) == 0);
+    CHECK(renderer.report().shadows[0].bound >= k_sheets);
+    CHECK(renderer.report().shadows[0].runs >= 2);
+}
+
+TEST_CASE("waves that the CPU computes for deep shadows give the picture of those of the GPU") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Stage stage(make_built_in_shape("spring", 3000));
+    Scene scene = stage.scene(Style::mask);
+    // Within the bounds.
+    scene.lights.push_back(
+        {.vector = stage.model.mesh.center() + glm::dvec3(0.05, 0.1, 0.0), .directional = false});
+    for (const double turns : {0.1, 0.4, 0.8}) {
+        CAPTURE(turns);
+        deform(scene, stage.model.mesh, default_wave(stage.model.mesh, {0, 1, 0}, turns));
+        Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+        scene.instances[0].has_deep_shadows = false;
+        const Picture expected = renderer.render(scene, k_side, k_side);
+        scene.instances[0].has_deep_shadows = true;
+        CHECK(differing(expected, renderer.render(scene, k_side, k_side), 2) <= 12);
+        for (const ShadowReport& shadow : renderer.report().shadows) CHECK(shadow.bound <= 254);
     }
 }
 

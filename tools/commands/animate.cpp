@@ -121,7 +121,7 @@ public:
         if (!picture_.eye) path_.read(context);
         FrameSequence sequence(output_, path_.frames);
         if (model_.model.empty()) model_.model = k_default_model;
-        const Mesh mesh = model_.load_mesh(context);
+        const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
         const DrawingDevice device(picture_);
 

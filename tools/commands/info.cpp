@@ -49,6 +49,27 @@ std::array<double, 3> list(const Vector& v) {
     return {double{v.x}, double{v.y}, double{v.z}};
 }
 
+// The materials of faces, and the textures among them, named by their files, or by their place in the model's file.
+struct UsedMaterials {
+    std::size_t count = 0;
+    std::vector<std::string> textures;
+
+    explicit UsedMaterials(const FaceMaterials& materials) {
+        std::vector<bool> is_used(materials.materials.size());
+        for (const MaterialId material : materials.of_face)
+            if (material != k_no_material) is_used[index(material)] = true;
+        for (std::size_t m = 0; m < is_used.size(); ++m) {
+            if (!is_used[m]) continue;
+            ++count;
+            const TextureId number = materials.materials[m].texture;
+            if (number == k_no_texture || materials.corner_uvs.empty()) continue;
+            const MaterialTexture& texture = materials.textures[index(number)];
+            const std::string name = texture.path.empty() ? texture.place : texture.path.string();
+            if (std::ranges::find(textures, name) == textures.end()) textures.push_back(name);
+        }
+    }
+};
+
 void print_summary(const std::string& model, const Mesh& mesh, const Extent& extent) {
     const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
     std::printf("%s\n", model.c_str());
@@ -69,6 +90,12 @@ void print_summary(const std::string& model, const Mesh& mesh, const Extent& ext
                 double{extent.bounds.low.y}, double{extent.bounds.low.z},
                 double{extent.bounds.high.x}, double{extent.bounds.high.y},
                 double{extent.bounds.high.z});
+    const UsedMaterials materials(mesh.materials());
+    if (materials.count == 0) return;
+    std::printf("  materials   %zu%s\n", materials.count,
+                mesh.materials().corner_colors.empty() ? "" : ", and colors of vertices");
+    for (const std::string& texture : materials.textures)
+        std::printf("  texture     %s\n", texture.c_str());
 }
 
 class InfoCommand final : public Command {
@@ -99,6 +126,7 @@ public:
             return ExitStatus::success;
         }
         const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
+        const UsedMaterials materials(mesh.materials());
         print_json({{"model", model_.model},
                     {"vertices", extent.vertices},
                     {"file_vertices", mesh.file_vertex_count()},
@@ -114,7 +142,9 @@ public:
                     {"center", list(extent.center)},
                     {"radius", extent.radius},
                     {"bounds", {list(extent.bounds.low), list(extent.bounds.high)}},
-                    {"up", mesh.up() == UpAxis::z ? "z" : "y"}});
+                    {"up", mesh.up() == UpAxis::z ? "z" : "y"},
+                    {"materials", materials.count},
+                    {"textures", materials.textures}});
         return ExitStatus::success;
     }
 

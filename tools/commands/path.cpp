@@ -61,7 +61,8 @@ public:
     ExitStatus run(const Context& context) override {
         std::optional<FrameSequence> sequence;
         if (output_option_->count() > 0) sequence.emplace(output_, plan_.frames);
-        const Mesh mesh = model_.load_mesh(context);
+        const Mesh mesh =
+            model_.load_mesh(context, sequence ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sequence,
                                 context);

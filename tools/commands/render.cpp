@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/renderer.h"
+#include "engine/vulkan/heap_room.h"
 #include "tools/command.h"
 #include "tools/options/drawing_device.h"
 #include "tools/options/model_argument.h"
@@ -55,7 +56,7 @@ public:
     ExitStatus run(const Context& context) override {
         OutputFile output(output_, model_.model);  // Reports a bad path before the work.
         if (model_.model.empty()) model_.model = k_default_model;
-        const Mesh mesh = model_.load_mesh(context);
+        const Mesh mesh = model_.load_mesh(context, options_.textures());
         context.checkpoint();
         const DrawingDevice device(picture_);
         const HoughOctree octree = build_octree(model_.model, mesh, context);
@@ -112,6 +113,20 @@ private:
         return shadows;
     }
 
+    // Budget and use only where the device knows them (VK_EXT_memory_budget).
+    static nlohmann::ordered_json heaps_of(const DeviceContext& context) {
+        nlohmann::ordered_json heaps = nlohmann::ordered_json::array();
+        for (const HeapRoom& room :
+             heap_rooms(*context.vk, context.physical_device, context.features.memory_budget)) {
+            nlohmann::ordered_json heap{{"size_bytes", room.size_bytes},
+                                        {"device_local", room.is_device_local}};
+            if (context.features.memory_budget)
+                heap.update({{"budget_bytes", room.budget_bytes}, {"used_bytes", room.used_bytes}});
+            heaps.push_back(std::move(heap));
+        }
+        return heaps;
+    }
+
     static nlohmann::ordered_json passes_of(const FrameReport& report) {
         nlohmann::ordered_json passes = nlohmann::ordered_json::array();
         for (const PassTime& pass : report.passes)
@@ -132,6 +147,7 @@ private:
                        {"bytes_uploaded", report.bytes_uploaded},
                        {"stream_memory_bytes", renderer.stream_bytes()},
                        {"tracker_memory_bytes", renderer.tracker_bytes()},
+                       {"device_heaps", heaps_of(device.context())},
                        {"frame_ms", report.frame_ms},
                        {"output", output_}});
         if (pass_times_) result["passes"] = passes_of(report);

@@ -65,7 +65,8 @@ public:
     ExitStatus run(const Context& context) override {
         std::optional<OutputFolder> folder;
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
-        const Mesh mesh = model_.load_mesh(context);
+        const Mesh mesh =
+            model_.load_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
         const ChosenViews chosen = about_model(model_.model, [&] {

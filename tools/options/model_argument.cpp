@@ -73,12 +73,15 @@ void check_model_name(const std::string& text) {
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
-                      FaceRequirement requirement, const BeginCall& begin) {
+                      FaceRequirement requirement, const BeginCall& begin,
+                      TexturePictures textures) {
     MeshSource source;
     if (const std::optional<ShapeName> shape = parse_shape(model))
         source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });
     else
         source = read_mesh_file(model, requirement, begin("reading " + model));
+    if (textures == TexturePictures::read && !source.materials.textures.empty())
+        read_textures(source, begin("reading the textures of " + model));
     if (subdivide > 0 && !source.triangles.empty()) {
         const LongCall call = begin("subdividing " + model);
         MeshSource refined =
@@ -90,16 +93,19 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
-                      FaceRequirement requirement, const Context& context) {
+                      FaceRequirement requirement, const Context& context,
+                      TexturePictures textures) {
     MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
-        return load_model(model, subdivide, requirement, begin);
+        return load_model(model, subdivide, requirement, begin, textures);
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
     return source;
 }
 
-Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context) {
-    return make_mesh(model, load_model(model, subdivide, FaceRequirement::faces, context), context);
+Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context,
+               TexturePictures textures) {
+    return make_mesh(model, load_model(model, subdivide, FaceRequirement::faces, context, textures),
+                     context);
 }
 
 Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context) {

@@ -25,16 +25,22 @@ bool is_built_in_shape(const std::string& model);
 /// shape. Does not check whether a file exists.
 void check_model_name(const std::string& text);
 
+/// Whether the pictures of textures are read. Only drawing needs them.
+enum class TexturePictures { skip, read };
+
 /// Reads a file or makes a built-in shape, shows progress, and prints the warnings. Throws Error.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
-                      FaceRequirement requirement, const Context& context);
+                      FaceRequirement requirement, const Context& context,
+                      TexturePictures textures = TexturePictures::skip);
 
 /// The same with progress of another kind: `begin` is called before each part of the work. Prints no warnings.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
-                      FaceRequirement requirement, const BeginCall& begin);
+                      FaceRequirement requirement, const BeginCall& begin,
+                      TexturePictures textures = TexturePictures::skip);
 
 /// load_model() and make_mesh(). The model must have faces.
-Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context);
+Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context,
+               TexturePictures textures = TexturePictures::skip);
 /// The mesh of a source that load_model() returned. Throws Error, also for a mesh smaller than 2^-50.
 Mesh make_mesh(const std::string& model, const MeshSource& source, const Context& context);
 
@@ -69,8 +75,8 @@ struct ModelArgument {
                     FaceRequirement requirement = FaceRequirement::faces) const {
         return load_model(model, subdivide, requirement, context);
     }
-    Mesh load_mesh(const Context& context) const {
-        return tools::load_mesh(model, subdivide, context);
+    Mesh load_mesh(const Context& context, TexturePictures textures = TexturePictures::skip) const {
+        return tools::load_mesh(model, subdivide, context, textures);
     }
 };
 

@@ -12,6 +12,7 @@
 #include "engine/scene.h"
 #include "silhouette/hough/hough_octree.h"
 #include "tools/options/line_style.h"
+#include "tools/options/model_argument.h"
 #include "tools/options/picture_options.h"
 
 namespace rimline::tools {
@@ -41,6 +42,9 @@ struct SceneOptions {
     LineStyle line_style() const;
     /// Whether surfaces have the colors of the model's file, if it has some.
     bool shows_mesh_colors() const { return materials == "on" && !color; }
+    TexturePictures textures() const {
+        return shows_mesh_colors() ? TexturePictures::read : TexturePictures::skip;
+    }
     /// The material of the model.
     Material material(const PictureOptions& picture) const;
 

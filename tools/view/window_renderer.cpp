@@ -38,7 +38,7 @@ struct WindowRenderer::OnDevice {
     OnDevice(const VulkanInstance& instance, const Window& window, const std::string& request,
              const FontTexture& font)
         : surface(window.make_surface(instance)),
-          device(instance, request, user_cache_folder()),
+          device(instance, request, user_cache_folder(), surface.get()),
           swapchain(device.context(), surface.get(), k_ring_slots),
           overlay(device.context(), swapchain.format(), k_ring_slots),
           pool(make_command_pool(device.context(), "the window", device.context().queue_family)) {
@@ -143,7 +143,7 @@ void WindowRenderer::OnDevice::submit(const RingSlot& slot, const UploadPoint& u
     submit_commands(device.context(), scene);
     submit_commands(device.context(), {.queue = device.context().queue,
                                        .commands = slot.picture,
-                                       .waits = {swapchain.acquired()},
+                                       .waits = {{swapchain.acquired(), 0, k_drawing.stages}},
                                        .signal = swapchain.drawn(),
                                        .fence = fence});
 }

@@ -1,6 +1,7 @@
 #include "silhouette/mesh/formats/file_colors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "silhouette/error.h"
@@ -10,6 +11,10 @@ namespace rimline {
 glm::vec3 clamped_color(const glm::vec3& color) noexcept {
     const auto clamped = [](float c) { return c > 0.0f ? (c < 1.0f ? c : 1.0f) : 0.0f; };
     return {clamped(color.x), clamped(color.y), clamped(color.z)};
+}
+
+glm::vec2 finite_uv(const glm::vec2& uv) noexcept {
+    return {std::isfinite(uv.x) ? uv.x : 0.0f, std::isfinite(uv.y) ? uv.y : 0.0f};
 }
 
 MaterialId add_white_material(FaceMaterials& materials) {
@@ -34,7 +39,11 @@ void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors)
 
 void drop_unused_materials(MeshSource& source) noexcept {
     const auto has_none = [](MaterialId material) { return material == k_no_material; };
-    if (std::ranges::all_of(source.materials.of_face, has_none)) source.materials = {};
+    FaceMaterials& materials = source.materials;
+    if (std::ranges::all_of(materials.of_face, has_none)) materials = {};
+    for (std::size_t face = 0; face < materials.of_face.size(); ++face)
+        if (materials.texture_of(face) != k_no_texture) return;
+    materials.corner_uvs = {};
 }
 
 void add_warning(std::vector<std::string>& warnings, std::string warning) {

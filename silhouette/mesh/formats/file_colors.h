@@ -2,6 +2,7 @@
 
 // Colors of a file as materials of its faces, and warnings about what cannot be used.
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
@@ -14,6 +15,9 @@ namespace rimline {
 /// Channels in [0, 1]. Larger ones become 1; negative ones and NaN become 0.
 glm::vec3 clamped_color(const glm::vec3& color) noexcept;
 
+/// 0 where a coordinate is not finite.
+glm::vec2 finite_uv(const glm::vec2& uv) noexcept;
+
 /// Appends a white material.
 MaterialId add_white_material(FaceMaterials& materials);
 
@@ -24,7 +28,7 @@ void whiten_triangles(MeshSource& source);
 /// each position. Triangles without a material stay without a color.
 void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors);
 
-/// Makes the materials empty if no face has one.
+/// Makes the materials empty if no face has one, and drops the texture coordinates if no face has a texture.
 void drop_unused_materials(MeshSource& source) noexcept;
 
 /// Appends a warning. A file can have one in each line: after 20, one more says that others follow.

@@ -18,6 +18,7 @@
 #include "silhouette/mesh/formats/gltf_accessor.h"
 #include "silhouette/mesh/formats/gltf_buffers.h"
 #include "silhouette/mesh/formats/gltf_scene.h"
+#include "silhouette/mesh/formats/gltf_textures.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/tinygltf.h"
 #include "silhouette/mesh/homogeneous_point.h"
@@ -86,24 +87,45 @@ public:
     Flattener(const SourceFile& file, const tinygltf::Model& model, const GltfScene& scene,
               const GltfBuffers& buffers, BadPoints bad, const LongCall& call)
         : file_(file.name),
-          base_colors_(scene.base_colors),
+          materials_(scene.materials),
           model_(model),
           bad_(bad),
           call_(call),
           accessors_(file_, model, buffers, file.bytes.size() + buffers.bytes_read()) {}
 
-    MeshSource run() {
-        for (const std::optional<glm::vec3>& color : base_colors_)
-            source_.materials.materials.push_back({color.value_or(glm::vec3(1.0f))});
+    MeshSource run(const SourceFile& file, const GltfBuffers& buffers,
+                   std::vector<std::string> warnings) {
+        source_.warnings = std::move(warnings);
+        add_materials(file, buffers);
         visit_all();
         if (!vertex_colors_.empty()) {
             vertex_colors_.resize(source_.positions.size(), glm::vec3(1.0f));
             color_corners(source_, vertex_colors_);
         }
+        if (!source_.materials.textures.empty())
+            source_.materials.corner_uvs.resize(3 * source_.triangles.size(), glm::vec2(0.0f));
         return std::move(source_);
     }
 
 private:
+    void add_materials(const SourceFile& file, const GltfBuffers& buffers) {
+        FaceMaterials& materials = source_.materials;
+        std::map<std::string, std::shared_ptr<const std::string>> images;
+        for (const GltfMaterial& material : materials_) {
+            SurfaceMaterial& added = materials.materials.emplace_back(
+                SurfaceMaterial{material.base_color.value_or(glm::vec3(1.0f))});
+            if (!material.texture) continue;
+            try {
+                materials.textures.push_back(
+                    material_texture(file, *material.texture, buffers, images));
+                added.texture =
+                    TextureId{static_cast<std::uint32_t>(materials.textures.size() - 1)};
+            } catch (const Error& e) {
+                add_warning(source_.warnings, std::string(e.what()) + "; the texture is missing");
+            }
+        }
+    }
+
     void visit_all() {
         if (model_.nodes.empty()) {
             for (std::size_t i = 0; i < model_.meshes.size(); ++i) add_mesh(i, glm::dmat4(1.0));
@@ -237,9 +259,10 @@ private:
         MaterialId material = k_no_material;
         if (primitive.material >= 0) {
             const auto number = static_cast<std::size_t>(primitive.material);
-            if (number >= base_colors_.size())
+            if (number >= materials_.size())
                 fail("material " + std::to_string(number) + " does not exist");
-            if (base_colors_[number]) material = MaterialId{static_cast<std::uint32_t>(number)};
+            if (materials_[number].base_color || materials_[number].texture)
+                material = MaterialId{static_cast<std::uint32_t>(number)};
         }
         const auto color = primitive.attributes.find("COLOR_0");
         if (color != primitive.attributes.end()) {
@@ -254,7 +277,33 @@ private:
                 material = white_;
             }
         }
+        const std::size_t first_triangle = source_.materials.of_face.size();
         source_.materials.of_face.resize(source_.triangles.size(), material);
+        if (material != k_no_material &&
+            source_.materials.materials[index(material)].texture != k_no_texture)
+            add_uvs(primitive, *materials_[index(material)].texture, count, first, first_triangle);
+    }
+
+    // Of the triangles from `first_triangle` on, whose vertices are the `count` ones from `first` on.
+    void add_uvs(const tinygltf::Primitive& primitive, const GltfTexture& texture,
+                 std::size_t count, std::uint32_t first, std::size_t first_triangle) {
+        std::vector<glm::vec2> uvs;
+        try {
+            const auto accessor = primitive.attributes.find(texture.coordinates);
+            if (accessor == primitive.attributes.end())
+                fail("has no " + texture.coordinates + " for its texture");
+            uvs = accessors_.uvs(accessor->second, count);
+        } catch (const Error& e) {
+            add_warning(source_.warnings,
+                        std::string(e.what()) + "; its texture is one color there");
+            return;
+        }
+        for (glm::vec2& uv : uvs) uv = finite_uv(texture.transform * glm::vec3(uv, 1.0f));
+        std::vector<glm::vec2>& corners = source_.materials.corner_uvs;
+        corners.resize(3 * first_triangle, glm::vec2(0.0f));
+        for (std::size_t t = first_triangle; t < source_.triangles.size(); ++t)
+            for (const std::uint32_t vertex : source_.triangles[t])
+                corners.push_back(uvs[vertex - first]);
     }
 
     void add_triangles(int mode, const std::vector<std::uint32_t>& corners, std::uint32_t first,
@@ -281,7 +330,7 @@ private:
     }
 
     const std::string& file_;
-    const std::vector<std::optional<glm::vec3>>& base_colors_;
+    const std::vector<GltfMaterial>& materials_;
     const tinygltf::Model& model_;
     BadPoints bad_;
     const LongCall& call_;
@@ -301,7 +350,7 @@ MeshSource read_document(const SourceFile& file, std::string_view json, std::siz
     const GltfBuffers buffers(file, scene.buffers, binary_chunk, call.stop);
     const tinygltf::Model model = parse_model(file, scene);
     parse_checkpoint(call, 0.6);
-    return Flattener(file, model, scene, buffers, bad, call).run();
+    return Flattener(file, model, scene, buffers, bad, call).run(file, buffers, scene.warnings);
 }
 
 }  // namespace

@@ -173,6 +173,20 @@ std::vector<glm::vec3> GltfAccessors::colors(int accessor) const {
     return colors;
 }
 
+std::vector<glm::vec2> GltfAccessors::uvs(int accessor, std::size_t count) const {
+    const tinygltf::Accessor& a =
+        accessor_of_type(accessor, TINYGLTF_TYPE_VEC2, "VEC2, as it holds texture coordinates");
+    // First, because it is not known how often it is read.
+    if (a.count != count)
+        fail(accessor, "has " + std::to_string(a.count) + " elements for " + std::to_string(count) +
+                           " vertices");
+    const std::vector<double> values = numbers(accessor, 2);
+    std::vector<glm::vec2> uvs;
+    uvs.reserve(values.size() / 2);
+    for (std::size_t i = 0; i < values.size(); i += 2) uvs.emplace_back(values[i], values[i + 1]);
+    return uvs;
+}
+
 std::vector<std::uint32_t> GltfAccessors::indices(int accessor) const {
     const tinygltf::Accessor& a =
         accessor_of_type(accessor, TINYGLTF_TYPE_SCALAR, "SCALAR, as it holds indices");

@@ -3,6 +3,7 @@
 // The numbers of an accessor of a glTF model. All bounds are checked against the available bytes.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ public:
     std::vector<glm::dvec3> positions(int accessor) const;
     /// The first three of three or four numbers per element, likewise, limited to [0, 1].
     std::vector<glm::vec3> colors(int accessor) const;
+    /// Two numbers for each of `count` elements, likewise, not limited.
+    std::vector<glm::vec2> uvs(int accessor, std::size_t count) const;
     /// One unsigned integer per element.
     std::vector<std::uint32_t> indices(int accessor) const;
 

@@ -1,6 +1,7 @@
 #include "silhouette/mesh/formats/gltf_scene.h"
 
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,6 +21,7 @@ public:
         : file_(file), value_(value), path_(std::move(path)) {}
 
     const json& value() const noexcept { return value_; }
+    const std::string& path() const noexcept { return path_; }
     [[noreturn]] void fail(const std::string& what) const {
         bad_file(file_, (path_.empty() ? "the document" : path_) + ": " + what);
     }
@@ -41,9 +43,11 @@ public:
         if (!value_.is_array()) fail("should be an array");
         std::vector<Place> places;
         places.reserve(value_.size());
-        for (std::size_t i = 0; i < value_.size(); ++i)
-            places.emplace_back(file_, value_[i], path_ + "[" + std::to_string(i) + "]");
+        for (std::size_t i = 0; i < value_.size(); ++i) places.push_back(item(i));
         return places;
+    }
+    Place item(std::size_t i) const {
+        return Place(file_, value_[i], path_ + "[" + std::to_string(i) + "]");
     }
     /// The objects of an array, or nothing if the array is missing.
     std::vector<Place> objects(const char* key) const {
@@ -109,7 +113,8 @@ json accessor(const Place& place) {
     return copy;
 }
 
-json mesh(const Place& place) {
+// `materials` are those of the document.
+json mesh(const Place& place, const std::vector<GltfMaterial>& materials) {
     json primitives = json::array();
     const std::vector<Place> places = place.at("primitives").items();
     if (places.empty()) place.fail("has no primitives");
@@ -117,7 +122,18 @@ json mesh(const Place& place) {
         json copy;
         copy_integers(primitive.object(), copy, {}, {"mode", "material"});
         json& attributes = copy["attributes"] = json::object();
-        copy_integers(primitive.at("attributes").object(), attributes, {}, {"POSITION", "COLOR_0"});
+        const Place named = primitive.at("attributes").object();
+        copy_integers(named, attributes, {}, {"POSITION", "COLOR_0"});
+        // Of texture coordinates only those that are used. A fault of them is no error.
+        if (copy.contains("material"))
+            if (const auto number = copy["material"].get<std::size_t>();
+                number < materials.size() && materials[number].texture) {
+                const char* key = materials[number].texture->coordinates.c_str();
+                const auto found = named.find(key);
+                if (found && found->value().is_number_unsigned() &&
+                    found->value().get<std::uint64_t>() <= 0x7fffffff)
+                    attributes[key] = found->value();
+            }
         if (const auto indices = primitive.find("indices"))
             attributes[k_gltf_indices] = indices->integer();
         primitives.push_back(std::move(copy));
@@ -125,14 +141,106 @@ json mesh(const Place& place) {
     return {{"primitives", std::move(primitives)}};
 }
 
-std::optional<glm::vec3> base_color(const Place& material) {
-    const auto pbr = material.find("pbrMetallicRoughness");
-    if (!pbr) return std::nullopt;
-    const auto factor = pbr->object().find("baseColorFactor");
+std::optional<glm::vec3> base_color(const Place& pbr) {
+    const auto factor = pbr.find("baseColorFactor");
     if (!factor) return std::nullopt;
     const json numbers = factor->numbers(4);
     return clamped_color(
         {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()});
+}
+
+// The object that place.key numbers in the root's array of this name.
+Place referenced(const Place& root, const Place& place, const char* key, const char* array) {
+    const Place number = place.at(key);
+    const auto i = static_cast<std::size_t>(number.integer());
+    const auto objects = root.find(array);
+    if (!objects || !objects->value().is_array() || i >= objects->value().size())
+        number.fail(std::to_string(i) + " does not exist in " + array);
+    return objects->item(i).object();
+}
+
+GltfImage image(const Place& root, const Place& place) {
+    GltfImage found{.place = place.path()};
+    if (const auto uri = place.find("uri")) {
+        found.uri = uri->string();
+        if (found.uri.empty()) uri->fail("is empty");
+        return found;
+    }
+    const Place view = referenced(root, place, "bufferView", "bufferViews");
+    found.buffer = static_cast<std::size_t>(view.at("buffer").integer());
+    found.size_bytes = static_cast<std::uint64_t>(view.at("byteLength").integer());
+    if (const auto offset = view.find("byteOffset"))
+        found.offset_bytes = static_cast<std::uint64_t>(offset->integer());
+    return found;
+}
+
+TextureWrap texture_wrap(const Place& sampler, const char* key) {
+    const auto place = sampler.find(key);
+    if (!place) return TextureWrap::repeat;
+    switch (place->integer()) {
+        case 33071: return TextureWrap::clamp;
+        case 33648: return TextureWrap::mirror;
+        case 10497: return TextureWrap::repeat;
+        default: place->fail("is none of glTF's");
+    }
+}
+
+// Scales, then rotates, then moves coordinates. Angles are counter-clockwise on a picture whose v points down.
+glm::mat3x2 texture_transform(const Place& place) {
+    const auto pair = [&](const char* key, const glm::vec2& otherwise) {
+        const auto values = place.find(key);
+        if (!values) return otherwise;
+        const json numbers = values->numbers(2);
+        return glm::vec2(numbers[0].get<float>(), numbers[1].get<float>());
+    };
+    const glm::vec2 scale = pair("scale", glm::vec2(1.0f));
+    double angle_rad = 0.0;
+    if (const auto rotation = place.find("rotation")) {
+        if (!rotation->value().is_number()) rotation->fail("should be a number");
+        angle_rad = rotation->value().get<double>();
+    }
+    const auto c = static_cast<float>(std::cos(angle_rad));
+    const auto s = static_cast<float>(std::sin(angle_rad));
+    return {scale.x * glm::vec2(c, -s), scale.y * glm::vec2(s, c), pair("offset", glm::vec2(0.0f))};
+}
+
+GltfTexture texture(const Place& root, const Place& use) {
+    const Place texture = referenced(root, use, "index", "textures");
+    if (!texture.find("source"))
+        texture.fail(
+            "has no 'source': its picture is in a format of an extension, not PNG or JPEG");
+    GltfTexture made{.image = image(root, referenced(root, texture, "source", "images"))};
+    if (texture.find("sampler")) {
+        const Place sampler = referenced(root, texture, "sampler", "samplers");
+        made.wrap_u = texture_wrap(sampler, "wrapS");
+        made.wrap_v = texture_wrap(sampler, "wrapT");
+        constexpr std::int64_t k_nearest = 9728;
+        const auto filter = sampler.find("magFilter");
+        made.is_pixelated = filter && filter->integer() == k_nearest;
+    }
+    auto set = use.find("texCoord");
+    if (const auto extensions = use.find("extensions"))
+        if (const auto transform = extensions->object().find("KHR_texture_transform")) {
+            made.transform = texture_transform(transform->object());
+            if (const auto other = transform->find("texCoord")) set.emplace(*other);
+        }
+    made.coordinates = "TEXCOORD_" + std::to_string(set ? set->integer() : 0);
+    return made;
+}
+
+GltfMaterial material(const Place& root, const Place& place, std::vector<std::string>& warnings) {
+    GltfMaterial made;
+    const auto pbr = place.find("pbrMetallicRoughness");
+    if (!pbr) return made;
+    made.base_color = base_color(pbr->object());
+    const auto use = pbr->find("baseColorTexture");
+    if (!use) return made;
+    try {
+        made.texture = texture(root, use->object());
+    } catch (const Error& e) {
+        add_warning(warnings, std::string(e.what()) + "; the texture is missing");
+    }
+    return made;
 }
 
 json node(const Place& place) {
@@ -225,9 +333,10 @@ GltfScene read_gltf_scene(const std::string& name, std::string_view text, std::s
     }
     for (const Place& place : root.objects("accessors"))
         copy["accessors"].push_back(accessor(place));
-    for (const Place& place : root.objects("meshes")) copy["meshes"].push_back(mesh(place));
     for (const Place& place : root.objects("materials"))
-        scene.base_colors.push_back(base_color(place));
+        scene.materials.push_back(material(root, place, scene.warnings));
+    for (const Place& place : root.objects("meshes"))
+        copy["meshes"].push_back(mesh(place, scene.materials));
     for (const Place& place : root.objects("nodes")) copy["nodes"].push_back(node(place));
     for (const Place& place : root.objects("scenes")) {
         json nodes = json::array();

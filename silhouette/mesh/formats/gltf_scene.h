@@ -10,12 +10,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/mat3x2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "silhouette/mesh/face_materials.h"
 #include "silhouette/mesh/formats/source_file.h"
 
 namespace rimline {
@@ -28,16 +30,41 @@ struct GltfBuffer {
     std::string uri;  ///< Empty for the binary chunk of a GLB or a missing buffer.
 };
 
+/// The picture of a texture: bytes of a buffer, or what a URI names.
+struct GltfImage {
+    std::string place;  ///< "images[3]"
+    std::string uri;    ///< Empty: bytes of a buffer.
+    std::size_t buffer = 0;
+    std::uint64_t offset_bytes = 0;
+    std::uint64_t size_bytes = 0;
+};
+
+/// baseColorTexture of a material.
+struct GltfTexture {
+    GltfImage image;
+    TextureWrap wrap_u = TextureWrap::repeat;
+    TextureWrap wrap_v = TextureWrap::repeat;
+    bool is_pixelated = false;
+    std::string coordinates;  ///< The attribute of a primitive that holds them: "TEXCOORD_0"
+    /// Maps these coordinates to places of the picture (KHR_texture_transform).
+    glm::mat3x2 transform{1.0f};
+};
+
+struct GltfMaterial {
+    std::optional<glm::vec3> base_color;  ///< In linear light, if there is a baseColorFactor.
+    std::optional<GltfTexture> texture;
+};
+
 struct GltfScene {
     std::string document;  ///< The document for tinygltf.
     std::vector<GltfBuffer> buffers;
-    /// baseColorFactor of each material, in linear light, if it names one.
-    std::vector<std::optional<glm::vec3>> base_colors;
+    std::vector<GltfMaterial> materials;
+    std::vector<std::string> warnings;  ///< About textures that cannot be used.
 };
 
 /// `json` is the document and `first_byte` its offset in the file. Throws Error{bad_input}. The message names
 /// the byte of a JSON error. For a violation of glTF 2, or an extension that changes geometry, it names the
-/// path: "accessors[3].count: ...".
+/// path: "accessors[3].count: ...". Faults of textures are warnings.
 GltfScene read_gltf_scene(const std::string& name, std::string_view json, std::size_t first_byte);
 
 }  // namespace rimline

@@ -11,13 +11,13 @@
 // for each node that references them.
 //
 // Faces get the colors that the file gives them (face_materials.h):
-//   OBJ         Kd of the material libraries (mtllib) in the file's folder, and colors of vertices
+//   OBJ         Kd and map_Kd of the material libraries (mtllib) in the file's folder, and colors of vertices
 //   PLY         red, green and blue of vertices and of faces
-//   glTF, GLB   baseColorFactor of materials, and COLOR_0 of vertices
+//   glTF, GLB   baseColorFactor and baseColorTexture of materials, and COLOR_0 of vertices
 // Colors of vertices become those of the corners of faces. Numbers of OBJ and PLY are taken as sRGB; those of
-// glTF are linear light. If both kinds of color are given, they are multiplied. A material library that is
-// missing or faulty is a warning, not an error. Normals, texture coordinates, images and lines are ignored, as
-// are skins and morph targets of glTF.
+// glTF are linear light. If several kinds of color are given, they are multiplied. A material library that is
+// missing or faulty is a warning, not an error, as is a texture. Normals and lines are ignored, as are skins
+// and morph targets of glTF.
 
 #include <filesystem>
 
@@ -39,5 +39,10 @@ enum class FaceRequirement {
 MeshSource read_mesh_file(const std::filesystem::path& path,
                           FaceRequirement requirement = FaceRequirement::faces,
                           const LongCall& call = {});
+
+/// Reads the pictures of the textures (MaterialTexture::picture), PNG and JPEG, each file once. Only programs that
+/// draw need them. A picture that is missing or faulty becomes a warning, with its place and file. Throws
+/// Error{cancelled}. Cost: O(bytes of the files + pixels).
+void read_textures(MeshSource& source, const LongCall& call = {});
 
 }  // namespace rimline

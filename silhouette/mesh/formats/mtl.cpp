@@ -1,6 +1,7 @@
 #include "silhouette/mesh/formats/mtl.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -79,24 +80,80 @@ private:
 
     void read_text(const SourceFile& library) {
         TextScanner scanner(library.name, library.text(), {.comment = '#'});
-        // Of the current material. Null before the first one, and for a second one of the same name.
-        std::optional<glm::vec3>* color = nullptr;
+        // The current one. Null before the first one, and for a second one of the same name.
+        LibraryMaterial* material = nullptr;
         for (std::uint64_t i = 1; scanner.next_line(); ++i) {
             if (i % k_checkpoint_interval == 0 && call_.stop.stop_requested())
                 throw Error(ErrorCode::cancelled, "cancelled");
             const std::string_view keyword = scanner.token();
             if (keyword == "newmtl") {
                 const auto [entry, is_new] =
-                    libraries_.colors.try_emplace(std::string(scanner.free_text()));
-                color = is_new ? &entry->second : nullptr;
-            } else if (keyword == "Kd" && color) {
-                try {
-                    *color = read_color(scanner);
-                } catch (const Error& e) {
-                    add_warning(warnings_, e.what());
-                }
+                    libraries_.materials.try_emplace(std::string(scanner.free_text()));
+                material = is_new ? &entry->second : nullptr;
+                continue;
+            }
+            if (!material) continue;
+            try {
+                if (keyword == "Kd") material->color = read_color(scanner);
+                if (keyword == "map_Kd") material->map = read_map(library, scanner);
+            } catch (const Error& e) {
+                add_warning(warnings_, e.what());
             }
         }
+    }
+
+    // map_Kd [options] file. The name may hold spaces.
+    static ColorMap read_map(const SourceFile& library, TextScanner& scanner) {
+        ColorMap map;
+        map.texture.place = library.name + ":" + std::to_string(scanner.line()) + ": map_Kd";
+        std::string_view name = scanner.free_text();
+        for (std::string_view rest = name; read_option(scanner, rest, map); name = rest) {
+        }
+        if (name.empty()) scanner.fail("map_Kd names no file");
+        const auto path = path_of(name);
+        if (!path)
+            scanner.fail("map_Kd " + excerpt(name) + " does not name a file beside this one");
+        map.texture.path = library.folder / *path;
+        return map;
+    }
+
+    // Moves `rest` behind an option and its values. Returns false if it does not begin with an option: then it
+    // is the name of the file.
+    static bool read_option(const TextScanner& scanner, std::string_view& rest, ColorMap& map) {
+        const std::string_view option = take_word(rest);
+        // u, then v and w, which may be missing.
+        const auto read_numbers = [&](glm::vec2* pair) {
+            for (int i = 0; i < 3; ++i) {
+                std::string_view after = rest;
+                const std::string_view word = take_word(after);
+                const std::optional<float> number = parse_float(word);
+                if (i > 0 && !number) break;
+                if (!number || !std::isfinite(*number))
+                    scanner.fail(excerpt(word) + " is not a number; map_Kd " + excerpt(option) +
+                                 " needs one");
+                if (pair && i < 2) (*pair)[i] = *number;
+                rest = after;
+            }
+            return true;
+        };
+        if (option == "-s") return read_numbers(&map.scale);
+        if (option == "-o") return read_numbers(&map.offset);
+        if (option == "-t" || option == "-mm") return read_numbers(nullptr);
+        constexpr std::array<std::string_view, 8> k_of_one_word{
+            "-blendu", "-blendv", "-cc", "-clamp", "-texres", "-bm", "-boost", "-imfchan"};
+        if (std::ranges::find(k_of_one_word, option) == k_of_one_word.end()) return false;
+        if (take_word(rest) == "on" && option == "-clamp")
+            map.texture.wrap_u = map.texture.wrap_v = TextureWrap::clamp;
+        return true;
+    }
+
+    // The first word of `rest`, which then begins with the next one.
+    static std::string_view take_word(std::string_view& rest) {
+        constexpr std::string_view k_spaces = " \t";
+        const std::string_view word = rest.substr(0, rest.find_first_of(k_spaces));
+        rest.remove_prefix(word.size());
+        rest.remove_prefix(std::min(rest.find_first_not_of(k_spaces), rest.size()));
+        return word;
     }
 
     // Kd r g b, or Kd r for a gray.
@@ -125,15 +182,15 @@ private:
 
 }  // namespace
 
-const std::optional<glm::vec3>* MaterialLibraries::find(std::string_view name) const {
-    auto found = colors.find(name);
-    if (found == colors.end()) {
+const LibraryMaterial* MaterialLibraries::find(std::string_view name) const {
+    auto found = materials.find(name);
+    if (found == materials.end()) {
         const std::size_t comment = name.find('#');
         if (comment == std::string_view::npos) return nullptr;
         name = name.substr(0, comment);
         name = name.substr(0, name.find_last_not_of(" \t") + 1);
-        found = colors.find(name);
-        if (found == colors.end()) return nullptr;
+        found = materials.find(name);
+        if (found == materials.end()) return nullptr;
     }
     return &found->second;
 }

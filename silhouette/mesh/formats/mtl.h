@@ -1,13 +1,14 @@
 #pragma once
 
-// The material libraries (.mtl) of an OBJ file: the colors of its materials by name.
+// The material libraries (.mtl) of an OBJ file: the colors and textures of its materials by name.
 //
-// A library only adds colors, so none of its faults is an error. Libraries must be in the folder of the OBJ or
-// below it. Of a library, `newmtl` and `Kd r g b` are read. The numbers of Kd are taken as sRGB, as most
-// programs show them.
+// A library only adds colors, so none of its faults is an error. Libraries and textures must be in the folder of
+// the OBJ or below it. Of a library, `newmtl`, `Kd r g b` and `map_Kd file` are read, of the options of map_Kd
+// -s, -o and -clamp. The numbers of Kd are taken as sRGB, as most programs show them.
 
 #include <cstdint>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "silhouette/mesh/face_materials.h"
 #include "silhouette/mesh/formats/source_file.h"
 
 namespace rimline {
@@ -25,14 +27,25 @@ struct NamedLine {
     std::uint64_t line;  ///< Of the OBJ.
 };
 
+/// map_Kd. A place of the picture is scale * (u, v) + offset, from its left bottom corner.
+struct ColorMap {
+    MaterialTexture texture;
+    glm::vec2 scale{1.0f};
+    glm::vec2 offset{0.0f};
+};
+
+struct LibraryMaterial {
+    std::optional<glm::vec3> color;  ///< In linear light.
+    std::optional<ColorMap> map;
+};
+
 struct MaterialLibraries {
-    /// The color of each material in linear light, or nothing if its library names none. If a name occurs
-    /// twice, the first counts.
-    std::map<std::string, std::optional<glm::vec3>, std::less<>> colors;
+    /// If a name occurs twice, the first counts.
+    std::map<std::string, LibraryMaterial, std::less<>> materials;
     bool is_complete = true;  ///< Every statement names a library, and all could be read.
 
-    /// The entry of a material as `usemtl` names it, or null. A '#' in the name may begin a comment.
-    const std::optional<glm::vec3>* find(std::string_view name) const;
+    /// A material as `usemtl` names it, or null. A '#' in the name may begin a comment.
+    const LibraryMaterial* find(std::string_view name) const;
 };
 
 /// Reads the libraries that `mtllib` statements name, each once. Adds a warning for each one that is missing or

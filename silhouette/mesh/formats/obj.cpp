@@ -6,8 +6,10 @@
 
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <istream>
+#include <span>
 #include <streambuf>
 #include <utility>
 
@@ -34,48 +36,98 @@ public:
     }
 };
 
-// The materials of faces in their order.
+// The materials and texture coordinates of faces in their order.
 class FaceMaterialReader {
 public:
     // Without any color, there are no materials.
     FaceMaterialReader(const SourceFile& file, const ObjScan& scan, const LongCall& call,
                        MeshSource& source)
-        : uses_(scan.material_uses), source_(source) {
+        : scan_(scan), source_(source) {
         if (scan.libraries.empty()) return;
         const MaterialLibraries libraries =
             read_material_libraries(file, scan.libraries, call, source.warnings);
-        std::vector<SurfaceMaterial>& materials = source.materials.materials;
         for (const NamedLine& name : scan.material_names) {
-            const std::optional<glm::vec3>* color = libraries.find(name.text);
-            ids_.push_back(k_no_material);
-            if (color && *color) {
-                ids_.back() = MaterialId{static_cast<std::uint32_t>(materials.size())};
-                materials.push_back({**color});
-            }
+            const LibraryMaterial* material = libraries.find(name.text);
+            uses_.push_back(material ? add(*material) : Use());
             // A library that is missing has its own warning.
-            if (!color && libraries.is_complete)
+            if (!material && libraries.is_complete)
                 add_warning(source.warnings, file.name + ":" + std::to_string(name.line) +
                                                  ": no material library has a material " +
                                                  excerpt(name.text));
         }
-        has_colors_ = !materials.empty();
     }
 
-    // Call it after the triangles of face `number`, counted from 0, were appended.
-    void end_face(std::uint64_t number) {
-        if (!has_colors_) return;
-        for (; next_ < uses_.size() && uses_[next_].first_face <= number; ++next_)
-            current_ = ids_[uses_[next_].name];
-        source_.materials.of_face.resize(source_.triangles.size(), current_);
+    // Call it after the triangles of face `number`, counted from 0, were appended, with the vertices of its
+    // corners, the first of which is `first_corner` of all faces.
+    void end_face(std::uint64_t number, std::span<const std::uint32_t> polygon,
+                  std::uint64_t first_corner) {
+        FaceMaterials& materials = source_.materials;
+        if (materials.materials.empty()) return;
+        for (;
+             next_ < scan_.material_uses.size() && scan_.material_uses[next_].first_face <= number;
+             ++next_)
+            current_ = uses_[scan_.material_uses[next_].name];
+        const std::size_t first_triangle = materials.of_face.size();
+        materials.of_face.resize(source_.triangles.size(), current_.material);
+        if (materials.textures.empty()) return;
+        materials.corner_uvs.resize(3 * source_.triangles.size(), glm::vec2(0.0f));
+        if (current_.has_map) fill_uvs(first_triangle, polygon, first_corner);
     }
 
 private:
-    std::span<const ObjMaterialUse> uses_;
+    struct Use {
+        MaterialId material = k_no_material;
+        bool has_map = false;
+        glm::vec2 scale{1.0f}, offset{0.0f};
+    };
+
+    Use add(const LibraryMaterial& material) {
+        if (!material.color && !material.map) return {};
+        FaceMaterials& materials = source_.materials;
+        SurfaceMaterial added{material.color.value_or(glm::vec3(1.0f))};
+        Use use{MaterialId{static_cast<std::uint32_t>(materials.materials.size())}};
+        if (material.map) {
+            // Exporters that mean the texture alone write Kd 0 0 0, too.
+            if (added.base_color == glm::vec3(0.0f)) added.base_color = glm::vec3(1.0f);
+            added.texture = TextureId{static_cast<std::uint32_t>(materials.textures.size())};
+            materials.textures.push_back(material.map->texture);
+            use.has_map = true;
+            use.scale = material.map->scale;
+            use.offset = material.map->offset;
+        }
+        materials.materials.push_back(added);
+        return use;
+    }
+
+    void fill_uvs(std::size_t first_triangle, std::span<const std::uint32_t> polygon,
+                  std::uint64_t first_corner) {
+        // (vertex, corner) in order, so that the corner of a vertex is found in a polygon of any length. Where a
+        // vertex occurs twice, its first corner counts.
+        corners_.clear();
+        for (std::uint32_t i = 0; i < polygon.size(); ++i) corners_.push_back({polygon[i], i});
+        std::ranges::sort(corners_);
+        for (std::size_t t = first_triangle; t < source_.triangles.size(); ++t)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::pair<std::uint32_t, std::uint32_t> first{source_.triangles[t][c], 0};
+                const auto corner = std::ranges::lower_bound(corners_, first);
+                source_.materials.corner_uvs[3 * t + c] = uv_of(first_corner + corner->second);
+            }
+    }
+
+    // From the left top corner of the picture.
+    glm::vec2 uv_of(std::uint64_t corner) const {
+        if (corner >= scan_.corner_uvs.size() || scan_.corner_uvs[corner] == ObjScan::k_no_uv)
+            return glm::vec2(0.0f);
+        const glm::vec2 uv = current_.scale * scan_.uvs[scan_.corner_uvs[corner]] + current_.offset;
+        return finite_uv({uv.x, 1.0f - uv.y});
+    }
+
+    const ObjScan& scan_;
     MeshSource& source_;
-    std::vector<MaterialId> ids_;  // By index in ObjScan::material_names.
-    bool has_colors_ = false;
+    std::vector<Use> uses_;  // By index in ObjScan::material_names.
     std::size_t next_ = 0;
-    MaterialId current_ = k_no_material;
+    Use current_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
 };
 
 // Numbers in [0, 1], or in [0, 255] if one is above 1, as linear light. A missing color becomes white.
@@ -115,7 +167,8 @@ struct FaceReader {
             polygon.push_back(static_cast<std::uint32_t>(v));
         }
         triangulator.triangulate(source.positions, polygon, source.triangles);
-        materials.end_face(face_count - 1);
+        materials.end_face(face_count - 1, polygon,
+                           corner_count - static_cast<std::uint64_t>(count));
     }
 };
 

@@ -87,7 +87,7 @@ private:
         else if (keyword == "vn")
             read_normal();
         else if (keyword == "vt")
-            read_numbers(textures_, 1, 3);
+            read_uv();
         else if (keyword == "l")
             read_references("a line", 2, [](std::string_view) {});
         else if (keyword == "p")
@@ -172,6 +172,21 @@ private:
         normal_values_.push_back(normal);
     }
 
+    // u, then v and w, which may be missing.
+    void read_uv() {
+        if (points_) return read_numbers(textures_, 1, 3);
+        glm::vec2 uv(0.0f);
+        uv.x = static_cast<float>(scanner_.number(textures_.number));
+        if (const std::string_view v = scanner_.token(); !v.empty()) {
+            uv.y = static_cast<float>(scanner_.number(v, textures_.number));
+            if (const std::string_view w = scanner_.token(); !w.empty())
+                scanner_.skip_number(w, textures_.number);
+        }
+        scanner_.expect_end_of_line(textures_.number);
+        ++textures_.count;
+        result_.uvs.push_back(uv);
+    }
+
     void read_numbers(Numbered& kind, int min_count, int max_count) {
         for (int i = 0; i < min_count; ++i) scanner_.skip_number(kind.number);
         for (int i = min_count; i < max_count; ++i) {
@@ -185,8 +200,15 @@ private:
 
     void read_face() {
         if (!points_) result_.statements += 'f';
-        const std::uint64_t corners =
-            read_references("a face", 3, [this](std::string_view vertex) { append_token(vertex); });
+        std::uint64_t corner = result_.corner_count;
+        const std::uint64_t corners = read_references("a face", 3, [&](std::string_view vertex) {
+            append_token(vertex);
+            if (!points_ && uv_ != 0) {
+                result_.corner_uvs.resize(corner, ObjScan::k_no_uv);
+                result_.corner_uvs.push_back(static_cast<std::uint32_t>(uv_ - 1));
+            }
+            ++corner;
+        });
         if (!points_) result_.statements += '\n';
         ++result_.face_count;
         result_.corner_count += corners;
@@ -213,12 +235,14 @@ private:
         const std::array<Numbered*, 3> kinds{&vertices_, &textures_, &normals_};
         std::string_view rest = token;
         std::int64_t vertex = 0;
+        uv_ = 0;
         for (std::size_t part = 0; part < 3; ++part) {
             const std::size_t slash = rest.find('/');
             const std::string_view digits = rest.substr(0, slash);
             if (part == 0 || !digits.empty()) {
                 const std::int64_t number = check_index(*kinds[part], digits, token);
                 if (part == 0) vertex = number;
+                if (part == 1) uv_ = number;
                 normals_are_points_ = normals_are_points_ && (part != 2 || number == vertex);
             }
             if (slash == std::string_view::npos) return token.substr(0, token.find('/'));
@@ -267,6 +291,7 @@ private:
     std::vector<glm::vec3> colors_;                                 // As in the file.
     std::vector<glm::vec3> normal_values_;                          // Used for points only.
     std::map<std::string, std::size_t, std::less<>> name_numbers_;  // Of material_names.
+    std::int64_t uv_ = 0;  // The number of the last reference's texture coordinates, or 0.
     bool normals_are_points_ = true;  // Every normal index equals its corner's vertex index.
     Numbered vertices_{"the vertices", "a vertex's coordinate"};
     Numbered textures_{"the texture coordinates", "a texture coordinate"};

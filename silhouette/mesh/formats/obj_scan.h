@@ -8,6 +8,7 @@
 // tinyobjloader.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
@@ -36,6 +37,10 @@ struct ObjScan {
     std::vector<NamedLine>
         material_names;  ///< Of `usemtl` statements, each once, with its first line.
     std::vector<ObjMaterialUse> material_uses;
+    std::vector<glm::vec2> uvs;  ///< As in the file; not finite where its numbers are not.
+    /// The index in `uvs` for each corner of all faces, or k_no_uv. It ends with the last corner that has one.
+    std::vector<std::uint32_t> corner_uvs;
+    static constexpr std::uint32_t k_no_uv = 0xffffffffu;
 };
 
 /// Throws Error{bad_input} with the line of the fault. Faults are: words instead of numbers,

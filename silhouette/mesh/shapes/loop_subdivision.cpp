@@ -41,26 +41,32 @@ VertexId opposite_corner(const Triangle& t, const Edge& edge) {
     return t[0];  // Not reached: triangles with equal corners have no edges.
 }
 
-// The materials of the four faces that each face becomes: its own. Corners on edges get the mean color of the
+// Values of corners for the four faces that each face becomes. New corners, which are on edges, get the mean of the
 // edge's two corners.
+template <typename Value>
+std::vector<Value> refined_corners(const std::vector<Value>& corners) {
+    std::vector<Value> refined;
+    refined.reserve(4 * corners.size());
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        const Value a = corners[i], b = corners[i + 1], c = corners[i + 2];
+        const Value ab = 0.5f * (a + b);
+        const Value bc = 0.5f * (b + c);
+        const Value ca = 0.5f * (c + a);
+        // In the order of the faces of refine().
+        refined.insert(refined.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+    }
+    return refined;
+}
+
 FaceMaterials refined_materials(const FaceMaterials& materials) {
-    FaceMaterials refined;
-    refined.materials = materials.materials;
+    FaceMaterials refined{.materials = materials.materials,
+                          .of_face = {},
+                          .corner_colors = refined_corners(materials.corner_colors),
+                          .textures = materials.textures,
+                          .corner_uvs = refined_corners(materials.corner_uvs)};
     refined.of_face.reserve(4 * materials.of_face.size());
     for (const MaterialId material : materials.of_face)
         refined.of_face.insert(refined.of_face.end(), 4, material);
-    refined.corner_colors.reserve(4 * materials.corner_colors.size());
-    for (std::size_t i = 0; i < materials.corner_colors.size(); i += 3) {
-        const glm::vec3& a = materials.corner_colors[i];
-        const glm::vec3& b = materials.corner_colors[i + 1];
-        const glm::vec3& c = materials.corner_colors[i + 2];
-        const glm::vec3 ab = 0.5f * (a + b);
-        const glm::vec3 bc = 0.5f * (b + c);
-        const glm::vec3 ca = 0.5f * (c + a);
-        // In the order of the faces of refine().
-        for (const glm::vec3& color : {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca})
-            refined.corner_colors.push_back(color);
-    }
     return refined;
 }
 

@@ -20,7 +20,6 @@ DeviceFacts complete(std::string name, VkPhysicalDeviceType type) {
             .dynamic_rendering = true,
             .synchronization2 = true,
             .maintenance4 = true,
-            .round_to_nearest_float32 = true,
             .graphics_and_compute_queue = true,
             .samples = 4,
             .depth_stencil_format = true};
@@ -57,9 +56,31 @@ TEST_CASE("a device without geometry shaders will do") {
     CHECK(judge_device(plain).usable());
 }
 
+TEST_CASE(
+    "a device that cannot round to even in shaders will do: only meshes that deform need it") {
+    DeviceFacts plain = k_cpu;
+    plain.round_to_nearest_float32 = false;
+    CHECK(judge_device(plain).usable());
+}
+
+TEST_CASE("for a window a device that cannot show pictures in it is passed over, however fast") {
+    DeviceFacts blind = k_discrete;
+    blind.shows_window = false;
+    DeviceFacts seen = k_integrated;
+    seen.shows_window = true;
+    const DeviceChoice choice = choose_device(std::vector{blind, seen});
+    CHECK(choice.index == 1);
+    CHECK(choice.reasons[0] ==
+          "GeForce (discrete GPU): lacks a queue that can show pictures in this window");
+    // Asked for by name, it is an error that says so, and no other is taken in its place.
+    CHECK_THROWS_WITH_AS(choose_device(std::vector{blind, seen}, "GeForce"),
+                         doctest::Contains("can show pictures in this window"), Error);
+    CHECK(choose_device(std::vector{k_discrete, k_integrated}).index == 0);
+}
+
 TEST_CASE("every requirement is looked at") {
     CHECK(judge_device(k_cpu).usable());
-    CHECK(judge_device({}).lacks.size() == 11);
+    CHECK(judge_device({}).lacks.size() == 10);
     const auto lacks_one = [](auto spoil) {
         DeviceFacts facts = k_cpu;
         spoil(facts);
@@ -74,8 +95,8 @@ TEST_CASE("every requirement is looked at") {
     CHECK(lacks_one([](DeviceFacts& f) { f.dynamic_rendering = false; }));
     CHECK(lacks_one([](DeviceFacts& f) { f.synchronization2 = false; }));
     CHECK(lacks_one([](DeviceFacts& f) { f.maintenance4 = false; }));
-    CHECK(lacks_one([](DeviceFacts& f) { f.round_to_nearest_float32 = false; }));
     CHECK(lacks_one([](DeviceFacts& f) { f.depth_stencil_format = false; }));
+    CHECK(lacks_one([](DeviceFacts& f) { f.shows_window = false; }));
 }
 
 TEST_CASE("a request chooses by kind, by index and by part of the name") {

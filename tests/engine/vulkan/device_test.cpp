@@ -3,9 +3,14 @@
 
 #include <cstring>
 
+#include "engine/renderer.h"
+#include "engine/view_defaults.h"
 #include "engine/vulkan/barrier.h"
 #include "engine/vulkan/memory.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
+#include "tests/engine/support/masking_loader.h"
+#include "tests/engine/support/test_pictures.h"
 
 namespace rimline {
 namespace {
@@ -62,6 +67,58 @@ TEST_CASE(
                                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT},
                                "the picture"),
                          doctest::Contains("maxImageDimension2D"), Error);
+}
+
+TEST_CASE("a device without rounding to even draws everything but meshes that deform") {
+    RIMLINE_OPEN_GPU(unmasked);
+    const tests::Masked mask({.round_to_nearest = false});
+    std::string reason;
+    const std::unique_ptr<tests::Gpu> gpu = tests::Gpu::open(reason, &tests::masking_loader);
+    REQUIRE_MESSAGE(gpu != nullptr, reason);
+    CHECK_FALSE(gpu->device().facts().round_to_nearest_float32);
+    CHECK_FALSE(gpu->context().round_to_nearest_float32);
+    CHECK_FALSE(gpu->device().face_bits_agree());
+    const tests::Model model(make_built_in_shape("knot", 1000));
+    Scene scene{.camera = fit_camera({}, model.mesh, default_view_direction({0, 1, 0}), 1.0)};
+    scene.instances.push_back({.octree = &model.octree});
+    scene.lights.push_back(default_sun(scene.camera));
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    const Picture expected = renderer.render(scene, 64, 64);
+    Scene deforming = scene;
+    deforming.instances[0].octree = nullptr;
+    deforming.instances[0].deforming = &model.mesh;
+    deforming.instances[0].deformation = default_wave(model.mesh, {0, 1, 0}, 0.2);
+    try {
+        renderer.render(deforming, 64, 64);
+        FAIL("a mesh deformed without rounding to even");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::no_device);
+        CHECK(std::string(error.what()).find("a mesh that deforms needs RoundingModeRTE") !=
+              std::string::npos);
+    }
+    CHECK(renderer.render(scene, 64, 64).rgba == expected.rgba);
+}
+
+TEST_CASE("for a window only a device is opened whose queue presents to the window's surface") {
+    // Never looked at but by the loader below.
+    const auto surface = reinterpret_cast<VkSurfaceKHR>(std::uintptr_t{16});
+    RIMLINE_OPEN_GPU(gpu);
+    const DeviceRequest name = gpu->device().facts().name;
+    if (!gpu->device().facts().swapchain) RIMLINE_SKIP("the device has no swapchains");
+    for (const bool presents : {true, false}) {
+        CAPTURE(presents);
+        const tests::Masked mask({.presents = presents});
+        const VulkanInstance instance({.loader = &tests::masking_loader});
+        for (const DeviceFacts& facts : describe_devices(instance, surface))
+            CHECK(facts.shows_window == (facts.swapchain && presents));
+        for (const DeviceFacts& facts : describe_devices(instance))
+            CHECK_FALSE(facts.shows_window.has_value());
+        if (presents)
+            CHECK(Device(instance, name, {}, surface).facts().name == name);
+        else
+            CHECK_THROWS_WITH_AS(Device(instance, name, {}, surface),
+                                 doctest::Contains("can show pictures in this window"), Error);
+    }
 }
 
 // What the validation layer says to `record`, which may use a buffer of 64 bytes; nothing where there is

@@ -60,5 +60,18 @@ TEST_CASE("without a family that both draws and computes there is no choice") {
         choose_queues(std::vector{family(k_graphics), family(k_compute | k_transfer)}).has_value());
 }
 
+TEST_CASE("for a window the first family that draws, computes and presents to it is chosen") {
+    const auto all = family(k_graphics | k_compute | k_transfer, 16);
+    const std::vector families{family(k_compute | k_transfer), all, family(k_transfer), all};
+    const auto drawing = [&](std::vector<VkBool32> presents) {
+        const std::optional<QueueChoice> choice = choose_queues(families, presents);
+        if (choice) CHECK(choice->transfer_family == 2);
+        return choice ? std::optional(choice->family) : std::nullopt;
+    };
+    CHECK(drawing({VK_TRUE, VK_TRUE, VK_TRUE, VK_TRUE}) == 1u);
+    CHECK(drawing({VK_TRUE, VK_FALSE, VK_FALSE, VK_TRUE}) == 3u);
+    CHECK_FALSE(drawing({VK_TRUE, VK_FALSE, VK_TRUE, VK_FALSE}).has_value());
+}
+
 }  // namespace
 }  // namespace rimline

@@ -2,7 +2,9 @@
 import json
 import math
 import os
+import struct
 import tempfile
+import zlib
 
 from program import fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
 
@@ -10,6 +12,8 @@ from program import fail, fail_for_memory, have_device, is_count, png_rows, png_
 def check_render(result, output, size):
     assert all(is_count(result[k]) for k in ("silhouette", "shadow_edges", "bytes_streamed", "bytes_full", "bytes_uploaded",
                                                 "stream_memory_bytes", "tracker_memory_bytes"))
+    assert result["device_heaps"] and all(0 <= heap.get("used_bytes", 0) and heap["size_bytes"] > 0
+                                          for heap in result["device_heaps"])
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
     assert result["output"] == output and png_size(output) == size
 
@@ -159,6 +163,47 @@ def test_render_shows_the_colors_of_the_file():
         for style in ("blueprint", "mask"):
             assert middle("0,0,5", "--style", style) == middle("5,0,0", "--style", style)
         fail(2, "render", cube, "-o", output, "--materials", "maybe")
+
+
+def write_png(path, rows):
+    """Writes an RGB picture; rows of (r, g, b)."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    raw = b"".join(b"\0" + b"".join(bytes(pixel) for pixel in row) for row in rows)
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0)) +
+                   chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+
+
+def test_render_draws_textures_and_only_drawing_reads_them():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        square, output = os.path.join(folder, "square.obj"), os.path.join(folder, "a.png")
+        with open(square, "w") as file:
+            file.write("mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                       "usemtl a\nf 1/1 2/2 3/3 4/4\n")
+        with open(os.path.join(folder, "square.mtl"), "w") as file:
+            file.write("newmtl a\nKd 1 1 1\nmap_Kd two.png\n")
+        # Four quarters: red and green above, blue and white below.
+        write_png(os.path.join(folder, "two.png"),
+                  [[(255, 0, 0)] * 8 + [(0, 255, 0)] * 8] * 8 + [[(0, 0, 255)] * 8 + [(255, 255, 255)] * 8] * 8)
+        draw = ("render", square, "-o", output, "--size", "64x64", "--eye", "0,0,5", "--ortho", "2", "--sun", "0,0,5", "--json")
+        for style in ("toon", "ink", "hatch"):
+            assert run(*draw, "--style", style).stderr == ""
+            rows = png_rows(output)
+            corners = [tuple(rows[y][x][:3]) for y in (16, 48) for x in (16, 48)]
+            assert corners == [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)], (style, corners)
+            assert run(*draw, "--style", style, "--materials", "off").stderr == ""
+            assert tuple(png_rows(output)[16][16][:3]) != (255, 0, 0)
+        found = succeed("info", square)
+        assert found["materials"] == 1 and found["textures"] == [os.path.join(folder, "two.png")]
+        assert "two.png" in run("info", square).stdout
+        os.remove(os.path.join(folder, "two.png"))
+        result = run(*draw, "--style", "toon")
+        [warning] = result.stderr.splitlines()
+        assert result.returncode == 0 and warning.startswith("rimline: warning: ") and "two.png: cannot open it" in warning
+        assert tuple(png_rows(output)[16][16][:3]) == (255, 255, 255)
+        assert run("info", square).stderr == "" and run(*draw, "--materials", "off").stderr == ""
 
 
 def test_render_reports_the_time_of_each_pass_where_it_is_asked():

@@ -171,7 +171,7 @@ TEST_CASE(
     // Any bytes may follow a keyword that is not read.
     const MeshSource source =
         read_with_library(k_flat_square + "mtllib colors.mtl\nusemtl red\nf 1 2 3\n",
-                          std::string("Kd 9\n\0\xff\n", 8) + "newmtl red\nmap_Kd \\\nKd 2 -1 0");
+                          std::string("Kd 9\n\0\xff\n", 8) + "newmtl red\nmap_Ks \\\nKd 2 -1 0");
     CHECK(source.warnings.empty());
     CHECK(colors_of(source.materials, 0) == plain(k_red));
 }

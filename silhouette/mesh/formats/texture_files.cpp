@@ -1,0 +1,69 @@
+// read_textures().
+
+#include <map>
+#include <span>
+#include <utility>
+
+#include "silhouette/mesh/formats/file_colors.h"
+#include "silhouette/mesh/formats/mesh_file.h"
+#include "silhouette/mesh/formats/source_file.h"
+
+namespace rimline {
+
+namespace {
+
+using PicturePointer = std::shared_ptr<const Picture>;
+
+PicturePointer decoded(const std::string& bytes) {
+    return std::make_shared<const Picture>(
+        decode_picture(std::as_bytes(std::span<const char>(bytes))));
+}
+
+PicturePointer read_picture(const MaterialTexture& texture, const LongCall& call,
+                            std::vector<std::string>& warnings) {
+    const auto warn = [&](const std::string& what) {
+        add_warning(warnings, texture.place + ": " + what + "; the texture is missing");
+    };
+    const std::string name = texture.embedded ? std::string() : texture.path.string() + ": ";
+    try {
+        if (texture.embedded) return decoded(*texture.embedded);
+        const SourceFile file = read_source_file(texture.path, {call.stop, {}});
+        try {
+            return decoded(file.bytes);
+        } catch (const Error& e) {
+            warn(file.name + ": " + e.what());
+        }
+    } catch (const Error& e) {
+        if (e.code() == ErrorCode::cancelled) throw;
+        warn(e.what());
+    } catch (const std::bad_alloc&) {
+        warn(name + "there is not enough memory for the picture");
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+void read_textures(MeshSource& source, const LongCall& call) {
+    FaceMaterials& materials = source.materials;
+    if (materials.corner_uvs.empty()) return;
+    std::vector<bool> is_used(materials.textures.size());
+    for (std::size_t face = 0; face < materials.of_face.size(); ++face)
+        if (const TextureId texture = materials.texture_of(face); texture != k_no_texture)
+            is_used[index(texture)] = true;
+    // By file, or by the bytes within the model's file. Null: could not be read.
+    std::map<std::pair<std::filesystem::path, const std::string*>, PicturePointer> pictures;
+    for (std::size_t t = 0; t < materials.textures.size(); ++t) {
+        call.checkpoint(static_cast<double>(t) / static_cast<double>(materials.textures.size()));
+        MaterialTexture& texture = materials.textures[t];
+        if (!is_used[t] || texture.picture) continue;
+        const auto [picture, is_new] = pictures.try_emplace({texture.path, texture.embedded.get()});
+        if (is_new) picture->second = read_picture(texture, call, source.warnings);
+        texture.picture = picture->second;
+    }
+    // Only now: the addresses of the bytes were keys.
+    for (MaterialTexture& texture : materials.textures) texture.embedded = nullptr;
+    call.checkpoint(1.0);
+}
+
+}  // namespace rimline
