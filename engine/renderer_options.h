@@ -45,8 +45,8 @@ struct RendererOptions {
     /// queue family. The times miss work that a device does after the timestamp: those of Mesa's lavapipe are
     /// too small where threads still rasterize.
     bool pass_times = false;
-    /// How lines are drawn; automatic: as is faster on the device. The comparators (line_path.h) throw Error{no_device} if they need geometry
-    /// shaders and the device has none.
+    /// How lines are drawn; automatic: as is faster on the device. The comparators (line_path.h) throw
+    /// Error{no_device} if they need geometry shaders and the device has none.
     LinePath line_path = LinePath::automatic;
 };
 

@@ -45,8 +45,9 @@ struct SceneInstance {
     const Mesh* deforming = nullptr;
     Deformation deformation;  ///< Of `deforming`, in this frame.
     /// Of `deforming`. False: its shadow is right where at most 254 of its triangles are in a row from a light, which
-    /// is assumed. True: it is right whatever is in a row, as that of a mesh that does not deform. Then the CPU computes
-    /// the positions of a wave, and in each frame, for each light, face bits and a bound: about 50 ns a face.
+    /// is assumed. True: it is right whatever is in a row, as that of a mesh that does not deform. Then the CPU
+    /// computes the positions of a wave, and in each frame, for each light, face bits and a bound: about 50 ns
+    /// a face.
     bool has_deep_shadows = false;
     glm::dmat3 rotation{1.0};  ///< Orthonormal, without reflection.
     glm::dvec3 translation{0.0};

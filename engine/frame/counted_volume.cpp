@@ -119,6 +119,7 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
     count.parts.clear();
     count.faces.clear();
     count.sides.clear();
+    count.part_of.clear();
 }
 
 void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, VolumeCount& count) {
@@ -136,6 +137,13 @@ void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, Vol
         sort_faces(volume);
         divide(volume, limit, 0, faces, by_distance);
         if (by_distance.parts.size() < divided.parts.size()) divided = std::move(by_distance);
+    }
+    divided.part_of.assign(faces, 0);
+    for (std::uint32_t p = 0; p < divided.parts.size(); ++p) {
+        const VolumePart& part = divided.parts[p];
+        for (const std::uint32_t f :
+             std::span(divided.faces).subspan(part.first_face, part.face_count))
+            divided.part_of[f] = p;
     }
     count = std::move(divided);
 }

@@ -78,14 +78,9 @@ std::optional<std::vector<std::uint32_t>> near_counts(const CountedVolume& volum
 
     const bool is_single = volume.form == ShadowForm::single;
     const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
-    std::vector<std::uint32_t> part_of;
-    if (!count.parts.empty()) {
-        part_of.assign(mesh.face_count(), 0);
-        for (std::uint32_t p = 0; p < count.parts.size(); ++p)
-            for (std::uint32_t i = 0; i < count.parts[p].face_count; ++i)
-                part_of[count.faces[count.parts[p].first_face + i]] = p;
-    }
-    const auto part = [&](FaceId face) { return part_of.empty() ? 0 : part_of[index(face)]; };
+    const auto part = [&](FaceId face) {
+        return count.part_of.empty() ? 0 : count.part_of[index(face)];
+    };
     std::vector<std::uint32_t> counts(std::max<std::size_t>(count.parts.size(), 1), 0);
     for (const std::uint32_t f : *faces) {
         const FaceId face{f};

@@ -21,8 +21,8 @@
 namespace rimline {
 
 /// Of the whole volume, or of each of the parts of `count`, if there are some. The light must be a point, and the
-/// view perspective. Uses CasterMesh::faces(). Some hundred microseconds; O(faces) more for parts. Empty where there
-/// is not one number.
+/// view perspective. Uses CasterMesh::faces(). Some hundred microseconds. Empty where there is not one
+/// number.
 std::optional<std::vector<std::uint32_t>> near_counts(const CountedVolume& volume,
                                                       const VolumeCount& count,
                                                       const ShadowView& view);

@@ -62,7 +62,8 @@ public:
     const Image& coverage() const noexcept { return coverage_; }
 
     /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area, to which a
-    /// scissor limits all draws; the render area may be larger where something is cleared (clear_area.h). The area is cleared to linear `background` and alpha 0: no line covers it.
+    /// scissor limits all draws; the render area may be larger where something is cleared (clear_area.h). The
+    /// area is cleared to linear `background` and alpha 0: no line covers it.
     void begin_surfaces(Commands commands, const glm::vec3& background,
                         const DrawnArea& area) const;
     /// For drawing over the finished surfaces and into their alpha.

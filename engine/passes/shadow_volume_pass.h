@@ -20,9 +20,9 @@
 // and surfaces must be clipped at the same planes, because a new corner from clipping changes the depths of
 // its whole triangle. So in perspective volumes are clipped at the near plane, as surfaces are. Parts nearer
 // than that lie in front of everything visible: depth fail does not count them, and depth pass is not chosen
-// for such a volume, or it begins with what they count to everywhere (near_count.h). In orthographic views no surface is clipped; volumes end behind the far plane, and depth
-// is clamped. Where the light lies in a face's plane, the sides lie on the face too; there the surface pass
-// uses the face bit.
+// for such a volume, or it begins with what they count to everywhere (near_count.h). In orthographic views no
+// surface is clipped; volumes end behind the far plane, and depth is clamped. Where the light lies in a face's
+// plane, the sides lie on the face too; there the surface pass uses the face bit.
 // Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
 // Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.1.
 

@@ -15,6 +15,12 @@
 namespace rimline {
 
 struct ImageTransition {
+    /// Of the first `levels` mip levels of a color image.
+    ImageTransition(VkImage color, std::uint32_t levels, VkImageLayout from, VkImageLayout to)
+        : image(color),
+          range{VK_IMAGE_ASPECT_COLOR_BIT, 0, levels, 0, 1},
+          old_layout(from),
+          new_layout(to) {}
     ImageTransition(const Image& moved, VkImageLayout from, VkImageLayout to)
         : image(moved.handle()),
           range{moved.aspects(), 0, 1, 0, 1},

@@ -62,9 +62,9 @@ struct PictureTarget {
     /// keep.
     VkImageLayout initial_layout = VK_IMAGE_LAYOUT_UNDEFINED;
     VkImageLayout final_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    /// Stages of yours, before the frame and after it, that it is ordered with besides those that the two layouts allow
-    /// (layout_uses.h). Examples: a write by a compute shader that your own barrier did not order before, and reads
-    /// in ray tracing stages. VK_IMAGE_LAYOUT_GENERAL allows every stage.
+    /// Stages of yours, before the frame and after it, that it is ordered with besides those that the two
+    /// layouts allow (layout_uses.h). Examples: a write by a compute shader that your own barrier did not order
+    /// before, and reads in ray tracing stages. VK_IMAGE_LAYOUT_GENERAL allows every stage.
     VkPipelineStageFlags2 earlier_stages = VK_PIPELINE_STAGE_2_NONE;
     VkPipelineStageFlags2 later_stages = VK_PIPELINE_STAGE_2_NONE;
     PictureUse use = PictureUse::whole;

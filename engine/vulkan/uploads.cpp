@@ -1,7 +1,9 @@
 #include "engine/vulkan/uploads.h"
-#include "engine/vulkan/commands.h"
 
 #include <cstring>
+
+#include "engine/vulkan/commands.h"
+#include "engine/vulkan/image_barrier.h"
 
 namespace rimline {
 
@@ -61,23 +63,9 @@ void Uploads::record_image(Commands commands, const StagedCopy& copy) const {
     const auto move = [&](VkImageLayout from, VkImageLayout to, VkAccessFlags2 before,
                           VkAccessFlags2 after) {
         // Readers wait for the timeline, which waits for this stage.
-        const VkImageMemoryBarrier2 barrier{
-            .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-            .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-            .srcAccessMask = before,
-            .dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-            .dstAccessMask = after,
-            .oldLayout = from,
-            .newLayout = to,
-            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-            .image = copy.image,
-            .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0,
-                                 static_cast<std::uint32_t>(copy.levels.size()), 0, 1}};
-        const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                          .imageMemoryBarrierCount = 1,
-                                          .pImageMemoryBarriers = &barrier};
-        commands->CmdPipelineBarrier2(commands, &dependency);
+        record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, before},
+                       {VK_PIPELINE_STAGE_2_COPY_BIT, after},
+                       {{copy.image, static_cast<std::uint32_t>(copy.levels.size()), from, to}});
     };
     move(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_2_NONE,
          VK_ACCESS_2_TRANSFER_WRITE_BIT);

@@ -47,8 +47,8 @@ const MaterialTexture& texture_of(const MeshSource& source, std::size_t f) {
     return source.materials.textures[index(texture)];
 }
 
-// A glTF of a triangle with texture coordinates (0, 0), (1, 0) and (0.25, 0.5) in bytes, and these parts. The PNG is in
-// the buffer view 3.
+// A glTF of a triangle with texture coordinates (0, 0), (1, 0) and (0.25, 0.5) in bytes, and these parts. The
+// PNG is in the buffer view 3.
 std::string textured_gltf(const std::string& use, const std::string& parts) {
     Bytes bytes;
     for (const float c : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f}) bytes.add(c);
