@@ -9,14 +9,19 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace rimline {
+
+constexpr std::uint32_t k_own_line_color = 0xffffffffu;
 
 struct PictureLine {
     std::uint32_t first_point, last_point;  ///< Of PictureLines::points: [first, last). Not empty.
     bool is_hidden = false;                 ///< Drawn in dashes, with Scene::hidden_line_strength.
     bool is_closed = false;                 ///< The last point goes on to the first.
+    /// Index in PictureLines::colors, or k_own_line_color: that of the instance (Material::line_color).
+    std::uint32_t color = k_own_line_color;
 };
 
 /// Points have the picture coordinates of Scene::camera, as LineView has them (silhouette/lines/line_view.h): x to
@@ -25,6 +30,8 @@ struct PictureLine {
 struct PictureLines {
     std::vector<glm::dvec2> points;
     std::vector<PictureLine> lines;
+    /// In linear light. Each costs one draw over the whole picture, and lies over those before it.
+    std::vector<glm::vec3> colors = {};
 };
 
 }  // namespace rimline

@@ -32,6 +32,11 @@ struct Material {
     /// Color of its lines, and of the strokes that shade it in Style::hatch; default: the palette's ink.
     /// Each further color of lines in a scene costs one draw over the whole picture.
     std::optional<glm::vec3> line_color;
+    /// Whether each line has a dark shade of the material of its face instead (silhouette/mesh/material_inks.h), or a
+    /// pale one where the palette's ink is lighter than its background. In the styles that show colors. Lines of
+    /// faces without a material have the color above, and all lines by a path that tests every edge (line_path.h). At
+    /// most k_max_material_inks colors. Not for SceneInstance::picture_lines, which have colors of their own.
+    bool lines_in_mesh_colors = false;
 };
 
 /// A mesh placed in the world: world = rotation * object + translation. The octree and its mesh must
@@ -91,6 +96,11 @@ enum class Style : std::uint32_t {
     hatch,      ///< Light and shadow as strokes in the lines' color: the darker, the denser.
 };
 
+/// Whether surfaces have colors of their own in this style.
+constexpr bool shows_colors(Style style) noexcept {
+    return style == Style::ink || style == Style::toon || style == Style::hatch;
+}
+
 /// Colors in linear light.
 struct Palette {
     glm::vec3 background{1.0f};
@@ -100,6 +110,11 @@ struct Palette {
     glm::vec3 shade{0.5f};
     glm::vec3 grid{0.0f};        ///< Of grid lines over paper and surfaces, under the ink.
     float grid_strength = 0.0f;  ///< Opacity of the grid, 0 (no grid) to 1.
+
+    /// Whether lines are lighter than the background.
+    bool has_light_ink() const noexcept {
+        return ink.x + ink.y + ink.z > background.x + background.y + background.z;
+    }
 };
 
 struct Scene {

@@ -168,6 +168,10 @@ struct FrameData {
 #define RIMLINE_LINES_TESTED 3u     // All regular edges, tested by face planes.
 #define RIMLINE_LINES_IRREGULAR 4u  // All face pairs at irregular edges, likewise.
 
+// Inks of lines (DrawConstants.material_ink) beside those of materials.
+#define RIMLINE_ANY_INK 0xffffffffu
+#define RIMLINE_OWN_INK 0xfffffffeu  // Of faces without a material.
+
 // One per instance. Passes work in the mesh's coordinates. They first subtract the camera's position
 // from each vertex, so that models far from the origin keep their precision.
 struct InstanceData {
@@ -187,6 +191,9 @@ struct InstanceData {
     RIMLINE_ADDRESS(MaterialList)
     face_materials;                         // Index in `materials` of each face, or k_no_material.
     RIMLINE_ADDRESS(Colors) corner_colors;  // If has_corner_colors is 1.
+    // For lines in the colors of their materials, else 0: the ink of each material. Beside it only `face_materials`
+    // is needed.
+    RIMLINE_ADDRESS(MaterialList) material_inks;
     // For surfaces with textures, else 0.
     RIMLINE_ADDRESS(FaceList) textured_faces;  // All faces, ordered by texture.
     RIMLINE_ADDRESS(CornerUvs) corner_uvs;
@@ -217,6 +224,8 @@ struct LightData {
 // Push constants of every drawing pass.
 struct DrawConstants {
     uint choice;  // Its meaning depends on the pass's shader.
+    uint
+        material_ink;  // Of line passes: draws only lines of this ink (InstanceData.material_inks), or any.
 };
 
 // Push constants of the passes of a visible ratio: one viewpoint of one mesh.
@@ -237,9 +246,9 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 27);
-static_assert(sizeof(InstanceData) == 16 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
+static_assert(sizeof(InstanceData) == 17 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
-static_assert(sizeof(DrawConstants) == 4);
+static_assert(sizeof(DrawConstants) == 8);
 }  // namespace rimline::gpu
 #endif
 

@@ -31,6 +31,23 @@ bool is_front_here(uint face) {
     return is_front(instance.planes.at[face], instance.viewpoint);
 }
 
+// The distance of the viewer from the plane of a face; its rate for a viewer at infinity. Negative behind it.
+float viewer_height(uint face) {
+    const TriangleRecord triangle = instance.triangles.at[face];
+    const vec3 origin = instance.positions.at[triangle.v0];
+    const vec3 across = cross(instance.positions.at[triangle.v1] - origin,
+                              instance.positions.at[triangle.v2] - origin);
+    return dot(across, instance.viewpoint.xyz - instance.viewpoint.w * origin) / length(across);
+}
+
+// The ink of the face beside an edge that is turned most towards the viewer: the front of a silhouette.
+uint ink_of(EdgeRecord edge) {
+    const bool is_second =
+        edge.f1 != k_no_face && viewer_height(edge.f1) > viewer_height(edge.f0);
+    const uint material = instance.face_materials.at[is_second ? edge.f1 : edge.f0];
+    return material == k_no_material ? RIMLINE_OWN_INK : instance.material_inks.at[material];
+}
+
 // Returns false if the edge of this number is not drawn.
 bool read_line_edge(uint number, out LineEdge line) {
     EdgeRecord edge;
@@ -49,6 +66,7 @@ bool read_line_edge(uint number, out LineEdge line) {
         if ((is_front_here(pair.face_a) == is_front_here(pair.face_b)) != (pair.drawn_if_equal == 1u))
             return false;
     }
+    if (draw.material_ink != RIMLINE_ANY_INK && ink_of(edge) != draw.material_ink) return false;
     line = LineEdge(edge.v0, edge.v1, corner_across(edge.f0, edge.v0, edge.v1),
                     corner_across(edge.f1, edge.v0, edge.v1));
     return true;

@@ -67,10 +67,14 @@ private:
         CasterBox box;
     };
 
-    // The lines that the caller gave an instance.
+    // The lines that the caller gave an instance: ranges of one color each.
     struct Segments {
+        struct Range {
+            std::uint32_t color;  // As PictureLine::color.
+            std::uint32_t first, count;
+        };
         VkDeviceAddress address = 0;
-        std::uint32_t count = 0;
+        std::vector<Range> ranges;
     };
 
     InstanceState& state_of(std::size_t i) { return parts_.instances.all()[i]; }
@@ -78,11 +82,18 @@ private:
     void put_segments(const gpu::FrameData& frame_data) {
         std::vector<gpu::LineSegment> all;
         for (const SceneInstance& instance : scene_.instances) {
-            const std::size_t first = all.size();
-            if (has_lines(scene_, instance) && instance.picture_lines)
-                add_line_segments(*instance.picture_lines, frame_data, all);
-            segments_.push_back(
-                {first * sizeof(gpu::LineSegment), static_cast<std::uint32_t>(all.size() - first)});
+            const std::size_t begin = all.size();
+            segments_.push_back({begin * sizeof(gpu::LineSegment), {}});
+            if (!has_lines(scene_, instance) || !instance.picture_lines) continue;
+            const PictureLines& lines = *instance.picture_lines;
+            const auto add_color = [&](std::uint32_t color) {
+                const std::size_t first = all.size();
+                add_line_segments(lines, color, frame_data, all);
+                segments_.back().ranges.push_back({color, static_cast<std::uint32_t>(first - begin),
+                                                   static_cast<std::uint32_t>(all.size() - first)});
+            };
+            add_color(k_own_line_color);
+            for (std::uint32_t color = 0; color < lines.colors.size(); ++color) add_color(color);
         }
         const VkDeviceAddress begin = parts_.draw_data.put_segments(all);
         for (Segments& segments : segments_) segments.address += begin;
@@ -99,12 +110,11 @@ private:
                             .crease_count = 0,
                             .loose_count = state.mesh->loose_count(),
                             .has_lines = has_lines(scene_, instance),
-                            .segment_count = {},
                             .output = surface_output(scene_, parts_.target, instance),
                             .fades = instance.fade_radius > 0.0,
                             .colors = surface_colors(scene_, instance),
                             .textured_faces = {},
-                            .ink = 0,
+                            .inks = {},
                             .silhouette = {},
                             .every_edge = {},
                             .lights = {}};
@@ -140,12 +150,16 @@ private:
     VkDeviceAddress add_lines(std::size_t i, DrawnInstance& drawn) {
         InstanceState& state = state_of(i);
         FrameReport& report = frame_.report;
-        drawn.ink = ink_index(list_.inks, line_color(scene_, scene_.instances[i]));
-        if (scene_.instances[i].picture_lines) {
-            drawn.segment_count = segments_[i].count;
-            report.segments += segments_[i].count;
+        const SceneInstance& instance = scene_.instances[i];
+        if (instance.picture_lines) {
+            add_segments(i, drawn);
             return 0;
         }
+        const std::size_t own_ink = ink_index(list_.inks, line_color(scene_, instance));
+        if (has_material_inks(scene_, instance, *state.mesh))
+            add_material_inks(state.mesh->materials()->inks(), own_ink, drawn);
+        else
+            drawn.inks.push_back({.ink = own_ink});
         drawn.crease_count = crease_count(scene_, *state.mesh);
         report.silhouette += drawn.border_count;
         report.creases += drawn.crease_count;
@@ -164,6 +178,29 @@ private:
         report.camera += state.camera->changes();
         report.silhouette += stream.silhouette_size();
         return stream.slots().address();
+    }
+
+    void add_segments(std::size_t i, DrawnInstance& drawn) {
+        const SceneInstance& instance = scene_.instances[i];
+        drawn.has_segments = true;
+        for (const Segments::Range& range : segments_[i].ranges) {
+            if (range.count == 0) continue;
+            const glm::vec3& color = range.color == k_own_line_color
+                                         ? line_color(scene_, instance)
+                                         : instance.picture_lines->colors[range.color];
+            drawn.inks.push_back({.ink = ink_index(list_.inks, color),
+                                  .first_segment = range.first,
+                                  .segment_count = range.count});
+            frame_.report.segments += range.count;
+        }
+    }
+
+    void add_material_inks(const MaterialInks& inks, std::size_t own_ink, DrawnInstance& drawn) {
+        drawn.inks.push_back({.ink = own_ink, .material_ink = RIMLINE_OWN_INK});
+        for (std::uint32_t ink = 0; ink < inks.colors.size(); ++ink) {
+            const glm::vec3 shade = line_shade(inks.colors[ink], scene_.palette.has_light_ink());
+            drawn.inks.push_back({.ink = ink_index(list_.inks, shade), .material_ink = ink});
+        }
     }
 
     const ChangeStream& follow(TrackedSilhouette& silhouette, const HomogeneousPoint& point) {

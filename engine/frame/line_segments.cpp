@@ -100,11 +100,12 @@ private:
 
 }  // namespace
 
-void add_line_segments(const PictureLines& lines, const gpu::FrameData& frame,
+void add_line_segments(const PictureLines& lines, std::uint32_t color, const gpu::FrameData& frame,
                        std::vector<gpu::LineSegment>& segments) {
     SegmentMaker maker(frame, segments);
     for (const PictureLine& line : lines.lines)
-        if (!line.is_hidden || frame.hidden_strength > 0.0f) maker.add(lines, line);
+        if (line.color == color && (!line.is_hidden || frame.hidden_strength > 0.0f))
+            maker.add(lines, line);
 }
 
 }  // namespace rimline

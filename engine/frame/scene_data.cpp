@@ -84,11 +84,14 @@ const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance) {
     return instance.material.line_color ? *instance.material.line_color : scene.palette.ink;
 }
 
+bool has_material_inks(const Scene& scene, const SceneInstance& instance, const GpuMesh& mesh) {
+    return instance.material.lines_in_mesh_colors && shows_colors(scene.style) &&
+           mesh.materials() && !mesh.comparator();
+}
+
 SurfaceColors surface_colors(const Scene& scene, const SceneInstance& instance) {
-    const bool style_shows_colors =
-        scene.style == Style::ink || scene.style == Style::toon || scene.style == Style::hatch;
     const FaceMaterials& materials = instance.mesh().materials();
-    if (!style_shows_colors || !instance.material.shows_mesh_colors || materials.empty())
+    if (!shows_colors(scene.style) || !instance.material.shows_mesh_colors || materials.empty())
         return SurfaceColors::one;
     return materials.has_pictures() ? SurfaceColors::textures : SurfaceColors::mesh;
 }
@@ -148,6 +151,9 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
     // Otherwise null, and the shaders do not read them.
     const SurfaceColors kind = surface_colors(view.scene, instance);
     const GpuMaterials* colors = kind == SurfaceColors::one ? nullptr : &*mesh.materials();
+    const GpuMaterials* inks =
+        has_material_inks(view.scene, instance, mesh) ? &*mesh.materials() : nullptr;
+    const GpuMaterials* faces = colors ? colors : inks;
     const GpuTextures* textures = kind == SurfaceColors::textures ? &*colors->textures() : nullptr;
     return {.positions = mesh.positions(),
             .triangles = mesh.triangles(),
@@ -161,8 +167,9 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
             .segments = 0,
             .materials = colors ? colors->base_colors() : 0,
-            .face_materials = colors ? colors->of_face() : 0,
+            .face_materials = faces ? faces->of_face() : 0,
             .corner_colors = colors ? colors->corner_colors() : 0,
+            .material_inks = inks ? inks->ink_numbers() : 0,
             .textured_faces = textures ? textures->faces() : 0,
             .corner_uvs = textures ? textures->corner_uvs() : 0,
             .eye_from_object = glm::mat3(view.eye_from_world * instance.rotation),

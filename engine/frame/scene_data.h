@@ -20,6 +20,9 @@ namespace rimline {
 /// The color of an instance's lines and strokes.
 const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance);
 
+/// Whether its lines have the colors of its materials (Material::lines_in_mesh_colors).
+bool has_material_inks(const Scene& scene, const SceneInstance& instance, const GpuMesh& mesh);
+
 /// What gives an instance's surfaces their color in this scene. O(textures).
 SurfaceColors surface_colors(const Scene& scene, const SceneInstance& instance);
 

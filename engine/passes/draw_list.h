@@ -57,6 +57,14 @@ struct DrawnLight {
     float min_depth = 0.0f, max_depth = 1.0f;
 };
 
+/// The lines of an instance that have one color.
+struct DrawnInk {
+    std::size_t ink = 0;  ///< Index in DrawList::inks.
+    /// Only lines of faces whose materials have this ink (InstanceData.material_inks).
+    std::uint32_t material_ink = RIMLINE_ANY_INK;
+    std::uint32_t first_segment = 0, segment_count = 0;  ///< Of an instance that draws segments.
+};
+
 struct DrawnInstance {
     std::uint32_t data = 0;             ///< Offset of its gpu::InstanceData in DrawData.
     VkBuffer indices = VK_NULL_HANDLE;  ///< Of its triangles' vertices, 32 bits each; three a face.
@@ -66,17 +74,17 @@ struct DrawnInstance {
     std::uint32_t crease_count = 0;  ///< Creases drawn as lines.
     std::uint32_t loose_count = 0;
     bool has_lines = false;
-    /// Set: its lines are these segments, instead of its silhouette, borders and creases.
-    std::optional<std::uint32_t> segment_count;
+    /// Its lines are segments, instead of its silhouette, borders and creases.
+    bool has_segments = false;
     SurfaceOutput output = SurfaceOutput::picture;
     bool fades = false;
     SurfaceColors colors = SurfaceColors::one;
     /// Of SurfaceColors::textures: ranges that hold all faces.
     std::span<const TexturedFaces> textured_faces;
-    bool shows_backs = true;   ///< False: back faces are hidden behind front faces.
-    std::size_t ink = 0;       ///< Index in DrawList::inks: the color of its lines.
-    IndirectDraw silhouette;   ///< Draws its slots; only if has_lines and the path draws slots.
-    EveryEdgeDraw every_edge;  ///< Only if has_lines and the path draws no slots.
+    bool shows_backs = true;     ///< False: back faces are hidden behind front faces.
+    std::vector<DrawnInk> inks;  ///< Only if has_lines.
+    IndirectDraw silhouette;     ///< Draws its slots; only if has_lines and the path draws slots.
+    EveryEdgeDraw every_edge;    ///< Only if has_lines and the path draws no slots.
     std::vector<DrawnLight> lights;  ///< One for each light of the frame.
 };
 
@@ -118,11 +126,12 @@ constexpr VkShaderStageFlags k_draw_stages =
 
 /// Selects the instance and the light of the next draws: binds set 0, and pushes the constants.
 inline void set_draw(Commands commands, VkPipelineLayout layout, const DrawList& list,
-                     const DrawnInstance& instance, const DrawnLight* light, std::uint32_t choice) {
+                     const DrawnInstance& instance, const DrawnLight* light, std::uint32_t choice,
+                     std::uint32_t material_ink = RIMLINE_ANY_INK) {
     const std::array<std::uint32_t, 2> offsets{instance.data, light ? light->data : 0};
     commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1,
                                     &list.data, offsets.size(), offsets.data());
-    const gpu::DrawConstants constants{choice};
+    const gpu::DrawConstants constants{choice, material_ink};
     commands->CmdPushConstants(commands, layout, k_draw_stages, 0, sizeof constants, &constants);
 }
 

@@ -88,38 +88,44 @@ void LinePass::record_every_edge(Commands commands, const DrawList& list,
     record_list(commands, every.irregular_pair_count);
 }
 
-void LinePass::record_segments(Commands commands, const DrawList& list, std::size_t ink) const {
-    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, segments_);
-    for (const DrawnInstance& instance : list.instances) {
-        if (!instance.has_lines || instance.ink != ink || instance.segment_count.value_or(0) == 0)
-            continue;
-        set_draw(commands, layout_, list, instance, nullptr, 0);
-        commands->CmdDraw(commands, 4, *instance.segment_count, 0, 0);
+void LinePass::record_edges(Commands commands, const DrawList& list, const DrawnInstance& instance,
+                            std::uint32_t material_ink) const {
+    if (draws_slots(path_)) {
+        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_SILHOUETTE,
+                 material_ink);
+        commands->CmdDrawIndirect(
+            commands, instance.silhouette.arguments,
+            path_ == LinePath::geometry ? IndirectDraw::k_points : IndirectDraw::k_strips, 1,
+            sizeof(VkDrawIndirectCommand));
+    } else {
+        record_every_edge(commands, list, instance);
     }
+    set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_BORDER, material_ink);
+    record_list(commands, instance.border_count);
+    set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_CREASE, material_ink);
+    record_list(commands, instance.crease_count);
 }
 
 void LinePass::record(Commands commands, const DrawList& list, std::size_t ink) const {
-    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
     const VkDescriptorSet set = depth_.get();
     commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set,
                                     0, nullptr);
-    for (const DrawnInstance& instance : list.instances) {
-        if (!instance.has_lines || instance.ink != ink || instance.segment_count) continue;
-        if (draws_slots(path_)) {
-            set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_SILHOUETTE);
-            commands->CmdDrawIndirect(
-                commands, instance.silhouette.arguments,
-                path_ == LinePath::geometry ? IndirectDraw::k_points : IndirectDraw::k_strips, 1,
-                sizeof(VkDrawIndirectCommand));
-        } else {
-            record_every_edge(commands, list, instance);
+    const auto record_with = [&](VkPipeline pipeline, bool has_segments, const auto& record_ink) {
+        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+        for (const DrawnInstance& instance : list.instances) {
+            if (!instance.has_lines || instance.has_segments != has_segments) continue;
+            for (const DrawnInk& drawn : instance.inks)
+                if (drawn.ink == ink) record_ink(instance, drawn);
         }
-        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_BORDER);
-        record_list(commands, instance.border_count);
-        set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_CREASE);
-        record_list(commands, instance.crease_count);
-    }
-    record_segments(commands, list, ink);
+    };
+    record_with(pipeline_, false, [&](const DrawnInstance& instance, const DrawnInk& drawn) {
+        record_edges(commands, list, instance, drawn.material_ink);
+    });
+    record_with(segments_, true, [&](const DrawnInstance& instance, const DrawnInk& drawn) {
+        if (drawn.segment_count == 0) return;
+        set_draw(commands, layout_, list, instance, nullptr, 0);
+        commands->CmdDraw(commands, 4, drawn.segment_count, 0, drawn.first_segment);
+    });
 }
 
 }  // namespace rimline

@@ -30,7 +30,8 @@ public:
 
 private:
     void record_list(Commands commands, std::uint32_t edge_count) const;
-    void record_segments(Commands commands, const DrawList& list, std::size_t ink) const;
+    void record_edges(Commands commands, const DrawList& list, const DrawnInstance& instance,
+                      std::uint32_t material_ink) const;
     void record_every_edge(Commands commands, const DrawList& list,
                            const DrawnInstance& instance) const;
 

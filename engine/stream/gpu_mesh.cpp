@@ -26,8 +26,11 @@ Buffer add_base_colors(UploadBatch& batch, const FaceMaterials& materials) {
 }  // namespace
 
 GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
-    : base_colors_(add_base_colors(batch, materials)),
-      of_face_(batch.add(std::span<const MaterialId>(materials.of_face), "materials of faces")) {
+    : inks_(material_inks(materials)),
+      base_colors_(add_base_colors(batch, materials)),
+      of_face_(batch.add(std::span<const MaterialId>(materials.of_face), "materials of faces")),
+      ink_numbers_(
+          batch.add(std::span<const std::uint32_t>(inks_.of_material), "inks of materials")) {
     if (!materials.corner_colors.empty())
         corner_colors_ =
             batch.add(std::span<const glm::vec3>(materials.corner_colors), "corner colors");
@@ -35,7 +38,7 @@ GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
 }
 
 std::uint64_t GpuMaterials::size_bytes() const noexcept {
-    return base_colors_.size() + of_face_.size() + corner_colors_.size() +
+    return base_colors_.size() + of_face_.size() + corner_colors_.size() + ink_numbers_.size() +
            (textures_ ? textures_->size_bytes() : 0);
 }
 

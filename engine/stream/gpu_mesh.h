@@ -11,6 +11,7 @@
 #include "engine/stream/line_comparators.h"
 #include "engine/vulkan/memory.h"
 #include "engine/vulkan/uploads.h"
+#include "silhouette/mesh/material_inks.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
@@ -29,11 +30,15 @@ public:
     bool has_corner_colors() const noexcept { return corner_colors_.size() > 0; }
     /// 0 without corner colors.
     VkDeviceAddress corner_colors() const noexcept { return corner_colors_.address(); }
+    const MaterialInks& inks() const noexcept { return inks_; }
+    /// MaterialInks::of_material.
+    VkDeviceAddress ink_numbers() const noexcept { return ink_numbers_.address(); }
     /// Empty if no texture has a picture.
     const std::optional<GpuTextures>& textures() const noexcept { return textures_; }
 
 private:
-    Buffer base_colors_, of_face_, corner_colors_;
+    MaterialInks inks_;
+    Buffer base_colors_, of_face_, corner_colors_, ink_numbers_;
     std::optional<GpuTextures> textures_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
+#include "silhouette/mesh/material_inks.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
@@ -174,6 +175,107 @@ TEST_CASE("where lines cross, that of the color named later lies over the other"
     const Picture swapped = Renderer(gpu->context(), k_plain).render(scene, 128, 128);
     CHECK(channel(swapped, 64 + 19, 64 - 19, 0) == 255);
     CHECK(channel(swapped, 64 + 19, 64 - 19, 2) == 0);
+}
+
+// Two knots in one mesh, beside each other, each of its own material, and a third without one.
+MeshSource three_knots() {
+    const MeshSource knot = make_built_in_shape("knot", 1200);
+    MeshSource all;
+    for (int i = 0; i < 3; ++i) {
+        const auto first = static_cast<std::uint32_t>(all.positions.size());
+        for (const glm::vec3& p : knot.positions)
+            all.positions.push_back(p + glm::vec3(float(i - 1) * 6.5f, 0.0f, 0.0f));
+        for (const auto& triangle : knot.triangles) {
+            all.triangles.push_back(
+                {triangle[0] + first, triangle[1] + first, triangle[2] + first});
+            all.materials.of_face.push_back(i < 2 ? MaterialId{static_cast<std::uint32_t>(i)}
+                                                  : k_no_material);
+        }
+    }
+    all.materials.materials = {{.base_color = {1.0f, 0.1f, 0.0f}},
+                               {.base_color = {0.0f, 0.4f, 1.0f}}};
+    return all;
+}
+
+TEST_CASE("lines have shades of the materials of their faces, while the model deforms too") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model model(three_knots());
+    const std::array surfaces{glm::vec3(1.0f, 0.1f, 0.0f), glm::vec3(0.0f, 0.4f, 1.0f)};
+    for (const bool deforms : {false, true})
+        for (const bool on_dark : {false, true}) {
+            CAPTURE(deforms);
+            CAPTURE(on_dark);
+            const glm::vec3 paper(on_dark ? 0.02f : 0.9f);
+            Scene scene{.camera = {.eye = model.mesh.center() + glm::dvec3(0, 0, 40),
+                                   .target = model.mesh.center(),
+                                   .ortho_height = 6.5},
+                        .style = Style::toon,
+                        .palette = {.background = paper, .ink = k_inks[2]},
+                        .hidden_line_strength = 0.6f,
+                        .crease_angle_deg = 40.0f};
+            if (on_dark) scene.palette.ink = glm::vec3(1.0f);
+            scene.lights = {default_sun(scene.camera)};
+            SceneInstance instance{.material = {.color = paper, .shows_mesh_colors = false}};
+            if (deforms)
+                instance.deforming = &model.mesh;
+            else
+                instance.octree = &model.octree;
+            scene.instances = {instance};
+            std::array<Picture, 3> alone;
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (i < 2)
+                    scene.instances[0].material.line_color = line_shade(surfaces[i], on_dark);
+                else
+                    scene.instances[0].material.line_color.reset();
+                alone[i] = draw(*gpu, scene, LinePath::geometry);
+            }
+            scene.instances[0].material.lines_in_mesh_colors = true;
+            for (const LinePath path : {LinePath::geometry, LinePath::pulling}) {
+                const Picture colored = draw(*gpu, scene, path);
+                save_picture("material_lines", colored, {});
+                for (std::size_t third = 0; third < 3; ++third) {
+                    CAPTURE(third);
+                    const std::size_t begin = third * k_width / 3;
+                    const std::size_t end = begin + k_width / 3;
+                    CHECK(difference(colored, alone[third], begin, end) <= 1);
+                    CHECK(difference(colored, alone[(third + 1) % 3], begin, end) > 20);
+                }
+            }
+            // Paths that test every edge have one color, as have styles without colors.
+            CHECK((deforms || draw(*gpu, scene, LinePath::all_edges).rgba == alone[2].rgba));
+            scene.style = Style::blueprint;
+            const Picture blueprint = draw(*gpu, scene, LinePath::geometry);
+            scene.instances[0].material.lines_in_mesh_colors = false;
+            CHECK(draw(*gpu, scene, LinePath::geometry).rgba == blueprint.rgba);
+        }
+}
+
+// A box whose sides are red and blue: the line between a front and a back has the color of the front.
+TEST_CASE("a silhouette has the color of its front face") {
+    RIMLINE_OPEN_GPU(gpu);
+    MeshSource box = make_built_in_shape("box", 12);
+    box.materials.materials = {{.base_color = {1, 0, 0}}, {.base_color = {0, 0, 1}}};
+    for (const auto& triangle : box.triangles) {
+        float z = 0.0f;
+        for (const std::uint32_t v : triangle) z += box.positions[v].z;
+        box.materials.of_face.push_back(MaterialId{z > 2.9f ? 0u : 1u});
+    }
+    const Model model(box);
+    for (const double side : {1.0, -1.0}) {
+        Scene scene{.camera = {.eye = {0, 0, 5.0 * side}, .ortho_height = 4.0},
+                    .style = Style::toon,
+                    .palette = {.background = glm::vec3(1.0f)},
+                    .shadows = false,
+                    .line_width_px = 6.0f};
+        scene.instances = {
+            {.octree = &model.octree,
+             .material = {.shows_mesh_colors = false, .lines_in_mesh_colors = true}}};
+        const Picture picture = draw(*gpu, scene, LinePath::geometry);
+        // The left side of the square, 20 pixels from the middle.
+        const std::size_t x = k_width / 2 - 20, y = k_height / 2;
+        CHECK(channel(picture, x, y, side > 0.0 ? 0 : 2) > 100);
+        CHECK(channel(picture, x, y, side > 0.0 ? 2 : 0) == 0);
+    }
 }
 
 }  // namespace

@@ -209,5 +209,35 @@ TEST_CASE("lines of a caller lie before all instances, each in its own color") {
         CHECK(std::ranges::equal(draw(*gpu, scene, {.line_path = path}).rgba, expected.rgba));
 }
 
+TEST_CASE("lines of a caller have colors of their own, a later one over those before it") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model model(plate());
+    PictureLines lines{
+        {{-0.8, -0.5}, {0.8, -0.5}, {-0.8, 0.5}, {0.8, 0.5}, {0.0, -0.8}, {0.0, 0.8}},
+        {{0, 2}, {2, 4, false, false, 1}, {4, 6, false, false, 0}},
+        {{0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}}};
+    Scene scene = flat_scene(model, lines);
+    scene.line_width_px = 6.0f;
+    const Picture picture = draw(*gpu, scene);
+    const auto color_at = [&](double x, double y) {
+        const auto pixel = static_cast<std::size_t>((1.0 - y) * k_pixels) * k_size +
+                           static_cast<std::size_t>((1.0 + x) * k_pixels);
+        return glm::ivec3(picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1],
+                          picture.rgba[4 * pixel + 2]);
+    };
+    CHECK(color_at(0.5, -0.5) == glm::ivec3(0, 0, 0));
+    CHECK(color_at(0.5, 0.5) == glm::ivec3(255, 0, 0));
+    CHECK(color_at(0.0, 0.0) == glm::ivec3(0, 0, 255));
+    CHECK(color_at(0.0, -0.5) == glm::ivec3(0, 0, 255));
+    CHECK(color_at(0.0, 0.5) == glm::ivec3(255, 0, 0));
+    // Colors that no line has cost nothing and change nothing.
+    lines.colors.pop_back();
+    CHECK(draw(*gpu, scene).rgba == picture.rgba);
+    lines.lines[1].color = lines.lines[2].color = k_own_line_color;
+    const Picture black = draw(*gpu, scene);
+    lines.colors.clear();
+    CHECK(draw(*gpu, scene).rgba == black.rgba);
+}
+
 }  // namespace
 }  // namespace rimline

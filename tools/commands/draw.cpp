@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/clear_creases.h"
+#include "silhouette/srgb.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
 #include "tools/options/line_camera.h"
@@ -41,6 +43,12 @@ double milliseconds_since(DrawClock::time_point start) {
 
 // --verify takes a sample every so many mm on the page: a quarter of a pixel of a screen.
 constexpr double k_verify_spacing_mm = 0.066;
+
+Color srgb_color(const glm::vec3& linear) {
+    const glm::vec3 srgb = glm::round(255.0f * srgb_from_linear(linear));
+    return {static_cast<std::uint8_t>(srgb.x), static_cast<std::uint8_t>(srgb.y),
+            static_cast<std::uint8_t>(srgb.z)};
+}
 
 // Of all views together.
 struct DrawnTotals {
@@ -124,8 +132,11 @@ public:
         check_options();
         const double aspect = page_.aspect();  // Reports margins without space before the work.
         const DrawingFormat format = drawing_format_of(output_);
+        if (!has_curves(format) && (lines_.color || lines_.has_material_colors))
+            throw UsageError("--line-color: only drawings in SVG and PDF have colors");
         OutputFile file(output_, model_.model);
-        const Mesh mesh = model_.load_mesh(context);
+        const Mesh mesh = model_.load_mesh(
+            context, lines_.has_material_colors ? TexturePictures::read : TexturePictures::skip);
         check_has_extent(model_.model, mesh);
         context.checkpoint();
 
@@ -218,7 +229,14 @@ private:
                             .width_mm = lines_.width_mm,
                             .hidden_width_mm = lines_.hidden_width_mm,
                             .dashes_hidden = lines_.hidden == "dashed",
-                            .has_sources = has_sources_};
+                            .has_sources = has_sources_,
+                            .color = lines_.color.value_or(Color{0, 0, 0})};
+        std::optional<LineMaterials> materials;
+        if (lines_.has_material_colors) {
+            materials.emplace(mesh);
+            for (const glm::vec3& color : materials->inks().colors)
+                drawing.inks.push_back(srgb_color(line_shade(color, false)));
+        }
         std::vector<std::uint8_t> clear_creases;
         if (!lines_.crease_degrees && lines_.kinds[std::size_t(LineKind::crease)])
             clear_creases = clear_crease_flags(mesh, lines_.line_options(1.0).crease_angle_rad);
@@ -238,8 +256,8 @@ private:
                 lines_.line_options(mm_per_unit, std::max(sides_mm.x, sides_mm.y));
             options.shown_creases = clear_creases;
             options.shapes_hidden = lines_.draws_hidden() || format == DrawingFormat::json;
-            // Points that are left out would take their edges with them.
-            if (has_edges) options.simplify = 0.0;
+            // Points that are left out would take their edges and colors with them.
+            if (has_edges || materials) options.simplify = 0.0;
             if (verifies_) verify(context, mesh, camera, silhouette, page.views[i], drawer, totals);
             Progress progress(context, "drawing lines");
             start = DrawClock::now();
@@ -250,10 +268,12 @@ private:
 
             PageLineOptions page_options{
                 .min_length_mm = lines_.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
-                .simplify_mm = has_edges ? lines_.simplify_mm : 0.0,
+                .simplify_mm = has_edges || materials ? lines_.simplify_mm : 0.0,
                 .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
                 .frame = {},
-                .mesh = has_edges ? &mesh : nullptr};
+                .mesh = has_edges ? &mesh : nullptr,
+                .materials = materials ? &*materials : nullptr,
+                .point = camera.view.point()};
             if (lines_.hidden_by > 0) page_options.hidden_by = lines_.hidden_by;
             if (parts[i].is_cut) page_options.frame = {parts[i].low, parts[i].high};
             add_page_lines(lines, page.views[i], page_options, drawing.lines);

@@ -77,8 +77,8 @@ public:
         if (scene.lines) {
             lines.emplace(prepare_lines(octree, context));
             Progress progress(context, "drawing lines");
-            scene.instances.front().picture_lines =
-                lines->draw(scene.camera, picture_.size, options_.line_style(), progress.call());
+            scene.instances.front().picture_lines = lines->draw(
+                scene.camera, picture_.size, options_.line_style(scene.palette), progress.call());
         }
         Renderer renderer(device.context(), {.pass_times = pass_times_});
         const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);

@@ -6,7 +6,6 @@
 
 #include "tools/options/line_kind_names.h"
 #include "tools/options/name_list.h"
-#include "tools/options/option_types.h"
 
 namespace rimline::tools {
 
@@ -60,6 +59,10 @@ void DrawnLines::add_to(CLI::App& app) {
         ->group(k_group);
     add_number(app, "--width", width_mm, 0.001, 100.0, "Width of visible lines")->group(k_group);
     add_number(app, "--hidden-width", hidden_width_mm, 0.001, 100.0, "Width of hidden lines")
+        ->group(k_group);
+    add_color_or(app, "--line-color", color, "material", has_material_colors,
+                 "SVG, PDF: color of lines (default: black). material: a dark shade of the colors "
+                 "of the model's file")
         ->group(k_group);
     app.add_flag("--keep-coincident", keeps_coincident,
                  "Draw all of several lines that coincide in the picture, not one")

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "silhouette/lines/line_drawer.h"
+#include "tools/options/option_types.h"
 
 namespace rimline::tools {
 
@@ -33,6 +34,8 @@ struct DrawnLines {
     double width_mm = 0.35;
     double hidden_width_mm = 0.18;
     bool keeps_coincident = false;
+    std::optional<Color> color;        ///< Not set: black.
+    bool has_material_colors = false;  ///< Shades of the materials of faces.
 
     void add_to(CLI::App& app);
     bool draws_hidden() const { return hidden != "none"; }

@@ -266,6 +266,15 @@ CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Col
                     [name, &value](const std::string& text) { value = parse_color(name, text); });
 }
 
+CLI::Option* add_color_or(CLI::App& app, const std::string& name, std::optional<Color>& value,
+                          const std::string& word, bool& is_word, const std::string& description) {
+    return add_text(app, name, "COLOR|" + word, description + " (#rrggbb, " + color_names() + ")",
+                    [name, word, &value, &is_word](const std::string& text) {
+                        is_word = text == word;
+                        if (!is_word) value = parse_color(name, text);
+                    });
+}
+
 CLI::Option* add_image_size(CLI::App& app, const std::string& name, ImageSize& value,
                             const std::string& description) {
     return add_text(

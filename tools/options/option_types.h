@@ -64,6 +64,10 @@ struct Color {
 CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,
                        const std::string& description);
 
+/// The same, or `word`, which sets `is_word`.
+CLI::Option* add_color_or(CLI::App& app, const std::string& name, std::optional<Color>& value,
+                          const std::string& word, bool& is_word, const std::string& description);
+
 /// --device: which Vulkan device to use. The variable RIMLINE_DEVICE is its default. `description` says what for.
 CLI::Option* add_device(CLI::App& app, std::string& value, const std::string& description);
 

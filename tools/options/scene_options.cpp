@@ -30,7 +30,9 @@ void SceneOptions::add_to(CLI::App& app) {
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str()
         ->group(k_group);
-    add_color(app, "--line-color", line_color, "Color of lines (default: the style's own)")
+    add_color_or(app, "--line-color", line_color, "material", has_material_lines,
+                 "Color of lines (default: the style's own). material: in ink, toon and hatch, a "
+                 "dark shade of the colors of the model's file")
         ->group(k_group);
     app.add_option("--lines", lines, "Draw silhouettes and borders")
         ->check(CLI::IsMember({"on", "off"}))
@@ -71,6 +73,13 @@ void SceneOptions::add_still_lines_to(CLI::App& app) {
         ->group(k_group);
 }
 
+LineStyle SceneOptions::line_style(const Palette& palette) const {
+    LineStyle shown = line_style();
+    if (has_material_lines && shows_colors(style_value()))
+        shown.material_shades_are_light = palette.has_light_ink();
+    return shown;
+}
+
 LineStyle SceneOptions::line_style() const {
     const StyleDefaults defaults = style_defaults(style_value());
     return {
@@ -96,7 +105,8 @@ glm::vec3 SceneOptions::background(const PictureOptions& picture) const {
 Material SceneOptions::material(const PictureOptions& picture) const {
     Material material{.color = color ? linear_from_srgb(*color)
                                      : default_surface_color(style_value(), background(picture)),
-                      .shows_mesh_colors = shows_mesh_colors()};
+                      .shows_mesh_colors = shows_mesh_colors(),
+                      .lines_in_mesh_colors = has_material_lines};
     if (line_color) material.line_color = linear_from_srgb(*line_color);
     return material;
 }

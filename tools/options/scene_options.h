@@ -22,6 +22,7 @@ struct SceneOptions {
     // Values that are not set are the style's own.
     std::optional<Color> color;  ///< Of surfaces.
     std::optional<Color> line_color;
+    bool has_material_lines = false;  ///< Lines have shades of the materials of their faces.
     std::string materials = "on";
     std::string lines = "on";
     std::optional<double> line_width;  ///< In pixels.
@@ -39,16 +40,19 @@ struct SceneOptions {
     /// A scene in this style with this camera, the lights of `picture` and no instances. --sun auto is
     /// computed for `mesh`.
     Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
-    LineStyle line_style() const;
+    /// For lines of exact visibility in a scene with this palette.
+    LineStyle line_style(const Palette& palette) const;
     /// Whether surfaces have the colors of the model's file, if it has some.
     bool shows_mesh_colors() const { return materials == "on" && !color; }
     TexturePictures textures() const {
-        return shows_mesh_colors() ? TexturePictures::read : TexturePictures::skip;
+        return shows_mesh_colors() || has_material_lines ? TexturePictures::read
+                                                         : TexturePictures::skip;
     }
     /// The material of the model.
     Material material(const PictureOptions& picture) const;
 
 private:
+    LineStyle line_style() const;
     Style style_value() const;
     glm::vec3 background(const PictureOptions& picture) const;
 };

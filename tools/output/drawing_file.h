@@ -7,11 +7,13 @@
 //   .dxf   R12, polylines in a layer for each kind (VISIBLE_SILHOUETTE, HIDDEN_BORDER, ...), y upwards
 //   .json  points, runs, chains and strokes (drawing_json.h)
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tools/options/option_types.h"
 #include "tools/output/page_lines.h"
 
 namespace rimline::tools {
@@ -21,6 +23,11 @@ enum class DrawingFormat { svg, pdf, dxf, json };
 /// The format of the file name's ending, in upper or lower case. Throws UsageError for other endings.
 DrawingFormat drawing_format_of(const std::string& file_name);
 
+/// Of hidden lines: a dash and the space after it, in widths of the line.
+constexpr double k_dash_widths = 10.0, k_dash_space_widths = 5.0;
+/// The gray of hidden lines that are not dashed.
+constexpr std::uint8_t k_hidden_gray = 128;
+
 struct PageDrawing {
     std::string title;
     glm::dvec2 size_mm;
@@ -28,12 +35,16 @@ struct PageDrawing {
     double width_mm, hidden_width_mm;
     bool dashes_hidden;  ///< If not, hidden lines are gray.
     bool has_sources;    ///< SVG: paths have data-chain and data-edges.
-};
+    // SVG and PDF: of lines without an ink (layer_color()), and of those of each ink (PageLine::ink).
+    Color color{0, 0, 0};
+    std::vector<Color> inks = {};
 
-/// Of hidden lines: a dash and the space after it, in widths of the line.
-constexpr double k_dash_widths = 10.0, k_dash_space_widths = 5.0;
-/// The gray of hidden lines that are not dashed.
-constexpr int k_hidden_gray = 128;
+    /// Of the lines of a layer that have no ink. Hidden lines that are not dashed are gray.
+    Color layer_color(bool is_hidden) const {
+        if (is_hidden && !dashes_hidden) return {k_hidden_gray, k_hidden_gray, k_hidden_gray};
+        return color;
+    }
+};
 
 // The contents of the files.
 std::string drawing_svg(const PageDrawing& drawing);

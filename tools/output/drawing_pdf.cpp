@@ -60,17 +60,38 @@ std::string pdf_string(std::string_view plain) {
     return text + ")";
 }
 
+void append_pdf_color(std::string& text, const Color& color) {
+    const auto add = [&](std::uint8_t channel) {
+        append_decimals(text, channel / 255.0);
+        text += ' ';
+    };
+    const bool is_gray = color.red == color.green && color.green == color.blue;
+    if (!is_gray) {
+        add(color.red);
+        add(color.green);
+    }
+    add(color.blue);
+    text += is_gray ? "G\n" : "RG\n";
+}
+
 void append_pdf_layer(std::string& text, const PageDrawing& drawing, bool is_hidden) {
     const double width = is_hidden ? drawing.hidden_width_mm : drawing.width_mm;
     text += is_hidden ? "/OC /Hidden BDC\nq\n" : "/OC /Visible BDC\nq\n";
     text += pdf_number(width) + " w 1 j ";
     if (is_hidden && drawing.dashes_hidden)
         text += "0 J [" + pdf_number(k_dash_widths * width) + " " +
-                pdf_number(k_dash_space_widths * width) + "] 0 d 0 G\n";
+                pdf_number(k_dash_space_widths * width) + "] 0 d ";
     else
-        text += "1 J " + (is_hidden ? pdf_number(k_hidden_gray / 255.0) : "0") + " G\n";
+        text += "1 J ";
+    append_pdf_color(text, drawing.layer_color(is_hidden));
+    std::uint32_t ink = k_no_material_ink;
     for (const PageLine& line : drawing.lines) {
         if (line.is_hidden != is_hidden) continue;
+        if (line.ink != ink) {
+            ink = line.ink;
+            append_pdf_color(text, ink == k_no_material_ink ? drawing.layer_color(is_hidden)
+                                                            : drawing.inks[ink]);
+        }
         const auto add = [&](const glm::dvec2& p, const char* operation) {
             append_decimals(text, p.x);
             text += ' ';

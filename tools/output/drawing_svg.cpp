@@ -72,12 +72,7 @@ private:
     void open_layer(std::string_view name, double width, bool is_hidden) {
         add("<g id=\"").add(name).add("\" inkscape:groupmode=\"layer\" inkscape:label=\"");
         add(is_hidden ? "2 " : "1 ").add(name).add("\" fill=\"none\" stroke=\"");
-        if (is_hidden && !drawing_.dashes_hidden) {
-            const auto gray = std::to_string(k_hidden_gray);
-            add("rgb(").add(gray).add(",").add(gray).add(",").add(gray).add(")");
-        } else {
-            add("#000");
-        }
+        add_color(drawing_.layer_color(is_hidden));
         add("\" stroke-width=\"").add(width).add("\" stroke-linejoin=\"round\" stroke-linecap=\"");
         if (is_hidden && drawing_.dashes_hidden)
             add("butt\" stroke-dasharray=\"")
@@ -87,6 +82,19 @@ private:
         else
             add("round");
         add("\">\n");
+    }
+
+    void add_color(const Color& color) {
+        if (color.red == 0 && color.green == 0 && color.blue == 0)
+            add("#000");
+        else
+            add("rgb(")
+                .add(std::to_string(color.red))
+                .add(",")
+                .add(std::to_string(color.green))
+                .add(",")
+                .add(std::to_string(color.blue))
+                .add(")");
     }
 
     void add_path(const PageLine& line) {
@@ -107,6 +115,10 @@ private:
             }
         }
         if (line.is_closed) add("Z");
+        if (line.ink != k_no_material_ink) {
+            add("\" stroke=\"");
+            add_color(drawing_.inks[line.ink]);
+        }
         if (drawing_.has_sources) {
             add("\" data-chain=\"");
             for (std::size_t i = 0; i < line.chains.size(); ++i)

@@ -46,10 +46,10 @@ public:
 
     void add_strokes() {
         for (const LineStroke& stroke : drawing_.strokes) {
-            begin();
+            begin(false);
             for (const StrokePart& part : drawing_.parts_of(stroke))
                 add_run(part.run, part.is_reversed);
-            end(false, stroke.is_closed);
+            end(stroke.is_closed);
         }
     }
 
@@ -65,21 +65,27 @@ public:
             const bool is_loop = start == chain.last_run;
             if (is_loop) start = chain.first_run;
             const std::uint32_t count = chain.last_run - chain.first_run;
-            begin();
+            begin(true);
             for (std::uint32_t i = 0; i < count; ++i) {
                 const std::uint32_t run = chain.first_run + (start - chain.first_run + i) % count;
                 const std::uint32_t before = run == chain.first_run ? chain.last_run - 1 : run - 1;
                 if (i > 0 && !goes_on(before, run)) {
-                    end(true, false);
-                    begin();
+                    end(false);
+                    begin(true);
                 }
                 if (is_drawn_hidden(run)) add_run(run, false);
             }
-            end(true, is_loop);
+            end(is_loop);
         }
     }
 
 private:
+    // Points of the drawing, [first, last).
+    struct InkPart {
+        std::uint32_t first, last;
+        std::uint32_t ink;
+    };
+
     bool is_drawn_hidden(std::uint32_t run) const {
         const std::uint32_t count = drawing_.runs[run].hidden_by;
         return count > 0 && count <= options_.hidden_by;
@@ -92,37 +98,92 @@ private:
                    1e-3;
     }
 
-    void begin() {
+    void begin(bool is_hidden) {
+        is_hidden_ = is_hidden;
+        is_divided_ = false;
+        begin_part();
+    }
+
+    void begin_part() {
         positions_.clear();
         chains_.clear();
         edges_.clear();
         lengths_.fill(0.0);
     }
 
+    // The ink of the segment that ends at a point of the drawing.
+    std::uint32_t ink_at(std::uint32_t point) const {
+        if (options_.materials == nullptr) return k_no_material_ink;
+        return options_.materials->ink_of(drawing_.sources[point].edge, options_.point);
+    }
+
     void add_run(std::uint32_t number, bool is_reversed) {
         const LineRun& run = drawing_.runs[number];
-        const std::span<const LinePoint> points = drawing_.points_of(run);
+        // Parts of one ink that follow each other share a point.
+        std::vector<InkPart>& parts = ink_parts_;
+        parts.clear();
+        for (std::uint32_t i = run.first_point; i < run.last_point; ++i) {
+            const std::uint32_t ink =
+                ink_at(std::min(std::max(i, run.first_point + 1), run.last_point - 1));
+            if (parts.empty())
+                parts.push_back({i, i + 1, ink});
+            else if (parts.back().ink == ink)
+                parts.back().last = i + 1;
+            else
+                parts.push_back({i - 1, i + 1, ink});
+        }
+        if (is_reversed) std::reverse(parts.begin(), parts.end());
+        for (const InkPart& part : parts) {
+            if (!positions_.empty() && part.ink != ink_) divide();
+            ink_ = part.ink;
+            add_part(run, part, is_reversed);
+        }
+    }
+
+    // The line goes on with another ink.
+    void divide() {
+        const glm::dvec2 place = positions_.back();
+        if (!is_divided_) begin_ = positions_.front();
+        is_divided_ = true;
+        end_part(false);
+        begin_part();
+        positions_.push_back(place);
+    }
+
+    void add_part(const LineRun& run, const InkPart& part, bool is_reversed) {
+        const std::span<const LinePoint> points(drawing_.points.data() + part.first,
+                                                part.last - part.first);
         simplify(points, options_.simplify_mm / place_.mm_per_unit, kept_);
         if (is_reversed) std::reverse(kept_.begin(), kept_.end());
         for (const std::uint32_t i : kept_) positions_.push_back(points[i].position);
-        lengths_[std::size_t(drawing_.chains[run.chain].kind)] += run.length;
+        const bool is_whole = part.first == run.first_point && part.last == run.last_point;
+        lengths_[std::size_t(drawing_.chains[run.chain].kind)] +=
+            is_whole ? run.length : points.back().arc - points.front().arc;
         if (chains_.empty() || chains_.back() != drawing_.chains[run.chain].id)
             chains_.push_back(drawing_.chains[run.chain].id);
         if (options_.mesh == nullptr) return;
-        for (std::uint32_t i = run.first_point; i < run.last_point; ++i) {
-            const std::uint32_t at = is_reversed ? run.last_point - 1 - (i - run.first_point) : i;
+        for (std::uint32_t i = part.first; i < part.last; ++i) {
+            const std::uint32_t at = is_reversed ? part.last - 1 - (i - part.first) : i;
+            // The first point of a later part has the edge of the part before.
+            if (at == part.first && part.first != run.first_point) continue;
             const EdgeId edge = drawing_.sources[at].edge;
             if (edge != k_no_edge && (edges_.empty() || edges_.back() != edge))
                 edges_.push_back(edge);
         }
     }
 
-    // Adds the line that was begun, or its parts in the frame.
-    void end(bool is_hidden, bool is_closed) {
+    // Adds the line that was begun, or the rest of it.
+    void end(bool is_closed) {
+        if (is_divided_ && is_closed && positions_.back() != begin_) positions_.push_back(begin_);
+        end_part(is_closed && !is_divided_);
+    }
+
+    // Adds this part, or its parts in the frame.
+    void end_part(bool is_closed) {
         if (positions_.empty()) return;
         if (!options_.frame) {
             for (const glm::dvec2& p : positions_) add_point(p);
-            add_line(is_hidden, is_closed);
+            add_line(is_closed);
             return;
         }
         if (is_closed) positions_.push_back(positions_.front());
@@ -131,14 +192,14 @@ private:
             const glm::dvec2 a = positions_[i], b = positions_[i + 1];
             const SegmentPart part = cut_segment(*options_.frame, a, b);
             const bool is_outside = part.first >= part.last;
-            if (is_outside || part.first > 0.0) add_line(is_hidden, false);
+            if (is_outside || part.first > 0.0) add_line(false);
             is_cut = is_cut || is_outside || part.first > 0.0 || part.last < 1.0;
             if (is_outside) continue;
             if (points_.empty()) add_point(glm::mix(a, b, part.first));
             add_point(part.last < 1.0 ? glm::mix(a, b, part.last) : b);
-            if (part.last < 1.0) add_line(is_hidden, false);
+            if (part.last < 1.0) add_line(false);
         }
-        add_line(is_hidden, is_closed && !is_cut);
+        add_line(is_closed && !is_cut);
     }
 
     void add_point(const glm::dvec2& position) {
@@ -146,20 +207,22 @@ private:
         if (points_.empty() || points_.back() != mm) points_.push_back(mm);
     }
 
-    void add_line(bool is_hidden, bool is_closed) {
+    void add_line(bool is_closed) {
         if (is_closed && points_.size() > 1 && points_.front() == points_.back())
             points_.pop_back();
         const auto longest = std::max_element(lengths_.begin(), lengths_.end());
         PageLine line{.kind = static_cast<LineKind>(longest - lengths_.begin()),
-                      .is_hidden = is_hidden,
+                      .is_hidden = is_hidden_,
                       .is_closed = is_closed && points_.size() > 2,
                       .points = points_,
                       .curves = {},
                       .chains = chains_,
-                      .edges = {}};
+                      .edges = {},
+                      .ink = ink_};
         points_.clear();
-        if (line.points.size() < 2 || (is_hidden && line.length_mm() < options_.min_length_mm))
-            return;
+        const bool is_short =
+            is_hidden_ && !is_divided_ && line.length_mm() < options_.min_length_mm;
+        if (line.points.size() < 2 || is_short) return;
         if (options_.curve_mm > 0.0)
             line.curves = fit_curves(line.points, line.is_closed, options_.curve_mm);
         for (const EdgeId edge : edges_) {
@@ -174,7 +237,13 @@ private:
     const PageLineOptions& options_;
     std::vector<PageLine>& lines_;
 
-    std::vector<glm::dvec2> positions_;  // Of the line that was begun, in picture coordinates.
+    bool is_hidden_ = false;   // The line that was begun.
+    bool is_divided_ = false;  // A part of it, of another ink, was added.
+    glm::dvec2 begin_{};       // Where it began, if it is divided.
+    std::uint32_t ink_ = k_no_material_ink;
+    std::vector<InkPart> ink_parts_;
+    // Of this part of it, in picture coordinates.
+    std::vector<glm::dvec2> positions_;
     std::vector<std::uint32_t> chains_;
     std::vector<EdgeId> edges_;
     std::array<double, k_line_kinds> lengths_{};

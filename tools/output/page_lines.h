@@ -2,7 +2,8 @@
 
 // The lines of a drawing as polylines on a page, which all formats of drawings write.
 //
-// A visible line is a stroke. A hidden line is what follows each other of a chain's hidden runs. Coordinates are
+// A visible line is a stroke. A hidden line is what follows each other of a chain's hidden runs. Where lines have
+// colors of materials, each is a part of these of one color. Coordinates are
 // whole thousandths of a mm, as the files have them.
 
 #include <array>
@@ -15,6 +16,7 @@
 #include "silhouette/lines/line_drawing.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/output/drawing_page.h"
+#include "tools/output/line_materials.h"
 
 namespace rimline::tools {
 
@@ -29,6 +31,7 @@ struct PageLine {
     std::vector<std::uint32_t> chains;
     /// As pairs of the file's vertices, in the order of the line. Empty unless asked for.
     std::vector<std::array<std::uint32_t, 2>> edges;
+    std::uint32_t ink = k_no_material_ink;  ///< Index in MaterialInks::colors.
 
     double length_mm() const;
 };
@@ -46,6 +49,9 @@ struct PageLineOptions {
     double curve_mm = 0.0;  ///< Greater than 0: curves that leave the points by at most this.
     std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
     const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.
+    /// If set, PageLine::ink is: of what is seen from `point`. For drawings whose runs have all points.
+    const LineMaterials* materials = nullptr;
+    HomogeneousPoint point = {};
 };
 
 /// Appends the lines of the drawing.

@@ -5,9 +5,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <span>
 #include <vector>
 
 #include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/lines/line_simplify.h"
 #include "silhouette/mesh/clear_creases.h"
 #include "tools/progress.h"
 
@@ -39,7 +41,10 @@ double pixels_a_unit(const Camera& camera, ImageSize size) {
 
 ShownLines::ShownLines(const HoughOctree& octree, LineSurface::Contacts contacts,
                        const LongCall& call)
-    : octree_(octree), surface_(octree.mesh(), contacts, call), drawer_(surface_) {}
+    : octree_(octree),
+      surface_(octree.mesh(), contacts, call),
+      drawer_(surface_),
+      materials_(octree.mesh()) {}
 
 const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size, const LineStyle& style,
                                      const LongCall& call) {
@@ -56,14 +61,19 @@ const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size, const
                         .stubble = min_length,
                         .smooth = k_smooth_px / pixels,
                         .shapes_hidden = style.hidden,
-                        .simplify = k_simplify_px / pixels};
+                        // Places where colors change must stay.
+                        .simplify = style.material_shades_are_light ? 0.0 : k_simplify_px / pixels};
     options.draws[std::size_t(LineKind::crease)] = style.crease_degrees > 0.0;
     options.draws[std::size_t(LineKind::intersection)] = style.intersections;
     const LineDrawing& drawing = drawer_.draw(view, silhouette.silhouette(), options, call);
 
     lines_.points.clear();
     lines_.lines.clear();
-    first_point_ = 0;
+    points_.clear();
+    colors_.clear();
+    point_ = view.point();
+    simplify_ = k_simplify_px / pixels;
+    choose_colors(style);
     add_strokes(drawing);
     if (style.hidden) add_hidden_lines(drawing, min_length);
     silhouette_count_ = static_cast<std::uint32_t>(silhouette.silhouette().size()) +
@@ -89,6 +99,14 @@ void ShownLines::choose_creases(const LineStyle& style) {
     creases_.assign(mesh.edge_count(), 0);
     for (const Crease& crease : creases) creases_[index(crease.edge)] = 1;
     crease_count_ = static_cast<std::uint32_t>(creases.size());
+}
+
+void ShownLines::choose_colors(const LineStyle& style) {
+    has_colors_ = style.material_shades_are_light.has_value();
+    lines_.colors.clear();
+    if (!has_colors_) return;
+    for (const glm::vec3& color : materials_.inks().colors)
+        lines_.colors.push_back(line_shade(color, *style.material_shades_are_light));
 }
 
 void ShownLines::add_strokes(const LineDrawing& drawing) {
@@ -124,36 +142,71 @@ void ShownLines::add_hidden_lines(const LineDrawing& drawing, double min_length)
     }
 }
 
-// Runs that follow each other share a place.
+// Runs that follow each other share a place. The source of a point is on the edge that leads to it, in the order of
+// the run.
 void ShownLines::add_run(const LineDrawing& drawing, std::uint32_t run, bool is_reversed) {
-    const std::span<const LinePoint> points = drawing.points_of(drawing.runs[run]);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec2& place = points[is_reversed ? points.size() - 1 - i : i].position;
-        if (lines_.points.size() == first_point_ || lines_.points.back() != place)
-            lines_.points.push_back(place);
+    const LineRun& r = drawing.runs[run];
+    const std::uint32_t count = r.last_point - r.first_point;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t at = is_reversed ? r.last_point - 1 - i : r.first_point + i;
+        const LinePoint& point = drawing.points[at];
+        if (!points_.empty() && points_.back().position == point.position) continue;
+        const std::uint32_t source = is_reversed && i > 0 ? at + 1 : at;
+        colors_.push_back(has_colors_ ? materials_.ink_of(drawing.sources[source].edge, point_)
+                                      : k_own_line_color);
+        points_.push_back(point);
     }
 }
 
 // Short hidden lines say nothing.
 void ShownLines::end_hidden_line(bool is_closed, double min_length) {
     double length = 0.0;
-    for (std::size_t i = first_point_; i + 1 < lines_.points.size(); ++i)
-        length += glm::distance(lines_.points[i], lines_.points[i + 1]);
-    if (length < min_length) lines_.points.resize(first_point_);
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+        length += glm::distance(points_[i].position, points_[i + 1].position);
+    if (length < min_length) points_.clear();
     end_line(true, is_closed);
 }
 
+// Parts of one color each.
 void ShownLines::end_line(bool is_hidden, bool is_closed) {
-    if (is_closed && lines_.points.size() > first_point_ + 1 &&
-        lines_.points.back() == lines_.points[first_point_])
+    if (!points_.empty()) {
+        const bool is_one_color =
+            std::all_of(colors_.begin() + 1, colors_.end(),
+                        [&](std::uint32_t color) { return color == colors_.back(); });
+        if (is_closed && !is_one_color && points_.back().position != points_.front().position) {
+            points_.push_back(points_.front());
+            colors_.push_back(colors_.back());
+        }
+        std::size_t first = 0;
+        for (std::size_t i = 2; i < points_.size(); ++i) {
+            if (colors_[i] == colors_[i - 1]) continue;
+            add_part(first, i - 1, is_hidden, false);
+            first = i - 1;
+        }
+        add_part(first, points_.size() - 1, is_hidden, is_closed && is_one_color);
+    }
+    points_.clear();
+    colors_.clear();
+}
+
+// The line from one point to another, both included.
+void ShownLines::add_part(std::size_t first, std::size_t last, bool is_hidden, bool is_closed) {
+    const auto begin = static_cast<std::uint32_t>(lines_.points.size());
+    const std::span<const LinePoint> points(points_.data() + first, last + 1 - first);
+    if (has_colors_) {
+        simplify(points, simplify_, kept_);
+        for (const std::uint32_t i : kept_) lines_.points.push_back(points[i].position);
+    } else {
+        for (const LinePoint& point : points) lines_.points.push_back(point.position);
+    }
+    if (is_closed && lines_.points.size() > begin + 1 &&
+        lines_.points.back() == lines_.points[begin])
         lines_.points.pop_back();
-    const auto end = static_cast<std::uint32_t>(lines_.points.size());
-    if (end > first_point_)
-        lines_.lines.push_back({.first_point = first_point_,
-                                .last_point = end,
-                                .is_hidden = is_hidden,
-                                .is_closed = is_closed});
-    first_point_ = end;
+    lines_.lines.push_back({.first_point = begin,
+                            .last_point = static_cast<std::uint32_t>(lines_.points.size()),
+                            .is_hidden = is_hidden,
+                            .is_closed = is_closed,
+                            .color = colors_[last]});
 }
 
 }  // namespace rimline::tools

@@ -13,6 +13,7 @@
 #include "tools/command.h"
 #include "tools/options/line_style.h"
 #include "tools/options/option_types.h"
+#include "tools/output/line_materials.h"
 
 namespace rimline::tools {
 
@@ -35,11 +36,13 @@ public:
 
 private:
     void choose_creases(const LineStyle& style);
+    void choose_colors(const LineStyle& style);
     void add_strokes(const LineDrawing& drawing);
     void add_hidden_lines(const LineDrawing& drawing, double min_length);
     void add_run(const LineDrawing& drawing, std::uint32_t run, bool is_reversed);
     void end_hidden_line(bool is_closed, double min_length);
     void end_line(bool is_hidden, bool is_closed);
+    void add_part(std::size_t first, std::size_t last, bool is_hidden, bool is_closed);
 
     const HoughOctree& octree_;
     LineSurface surface_;
@@ -47,8 +50,14 @@ private:
     std::vector<std::uint8_t> creases_;  // By edge, whether it is a crease that is drawn.
     double crease_degrees_ = 0.0;        // Of these.
     bool all_creases_ = false;
+    LineMaterials materials_;
+    bool has_colors_ = false;  // Whether lines have those of materials.
+    HomogeneousPoint point_;   // Of the view.
+    double simplify_ = 0.0;    // Of lines with colors, in picture coordinates.
     PictureLines lines_;
-    std::uint32_t first_point_ = 0;  // Of the line that is being made.
+    // The line that is being made; of each point, the color of the line up to it (PictureLine::color).
+    std::vector<LinePoint> points_;
+    std::vector<std::uint32_t> colors_, kept_;
     std::uint32_t silhouette_count_ = 0, crease_count_ = 0;
 };
 

@@ -47,8 +47,8 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                            .name = scene.model,
                                            .material = scene.style.material(scene.picture)});
         if (scene.lines && picture_scene.lines)
-            picture_scene.instances.front().picture_lines =
-                scene.lines->draw(camera, size, scene.style.line_style(), {context.stop, {}});
+            picture_scene.instances.front().picture_lines = scene.lines->draw(
+                camera, size, scene.style.line_style(picture_scene.palette), {context.stop, {}});
         if (ground) picture_scene.instances.push_back(ground->instance(picture_scene));
         pictures.push_back(renderer.render(picture_scene, size.width, size.height));
     }

@@ -147,6 +147,7 @@ private:
         if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
         if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
         session.appearance.materials = scene_.materials == "on";
+        session.appearance.material_lines = scene_.has_material_lines;
         session.appearance.lines = scene.lines;
         session.appearance.line_width_px = scene.line_width_px;
         session.appearance.hidden = scene_.hidden;

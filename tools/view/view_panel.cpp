@@ -198,6 +198,8 @@ void ViewPanel::draw_colors(ViewSession& session) {
         appearance.materials = shows_file_colors;
         if (shows_file_colors) appearance.color.reset();
     }
+    ImGui::SameLine();
+    ImGui::Checkbox("lines too", &appearance.material_lines);
 }
 
 void ViewPanel::draw_lights(ViewSession& session) {

@@ -25,10 +25,13 @@ void ViewAppearance::set_style(Style chosen) {
 }
 
 LineStyle ViewAppearance::line_style() const {
-    return {.crease_degrees = double{crease_angle_deg},
-            .all_creases = !only_clear_creases,
-            .intersections = style_defaults(style).crease_angle_deg > 0.0f,
-            .hidden = hidden};
+    LineStyle shown{.crease_degrees = double{crease_angle_deg},
+                    .all_creases = !only_clear_creases,
+                    .intersections = style_defaults(style).crease_angle_deg > 0.0f,
+                    .hidden = hidden};
+    if (material_lines && shows_colors(style))
+        shown.material_shades_are_light = default_palette(style, background).has_light_ink();
+    return shown;
 }
 
 void ViewSession::show(Document document, double aspect) {
@@ -152,7 +155,8 @@ Scene ViewSession::scene() const {
          .material = {.color = appearance.color.value_or(
                           default_surface_color(appearance.style, appearance.background)),
                       .shows_mesh_colors = appearance.materials && !appearance.color,
-                      .line_color = appearance.line_color},
+                      .line_color = appearance.line_color,
+                      .lines_in_mesh_colors = appearance.material_lines},
          .is_solid = model.is_solid()});
     if (appearance.ground)
         scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(camera.up)));

@@ -29,6 +29,7 @@ struct ViewAppearance {
     /// Of surfaces and of lines. Not set: the style's own.
     std::optional<glm::vec3> color, line_color;
     bool materials = true;  ///< Surfaces have the colors of the model's file unless `color` is set.
+    bool material_lines = false;  ///< Lines have shades of these colors.
     bool lines = true;
     float line_width_px = 2.5f;
     bool hidden = false;  ///< Draws hidden lines too, dashed.

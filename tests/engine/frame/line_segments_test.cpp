@@ -22,7 +22,7 @@ gpu::FrameData frame() {
 std::vector<gpu::LineSegment> segments_of(const PictureLines& lines,
                                           const gpu::FrameData& data = frame()) {
     std::vector<gpu::LineSegment> segments;
-    add_line_segments(lines, data, segments);
+    add_line_segments(lines, k_own_line_color, data, segments);
     return segments;
 }
 

@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import re
 import struct
 import tempfile
 import zlib
@@ -163,6 +164,48 @@ def test_render_shows_the_colors_of_the_file():
         for style in ("blueprint", "mask"):
             assert middle("0,0,5", "--style", style) == middle("5,0,0", "--style", style)
         fail(2, "render", cube, "-o", output, "--materials", "maybe")
+
+
+def test_lines_have_the_colors_of_the_file_if_these_are_asked_for():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        cube = write_colored_cube(folder, library=True)
+        output = os.path.join(folder, "a.png")
+
+        def line(eye, *options):
+            succeed("render", cube, "-o", output, "--size", "64x64", "--eye", eye, "--target", "0,0,0", "--sun", eye,
+                    "--line-width", "6", *options)
+            return png_rows(output)[32]
+
+        # The outline of the side that is seen: red, green or blue, and dark.
+        for style in ("ink", "toon", "hatch"):
+            for eye, channel in (("0,0,5", 0), ("0,0,-5", 1), ("5,0,0", 2)):
+                row = line(eye, "--style", style, "--line-color", "material", "--color", "white")
+                shades = [pixel[:3] for pixel in row if sum(pixel[:3]) < 200]
+                assert shades, (style, eye)
+                for shade in shades:
+                    assert shade[channel] > 60 and sum(shade) == shade[channel], (style, eye, shade)
+        for style in ("blueprint", "mask"):
+            assert line("0,0,5", "--style", style, "--line-color", "material") == line("0,0,5", "--style", style)
+        assert "'shape'" in fail(2, "render", cube, "-o", output, "--line-color", "shape")
+        frames = os.path.join(folder, "frames")
+        succeed("animate", cube, "-o", frames, "--size", "64x64", "--eye", "0,0,5", "--target", "0,0,0", "--frames", "1",
+                "--line-width", "6", "--color", "white", "--line-color", "material", "--sun", "0,0,5")
+        row = png_rows(os.path.join(frames, "frame_0000.png"))[32]
+        assert any(pixel[0] > 100 and pixel[1] == pixel[2] == 0 for pixel in row)
+        # A drawing from the front has red lines only, hidden ones of the other sides too.
+        drawing = os.path.join(folder, "a.svg")
+        draw = ["draw", cube, "--eye", "0,0,5", "--line-color", "material", "-o"]
+        succeed(*draw, drawing)
+        with open(drawing) as file:
+            colors = set(re.findall(r'<path [^>]*stroke="([^"]*)"', file.read()))
+        assert len(colors) == 1 and re.fullmatch(r"rgb\(1\d\d,0,0\)", colors.pop())
+        succeed(*draw, drawing, "--hidden", "layer")
+        with open(drawing) as file:
+            assert len(set(re.findall(r'<path [^>]*stroke="([^"]*)"', file.read()))) > 1
+        succeed(*draw, os.path.join(folder, "a.pdf"))
+        for name in ("a.dxf", "a.json"):
+            assert "only drawings in SVG and PDF" in fail(2, *draw, os.path.join(folder, name))
 
 
 def write_png(path, rows):

@@ -89,6 +89,30 @@ TEST_CASE("a PDF has its y axis upwards and escapes its title") {
     CHECK(contains(text, "[2 1] 0 d"));
 }
 
+TEST_CASE("lines have the color of their ink, and those without one that of the drawing") {
+    PageDrawing drawing = made_page();
+    CHECK(contains(drawing_svg(drawing), R"(fill="none" stroke="#000")"));
+    drawing.color = {0, 0, 255};
+    drawing.inks = {{9, 8, 7}, {51, 51, 51}};
+    drawing.lines[0].ink = 0;
+    drawing.lines[1].ink = 1;
+    drawing.lines.push_back({LineKind::border, false, false, {{5, 5}, {6, 5}}, {}, {5}, {}});
+    const std::string svg = drawing_svg(drawing);
+    CHECK(contains(svg, R"x(fill="none" stroke="rgb(0,0,255)")x"));
+    CHECK(contains(svg, R"x(<path d="M1,2 3,2 3,4Z" stroke="rgb(9,8,7)"/>)x"));
+    CHECK(contains(svg, R"x(<path d="M1,2 3.5,2" stroke="rgb(51,51,51)"/>)x"));
+    CHECK(contains(svg, R"(<path d="M5,5 6,5"/>)"));
+    const std::string pdf = drawing_pdf(drawing);
+    CHECK(contains(pdf, "1 J 0 0 1 RG\n0.035 0.031 0.027 RG\n1 48 m\n"));
+    CHECK(contains(pdf, "s\n0 0 1 RG\n5 45 m\n"));
+    CHECK(contains(pdf, "[2 1] 0 d 0 0 1 RG\n0.2 G\n1 48 m\n"));
+    // Solid hidden lines are gray.
+    drawing.dashes_hidden = false;
+    drawing.lines[1].ink = tools::k_no_material_ink;
+    CHECK(contains(drawing_svg(drawing), R"x(stroke="rgb(128,128,128)")x"));
+    CHECK(contains(drawing_pdf(drawing), "1 J 0.502 G\n1 48 m\n"));
+}
+
 TEST_CASE("a DXF has a layer for each kind of lines that it holds") {
     const std::string text = drawing_dxf(made_page());
     CHECK(contains(text, "LAYER\n2\nVISIBLE_BORDER\n70\n0\n62\n7\n6\nCONTINUOUS\n"));

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <utility>
 #include <vector>
 
 using namespace rimline;
@@ -173,4 +174,60 @@ TEST_CASE("simplification moves no line by more than its tolerance") {
     const auto lines = made.lines({.simplify_mm = 0.1, .frame = {}});
     REQUIRE(lines.size() == 1);
     CHECK(lines[0].points == Points{{0, 0}, {2, 0}, {3, -0.5}, {4, 0}});
+}
+
+TEST_CASE("lines are divided where their ink changes, forwards and backwards") {
+    // A strip of three squares, each of its own material, but the last of none.
+    MeshSource source;
+    for (int i = 0; i < 4; ++i)
+        for (const float y : {0.0f, 1.0f}) source.positions.emplace_back(float(i), y, 0.0f);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        source.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+        source.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+        const MaterialId material = i < 2 ? MaterialId{i} : k_no_material;
+        source.materials.of_face.insert(source.materials.of_face.end(), 2, material);
+    }
+    source.materials.materials = {{.base_color = {1, 0, 0}}, {.base_color = {0, 1, 0}}};
+    const Mesh mesh(std::move(source));
+    const tools::LineMaterials materials(mesh);
+    const auto edge_at = [&](float x) {
+        for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+            const auto& [v, w] = mesh.edge(EdgeId{e}).vertices;
+            const glm::vec3 sum = mesh.positions()[index(v)] + mesh.positions()[index(w)];
+            if (sum == glm::vec3(2.0f * x, 0.0f, 0.0f)) return EdgeId{e};
+        }
+        return k_no_edge;
+    };
+    const PageLineOptions options{
+        .mesh = &mesh, .materials = &materials, .point = HomogeneousPoint::direction({0, 0, 1})};
+    const auto made_of = [&](bool is_reversed, std::uint32_t hidden_by) {
+        MadeDrawing made;
+        made.begin_chain(LineKind::border, false);
+        made.add_run(hidden_by, {{0, 0}, {1, 0}, {2, 0}, {3, 0}});
+        for (std::size_t i = 0; i < 4; ++i)
+            made.drawing.sources[i] = {edge_at(i == 0 ? 0.5f : float(i) - 0.5f),
+                                       i == 0 ? 0.f : 1.f};
+        if (hidden_by == 0) made.add_stroke({{0, is_reversed}}, false);
+        return made.lines(options);
+    };
+    for (const std::uint32_t hidden_by : {0u, 1u})
+        for (const bool is_reversed : {false, true}) {
+            if (hidden_by > 0 && is_reversed) continue;
+            CAPTURE(hidden_by);
+            CAPTURE(is_reversed);
+            auto lines = made_of(is_reversed, hidden_by);
+            REQUIRE(lines.size() == 3);
+            if (is_reversed) std::swap(lines[0], lines[2]);
+            CHECK(lines[0].ink == 0);
+            CHECK(lines[1].ink == 1);
+            CHECK(lines[2].ink == tools::k_no_material_ink);
+            for (std::size_t i = 0; i < 3; ++i) {
+                Points expected{{double(i), 0}, {double(i) + 1.0, 0}};
+                if (is_reversed) std::swap(expected[0], expected[1]);
+                CHECK(lines[i].points == expected);
+                CHECK(lines[i].edges.size() == 1);
+                CHECK(lines[i].is_hidden == (hidden_by > 0));
+                CHECK(lines[i].kind == LineKind::border);
+            }
+        }
 }

@@ -68,14 +68,14 @@ TEST_CASE("nine edges of a box are seen, and three are hidden") {
         const Camera camera = camera_of(box, ortho_height);
         for (const char* style : {"ink", "blueprint"}) {
             SceneOptions options{.style = style, .hidden = true};
-            const PictureLines& lines = *shown.draw(camera, k_picture_size, options.line_style());
+            const PictureLines& lines = *shown.draw(camera, k_picture_size, options.line_style({}));
             CHECK(edges_on_lines(box, camera, lines, false) == 9);
             CHECK(edges_on_lines(box, camera, lines, true) == 3);
             CHECK(shown.silhouette_count() == 6);
             CHECK(shown.crease_count() == 12);
         }
         SceneOptions options{.style = "toon"};
-        const PictureLines& lines = *shown.draw(camera, k_picture_size, options.line_style());
+        const PictureLines& lines = *shown.draw(camera, k_picture_size, options.line_style({}));
         CHECK(edges_on_lines(box, camera, lines, false) == 6);
         CHECK(std::ranges::none_of(lines.lines, &PictureLine::is_hidden));
         CHECK(lines.lines.size() == 1);
@@ -91,7 +91,7 @@ TEST_CASE("short lines are left out, by default those below a 60th of the pictur
     SceneOptions options{.style = "toon"};
     const auto count = [&](std::optional<double> min_length) {
         options.min_length = min_length;
-        return shown.draw(camera, k_picture_size, options.line_style())->lines.size();
+        return shown.draw(camera, k_picture_size, options.line_style({}))->lines.size();
     };
     const std::size_t all = count(0.0);
     CHECK(count({}) == count(5.0));
@@ -114,7 +114,7 @@ TEST_CASE("intersections are drawn in ink and blueprint, and where they are aske
     ShownLines shown(octree);
     const Camera camera = camera_of(mesh, 0.0);
     const auto is_drawn = [&](const SceneOptions& options) {
-        const PictureLines& lines = *shown.draw(camera, k_picture_size, options.line_style());
+        const PictureLines& lines = *shown.draw(camera, k_picture_size, options.line_style({}));
         return distance_to(lines, in_picture(camera, {0.13f, 0.3f, 0}), false) < 1e-3;
     };
     CHECK(is_drawn({.style = "ink"}));
@@ -131,6 +131,53 @@ TEST_CASE("no lines are drawn from where no point lies beside the eye") {
     Camera camera = camera_of(box, 0.0);
     camera.eye = {double{k_max_coordinate}, 0, 0};
     CHECK(shown.draw(camera, k_picture_size, {}) == nullptr);
+}
+
+TEST_CASE("lines are divided where the material of the face in front changes, and nowhere else") {
+    // The half of a sphere with x > 0 is of another material.
+    MeshSource source = make_built_in_shape("sphere", 2000);
+    for (const auto& triangle : source.triangles) {
+        float x = 0.0f;
+        for (const std::uint32_t v : triangle) x += source.positions[v].x;
+        source.materials.of_face.push_back(MaterialId{x > 0.0f ? 1u : 0u});
+    }
+    source.materials.materials = {{.base_color = {1, 0, 0}}, {.base_color = {0, 0, 1}}};
+    const Mesh sphere(std::move(source));
+    const HoughOctree octree(sphere);
+    ShownLines shown(octree);
+    Camera camera = camera_of(sphere, 0.0);
+    camera.eye = camera.target + glm::dvec3(0, 0, glm::distance(camera.eye, camera.target));
+    SceneOptions options{.style = "toon", .has_material_lines = true};
+    const PictureLines& lines =
+        *shown.draw(camera, k_picture_size, options.line_style({.background = glm::vec3(1.0f)}));
+    REQUIRE(lines.colors.size() == 2);
+    CHECK(lines.colors[0] == line_shade({1, 0, 0}, false));
+    CHECK(lines.colors[1] == line_shade({0, 0, 1}, false));
+    // A closed line begins anywhere: two or three parts.
+    CHECK(lines.lines.size() >= 2);
+    CHECK(lines.lines.size() <= 3);
+    double length = 0.0;
+    for (const PictureLine& line : lines.lines) {
+        CHECK_FALSE(line.is_closed);
+        for (std::uint32_t i = line.first_point; i + 1 < line.last_point; ++i) {
+            const glm::dvec2 middle = 0.5 * (lines.points[i] + lines.points[i + 1]);
+            length += glm::distance(lines.points[i], lines.points[i + 1]);
+            // Faces on the border lie on both sides of it.
+            if (std::abs(middle.x) > 0.02) CHECK(line.color == (middle.x > 0.0 ? 1u : 0u));
+        }
+    }
+    const PictureLines plain =
+        *shown.draw(camera, k_picture_size, SceneOptions{.style = "toon"}.line_style({}));
+    REQUIRE(plain.lines.size() == 1);
+    CHECK(plain.lines[0].color == k_own_line_color);
+    CHECK(plain.colors.empty());
+    double plain_length = glm::distance(plain.points.front(), plain.points.back());
+    for (std::size_t i = 0; i + 1 < plain.points.size(); ++i)
+        plain_length += glm::distance(plain.points[i], plain.points[i + 1]);
+    CHECK(length == doctest::Approx(plain_length).epsilon(1e-3));
+    // In styles without colors nothing changes.
+    options.style = "blueprint";
+    CHECK(shown.draw(camera, k_picture_size, options.line_style({}))->colors.empty());
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#include "tools/output/line_materials.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace rimline::tools {
+
+std::uint32_t LineMaterials::ink_of(EdgeId edge, const HomogeneousPoint& point) const {
+    if (edge == k_no_edge || inks_.colors.empty()) return k_no_material_ink;
+    const std::span<const FaceId> faces = mesh_->faces_of(edge);
+    // The distance of the point from the plane of a face, negative behind it.
+    const auto height = [&](FaceId face) {
+        const Plane& plane = mesh_->plane(face);
+        if (!plane.has_normal()) return -std::numeric_limits<double>::infinity();
+        return glm::dot(glm::dvec3(plane.nx, plane.ny, plane.nz),
+                        glm::dvec3(point.x, point.y, point.z)) -
+               double{point.w} * double{plane.d};
+    };
+    const FaceId seen = std::ranges::max(faces, {}, height);
+    const MaterialId material = mesh_->materials().of_face[index(seen)];
+    return material == k_no_material ? k_no_material_ink : inks_.of_material[index(material)];
+}
+
+}  // namespace rimline::tools

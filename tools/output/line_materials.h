@@ -1,0 +1,33 @@
+#pragma once
+
+// The materials along the lines of a drawing.
+
+#include <cstdint>
+
+#include "silhouette/lines/line_drawing.h"
+#include "silhouette/mesh/homogeneous_point.h"
+#include "silhouette/mesh/material_inks.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline::tools {
+
+/// Of no material: lines of faces without one, and intersections of surfaces.
+constexpr std::uint32_t k_no_material_ink = 0xffffffffu;
+
+class LineMaterials {
+public:
+    /// `mesh` must outlive this object. O(faces) where faces have materials.
+    explicit LineMaterials(const Mesh& mesh)
+        : mesh_(&mesh), inks_(material_inks(mesh.materials())) {}
+
+    const MaterialInks& inks() const noexcept { return inks_; }
+    /// The index in inks().colors of that face of an edge which is turned most towards `point`: of a silhouette, the
+    /// front. k_no_edge has none.
+    std::uint32_t ink_of(EdgeId edge, const HomogeneousPoint& point) const;
+
+private:
+    const Mesh* mesh_;
+    MaterialInks inks_;
+};
+
+}  // namespace rimline::tools
