@@ -14,7 +14,6 @@ namespace rimline {
 
 namespace {
 
-constexpr std::size_t k_prefetched = 16;
 constexpr std::uint32_t k_distance_classes = 1u << 16;
 // Up to so many times the least number of parts, another order is not tried.
 constexpr std::size_t k_few_parts = 2;
@@ -45,10 +44,10 @@ FaceBox line_through(const glm::vec3& place, int axis, const Bounds& bounds) {
 
 }  // namespace
 
-// Of sides_. Tries the axes with the fewest faces at their poles first, until the bound is enough.
+// Tries the axes with the fewest faces at their poles first, until the bound is enough.
 template <typename CountFaces>
-std::uint32_t VolumeCounter::bound_from_within(const Bounds& bounds, const HomogeneousPoint& light,
-                                               std::uint32_t enough,
+std::uint32_t VolumeCounter::bound_from_within(const VolumeSides& sides, const Bounds& bounds,
+                                               const HomogeneousPoint& light, std::uint32_t enough,
                                                const CountFaces& faces_on_line) {
     struct Poles {
         std::uint32_t faces;
@@ -62,7 +61,7 @@ std::uint32_t VolumeCounter::bound_from_within(const Bounds& bounds, const Homog
     std::ranges::sort(poles);
     std::uint32_t least = ~0u;
     for (const auto& [faces, axis] : poles) {
-        least = std::min(least, rays_.from_within(sides_, light, axis, faces));
+        least = std::min(least, rays_.from_within(sides, light, axis, faces));
         if (least <= enough) break;
     }
     return least;
@@ -76,31 +75,20 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
     const bool single = volume.form == ShadowForm::single;
     const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
     sides_.clear();
-    const auto add = [&](EdgeId edge, std::int32_t times) {
-        const auto& [a, b] = mesh.edge(edge).vertices;
-        sides_.push_back({positions[index(a)], positions[index(b)], times});
-    };
-    // Edges and their vertices lie anywhere in memory.
-    const std::span<const EdgeId> silhouette = volume.silhouette;
-    for (std::size_t i = 0; i < silhouette.size(); ++i) {
-        if (i + 2 * k_prefetched < silhouette.size())
-            __builtin_prefetch(&mesh.edge(silhouette[i + 2 * k_prefetched]));
-        if (i + k_prefetched < silhouette.size())
-            for (const VertexId vertex : mesh.edge(silhouette[i + k_prefetched]).vertices)
-                __builtin_prefetch(&positions[index(vertex)]);
-        if (index(silhouette[i]) < regular_end) add(silhouette[i], single ? 1 : 2);
-    }
     for (std::uint32_t e = regular_end; e < mesh.edge_count(); ++e) {
         std::int32_t times = 0;
         for (const FaceId face : mesh.faces_of(EdgeId{e}))
             times += !single || face_bit(volume.face_words, face) ? 1 : 0;
-        if (times > 0) add(EdgeId{e}, times);
+        const auto& [a, b] = mesh.edge(EdgeId{e}).vertices;
+        if (times > 0) sides_.push_back({positions[index(a)], positions[index(b)], times});
     }
+    const VolumeSides sides(sides_, volume.silhouette, regular_end, mesh, positions,
+                            single ? 1 : 2);
     std::uint32_t bound = 0;
     if (const std::optional<int> outer = outer_axis(bounds, volume.light))
-        bound = rays_.from_outside(sides_, bounds, volume.light, *outer, enough);
+        bound = rays_.from_outside(sides, bounds, volume.light, *outer, enough);
     else
-        bound = bound_from_within(bounds, volume.light, enough, [&](const FaceBox& line) {
+        bound = bound_from_within(sides, bounds, volume.light, enough, [&](const FaceBox& line) {
             std::uint32_t met = 0;
             if (volume.moved) {
                 for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
@@ -211,9 +199,10 @@ std::uint32_t VolumeCounter::bound_of_run(const CountedVolume& volume, std::uint
     sides_.clear();
     for (const gpu::EdgeRecord& record : records)
         sides_.push_back({positions[record.v0], positions[record.v1], 1});
+    const VolumeSides sides(sides_);
     if (const std::optional<int> outer = outer_axis(bounds, volume.light))
-        return rays_.from_outside(sides_, bounds, volume.light, *outer, enough);
-    return bound_from_within(bounds, volume.light, enough, [&](const FaceBox& line) {
+        return rays_.from_outside(sides, bounds, volume.light, *outer, enough);
+    return bound_from_within(sides, bounds, volume.light, enough, [&](const FaceBox& line) {
         return static_cast<std::uint32_t>(std::ranges::count_if(
             run.faces(),
             [&](std::uint32_t face) { return box_of_face(volume, face).meets(line); }));

@@ -99,11 +99,12 @@ private:
                                const FaceRun& run, std::span<const gpu::EdgeRecord> records);
 
     template <typename CountFaces>
-    std::uint32_t bound_from_within(const Bounds& bounds, const HomogeneousPoint& light,
-                                    std::uint32_t enough, const CountFaces& faces_on_line);
+    std::uint32_t bound_from_within(const VolumeSides& sides, const Bounds& bounds,
+                                    const HomogeneousPoint& light, std::uint32_t enough,
+                                    const CountFaces& faces_on_line);
 
     RayBound rays_;
-    std::vector<VolumeSide> sides_;
+    std::vector<VolumeSide> sides_;  // Those that are not of regular edges of the silhouette.
     std::vector<std::uint32_t> order_, ranks_;  // Of FaceRun.
 };
 

@@ -391,9 +391,10 @@ private:
 
     // Takes depth pass, where it is known what lies before the near plane.
     void count_from_near(ShadowReport& shadow) {
-        const auto counts =
-            near_counts(counted_volume(shadow), state_of(shadow.instance).volumes[shadow.light],
-                        shadow_view(view_, scene_.instances[shadow.instance]));
+        InstanceState& state = state_of(shadow.instance);
+        const auto& counts = state.near_counters[shadow.light].counts(
+            counted_volume(shadow), state.volumes[shadow.light],
+            shadow_view(view_, scene_.instances[shadow.instance]));
         if (!counts) return;
         list_.instances[shadow.instance].lights[shadow.light].method = ShadowMethod::pass;
         shadow.choice.method = ShadowMethod::pass;

@@ -114,6 +114,7 @@ void InstanceStates::prepare(const Scene& scene, const Frames& frames, Uploaded&
             retire(state.lights[l]);
         state.lights.resize(scene.lights.size());
         state.volumes.resize(scene.lights.size());
+        state.near_counters.resize(scene.lights.size());
         while (state.deforming && state.deforming->light_count() > scene.lights.size())
             next_retired().gpu_silhouette = state.deforming->take_last_light();
     }

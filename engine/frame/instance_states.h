@@ -14,6 +14,7 @@
 #include "engine/frame/counted_volume.h"
 #include "engine/frame/frame_view.h"
 #include "engine/frame/moved_caster.h"
+#include "engine/frame/near_count.h"
 #include "engine/line_path.h"
 #include "engine/scene.h"
 #include "engine/stream/deforming_instance.h"
@@ -33,7 +34,8 @@ struct InstanceState {
     std::unique_ptr<MovedCaster> moved;  ///< Of a mesh that deforms, with has_deep_shadows.
     std::unique_ptr<TrackedSilhouette> camera;
     std::vector<std::unique_ptr<TrackedSilhouette>> lights;
-    std::vector<VolumeCount> volumes;  ///< Of each light.
+    std::vector<VolumeCount> volumes;        ///< Of each light.
+    std::vector<NearCounter> near_counters;  ///< The same.
 };
 
 class InstanceStates {

@@ -111,4 +111,16 @@ std::optional<std::vector<std::uint32_t>> near_counts(const CountedVolume& volum
     return counts;
 }
 
+const std::optional<std::vector<std::uint32_t>>& NearCounter::counts(const CountedVolume& volume,
+                                                                     const VolumeCount& count,
+                                                                     const ShadowView& view) {
+    const Key key{volume.light, volume.form, view.eye, view.near_reach};
+    if (key_ != key) {
+        key_.reset();  // Where memory does not suffice, nothing is known.
+        counts_ = near_counts(volume, count, view);
+        key_ = key;
+    }
+    return counts_;
+}
+
 }  // namespace rimline

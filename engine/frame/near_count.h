@@ -12,6 +12,7 @@
 // Source: Hornus et al., ZP+: correct Z-pass stencil shadows, 2005, where the near plane's number is drawn.
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
@@ -26,5 +27,25 @@ namespace rimline {
 std::optional<std::vector<std::uint32_t>> near_counts(const CountedVolume& volume,
                                                       const VolumeCount& count,
                                                       const ShadowView& view);
+
+/// near_counts() of one mesh that does not deform, kept for as long as light, form and eye rest.
+class NearCounter {
+public:
+    /// `count` must have its parts. Valid until the next call.
+    const std::optional<std::vector<std::uint32_t>>& counts(const CountedVolume& volume,
+                                                            const VolumeCount& count,
+                                                            const ShadowView& view);
+
+private:
+    struct Key {
+        HomogeneousPoint light;
+        ShadowForm form;
+        glm::dvec3 eye;
+        double near_reach;
+        bool operator==(const Key&) const = default;
+    };
+    std::optional<Key> key_;
+    std::optional<std::vector<std::uint32_t>> counts_;
+};
 
 }  // namespace rimline

@@ -18,7 +18,7 @@ constexpr std::uint32_t k_max_bins = 1u << 14;
 // Error of a vertex relative to the light in the shaders, relative to its length.
 constexpr double k_float_rounding = 0x1p-22;
 
-std::uint32_t bins_for(std::span<const VolumeSide> sides) {
+std::uint32_t bins_for(const VolumeSides& sides) {
     return std::clamp(std::bit_ceil(std::max(static_cast<std::uint32_t>(sides.size()), 1u)),
                       k_min_bins, k_max_bins);
 }
@@ -222,11 +222,10 @@ std::optional<int> outer_axis(const Bounds& bounds, const HomogeneousPoint& ligh
 }
 
 template <typename Meridians>
-std::int64_t RayBound::most_on_meridian(std::span<const VolumeSide> sides,
-                                        const Meridians& meridians) {
+std::int64_t RayBound::most_on_meridian(const VolumeSides& sides, const Meridians& meridians) {
     const std::uint32_t bins = meridians.bins();
     steps_.assign(bins + 1, 0);
-    for (const VolumeSide& side : sides) {
+    sides.for_each([&](const VolumeSide& side) {
         const BinSpan span = meridians.span_of(side);
         const std::uint32_t end = span.first + span.count;
         steps_[span.first] += side.count;
@@ -236,7 +235,7 @@ std::int64_t RayBound::most_on_meridian(std::span<const VolumeSide> sides,
             steps_[0] += side.count;
             steps_[end - bins] -= side.count;
         }
-    }
+    });
     std::int64_t most = 0;
     std::int64_t spanning = 0;
     for (std::uint32_t bin = 0; bin < bins; ++bin) {
@@ -246,7 +245,7 @@ std::int64_t RayBound::most_on_meridian(std::span<const VolumeSide> sides,
     return most;
 }
 
-std::uint32_t RayBound::from_outside(std::span<const VolumeSide> sides, const Bounds& bounds,
+std::uint32_t RayBound::from_outside(const VolumeSides& sides, const Bounds& bounds,
                                      const HomogeneousPoint& light, int outer,
                                      std::uint32_t enough) {
     const std::uint32_t bins = bins_for(sides);
@@ -262,9 +261,8 @@ std::uint32_t RayBound::from_outside(std::span<const VolumeSide> sides, const Bo
     return least;
 }
 
-std::uint32_t RayBound::from_within(std::span<const VolumeSide> sides,
-                                    const HomogeneousPoint& light, int axis,
-                                    std::uint32_t faces_at_poles) {
+std::uint32_t RayBound::from_within(const VolumeSides& sides, const HomogeneousPoint& light,
+                                    int axis, std::uint32_t faces_at_poles) {
     const AllMeridians meridians(light, axis, bins_for(sides));
     return half(most_on_meridian(sides, meridians) + faces_at_poles);
 }

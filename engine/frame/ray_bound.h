@@ -18,21 +18,14 @@
 // directional light. Each side is counted in the bins that it spans, widened by the rounding of its ends.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "engine/frame/volume_sides.h"
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
-
-/// Sides of a volume along one edge.
-struct VolumeSide {
-    glm::vec3 a, b;      ///< The edge's ends.
-    std::int32_t count;  ///< How many sides are drawn there.
-};
 
 /// The coordinate along which a light lies farthest outside of `bounds`, or for a directional light its
 /// greatest. Empty if a light lies within, or outside by no more than rounding.
@@ -43,16 +36,16 @@ class RayBound {
 public:
     /// Of a light outside of `bounds`, the bounds of all sides; `outer` is its outer_axis(). O(sides). Where the
     /// bound by one axis is above `enough`, another axis is tried.
-    std::uint32_t from_outside(std::span<const VolumeSide> sides, const Bounds& bounds,
+    std::uint32_t from_outside(const VolumeSides& sides, const Bounds& bounds,
                                const HomogeneousPoint& light, int outer, std::uint32_t enough);
     /// Of a point light, from anywhere. `faces_at_poles` is at least the number of triangles that the line
     /// through the light along `axis` meets. O(sides).
-    std::uint32_t from_within(std::span<const VolumeSide> sides, const HomogeneousPoint& light,
-                              int axis, std::uint32_t faces_at_poles);
+    std::uint32_t from_within(const VolumeSides& sides, const HomogeneousPoint& light, int axis,
+                              std::uint32_t faces_at_poles);
 
 private:
     template <typename Meridians>
-    std::int64_t most_on_meridian(std::span<const VolumeSide> sides, const Meridians& meridians);
+    std::int64_t most_on_meridian(const VolumeSides& sides, const Meridians& meridians);
 
     // By bin: sides that span it, minus those that span the bin before.
     std::vector<std::int32_t> steps_;

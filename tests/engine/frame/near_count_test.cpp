@@ -123,6 +123,32 @@ TEST_CASE("there is no one count where an edge or a face of the volume is before
     CHECK(count({1.76, -1.0, 0.1}) == 1);
 }
 
+TEST_CASE(
+    "counts are kept while light, form and eye rest, and made again when one of them changes") {
+    const Model wall(square(1.0, 0.0));
+    const TrackedVolume first(wall, HomogeneousPoint::viewpoint({0.2f, 1.0f, 0.1f}));
+    const TrackedVolume second(wall, HomogeneousPoint::viewpoint({0.2f, -1.0f, 0.1f}));
+    const CountedVolume above = first.counted(ShadowForm::general);
+    ShadowView view{.eye = {0.3, -0.5, 0.1}, .near_reach = 0.01};
+    VolumeCount two_parts;
+    two_parts.parts.resize(2);
+    NearCounter counter;
+    using Counts = std::vector<std::uint32_t>;
+    CHECK(counter.counts(above, {}, view) == Counts{1});
+    CHECK(counter.counts(above, two_parts, view) == Counts{1});
+    CHECK(counter.counts(second.counted(ShadowForm::general), {}, view) == Counts{0});
+    CHECK(counter.counts(above, {}, view) == Counts{1});
+    view.eye.y = 0.5;
+    CHECK(counter.counts(above, {}, view) == Counts{0});
+    view.near_reach = 1.0;
+    CHECK_FALSE(counter.counts(above, {}, view));
+    view = {.eye = {0.3, -0.5, 0.1}, .near_reach = 0.01};
+    // Seen from the back, a single volume of a front has no triangle of it.
+    CHECK(counter.counts(above, {}, view) == Counts{1});
+    const auto single = near_counts(first.counted(ShadowForm::single), {}, view);
+    CHECK(counter.counts(first.counted(ShadowForm::single), {}, view) == single);
+}
+
 TEST_CASE("parts count what is before the near plane for themselves") {
     const Model model(stack(k_stacked));
     const TrackedVolume volume(model, HomogeneousPoint::viewpoint({0.31f, -1.496f, 0.23f}));
