@@ -97,9 +97,10 @@ public:
                                 ->default_str("")
                                 ->group(k_group);
         scene_.add_to(app);
+        scene_.add_palette_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.footer(
             "The camera moves along the path and looks at the model's center, or at --target. With "
@@ -119,7 +120,7 @@ public:
     ExitStatus run(const Context& context) override {
         check_usage();
         if (!picture_.eye) path_.read(context);
-        FrameSequence sequence(output_, path_.frames);
+        FrameSequence sequence(output_, path_.frames, scene_.finish(picture_));
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
@@ -171,6 +172,7 @@ private:
     };
 
     void check_usage() const {
+        scene_.check_usage(picture_);
         if (picture_.eye && path_.is_moving())
             throw UsageError(
                 "--eye: the camera stands there; leave out --path, --radius and --step");

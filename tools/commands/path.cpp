@@ -39,13 +39,14 @@ public:
                              ->type_name("FOLDER")
                              ->group("Output");
         style_.add_to(app);
+        style_.add_palette_to(app);
         add_direction(app, "--up", picture_.up,
                       "Up direction of pictures (default: y, or z if the file format says so)")
             ->group("Camera");
         picture_.add_lights_to(app);
         app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
             ->group("Light");
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.footer(
             "The path is closed and smooth. It passes through the best views, and between each two "
@@ -59,8 +60,10 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        style_.check_usage(picture_);
         std::optional<FrameSequence> sequence;
-        if (output_option_->count() > 0) sequence.emplace(output_, plan_.frames);
+        if (output_option_->count() > 0)
+            sequence.emplace(output_, plan_.frames, style_.finish(picture_));
         const Mesh mesh =
             model_.load_mesh(context, sequence ? style_.textures() : TexturePictures::skip);
         context.checkpoint();

@@ -32,10 +32,11 @@ public:
         model_.add_to(app, ModelArgument::Presence::optional);
         add_output(app, "-o,--output", output_, ".png", "PNG file to write")->group("Output");
         options_.add_to(app);
+        options_.add_palette_to(app);
         options_.add_still_lines_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.add_flag("--pass-times", pass_times_,
                      "Report the time of each pass on the device, where its queue has timestamps")
@@ -54,6 +55,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        options_.check_usage(picture_);
         OutputFile output(output_, model_.model);  // Reports a bad path before the work.
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, options_.textures());
@@ -81,8 +83,9 @@ public:
                 lines->draw(scene.camera, picture_.size, options_.line_style(), progress.call());
         }
         Renderer renderer(device.context(), {.pass_times = pass_times_});
-        const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
+        Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
         context.checkpoint();
+        options_.finish(picture_).apply(picture);
 
         write_png(output, picture);
         FrameReport report = renderer.report();

@@ -36,12 +36,13 @@ public:
                 ->type_name("FOLDER")
                 ->group("Output");
         style_.add_to(app);
+        style_.add_palette_to(app);
         style_.add_still_lines_to(app);
         add_direction(app, "--up", picture_.up,
                       "Up direction of pictures (default: y, or z if the file format says so)")
             ->group("Camera");
         picture_.add_lights_to(app);
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.footer(
             "Views are 1.73 to 2 of the model's radii from its center. The planes of the faces "
@@ -63,6 +64,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        style_.check_usage(picture_);
         std::optional<OutputFolder> folder;
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
         const Mesh mesh =
@@ -89,7 +91,7 @@ private:
         const std::uint32_t columns = contact_sheet_columns(eyes.size());
         about_model(model_.model, [&] {
             std::optional<ShownLines> lines;
-            if (style_.lines == "on") lines.emplace(prepare_lines(*drawn.octree, context));
+            if (style_.draws_lines()) lines.emplace(prepare_lines(*drawn.octree, context));
             const ViewScene scene{model_.model, *drawn.octree, style_, picture_,
                                   lines ? &*lines : nullptr};
             Renderer renderer(drawn.device->context());
@@ -101,13 +103,18 @@ private:
             for (std::size_t i = 0; i < pictures.size(); ++i)
                 write(folder, "view_" + std::to_string(i + 1) + ".png", pictures[i]);
             write(folder, "contact_sheet.png",
-                  make_contact_sheet(cells, columns, k_sheet_gap, {255, 255, 255}));
+                  make_contact_sheet(cells, columns, k_sheet_gap, sheet_color()));
         });
     }
 
     static void write(const OutputFolder& folder, const std::string& name, const Picture& picture) {
         OutputFile file(folder.path() / name);
         write_png(file, picture);
+    }
+
+    Color sheet_color() const {
+        if (style_.finish(picture_).has_alpha) return {0, 0, 0, 0};
+        return {255, 255, 255};
     }
 
     // Size of the pictures of the sheet. They are drawn, not scaled down, so that lines keep their width.

@@ -10,8 +10,9 @@ namespace rimline::tools {
 
 namespace fs = std::filesystem;
 
-FrameSequence::FrameSequence(fs::path folder, std::uint32_t frame_count)
-    : folder_(std::move(folder), "frames") {
+FrameSequence::FrameSequence(fs::path folder, std::uint32_t frame_count,
+                             const PictureFinish& finish)
+    : folder_(std::move(folder), "frames"), finish_(finish) {
     const std::size_t needed = std::to_string(frame_count > 0 ? frame_count - 1 : 0).size();
     digits_ = std::max(digits_, static_cast<int>(needed));
 }
@@ -30,7 +31,9 @@ fs::path FrameSequence::file(std::uint32_t frame) const {
 
 void FrameSequence::write(Picture picture) {
     finish();
-    writing_ = std::async(std::launch::async, [path = file(next_), picture = std::move(picture)] {
+    writing_ = std::async(std::launch::async, [path = file(next_), finish = finish_,
+                                               picture = std::move(picture)]() mutable {
+        finish.apply(picture);
         OutputFile output(path);
         write_png(output, picture);
     });

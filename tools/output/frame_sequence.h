@@ -15,14 +15,16 @@
 #include "tools/options/animation.h"
 #include "tools/options/option_types.h"
 #include "tools/output/output_folder.h"
+#include "tools/output/picture_finish.h"
 
 namespace rimline::tools {
 
 class FrameSequence {
 public:
     /// Creates the folder if it is missing; its parent folder must exist. File numbers have four digits, or
-    /// as many as the last of `frame_count` needs. Throws Error{io} naming the folder.
-    FrameSequence(std::filesystem::path folder, std::uint32_t frame_count);
+    /// as many as the last of `frame_count` needs. `finish` is applied to each frame. Throws Error{io} naming the folder.
+    FrameSequence(std::filesystem::path folder, std::uint32_t frame_count,
+                  const PictureFinish& finish = {});
     /// Waits for the last write. Removes the folder if it was created here and is empty.
     ~FrameSequence();
     FrameSequence(const FrameSequence&) = delete;
@@ -40,6 +42,7 @@ public:
 
 private:
     OutputFolder folder_;
+    PictureFinish finish_;
     int digits_ = 4;
     std::uint32_t next_ = 0;
     std::future<void> writing_;
