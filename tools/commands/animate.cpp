@@ -20,6 +20,7 @@
 #include "tools/options/scene_options.h"
 #include "tools/output/frame_sequence.h"
 #include "tools/progress.h"
+#include "tools/run_times.h"
 
 namespace rimline::tools {
 
@@ -119,12 +120,15 @@ public:
 
     ExitStatus run(const Context& context) override {
         check_usage();
+        RunTimes times(context.started);
         if (!picture_.eye) path_.read(context);
         FrameSequence sequence(output_, path_.frames, scene_.finish(picture_));
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
+        times.end("reading");
         const DrawingDevice device(picture_);
+        times.end("device");
 
         // A deforming mesh has no octree.
         std::optional<HoughOctree> octree;
@@ -147,6 +151,7 @@ public:
         }
 
         Animation animation(std::move(first), mesh, motion);
+        times.end("index");
         const std::uint32_t frame_count =
             motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
         const Result result = about_model(model_.model, [&] {
@@ -157,10 +162,11 @@ public:
                           .stream_bytes = renderer.stream_bytes(),
                           .tracker_bytes = renderer.tracker_bytes()};
         });
+        times.end("drawing");
         if (context.json)
-            print_result(device, result);
+            print_result(device, result, times);
         else
-            print_summary(device, result.frames);
+            print_summary(device, result.frames, times);
         return ExitStatus::success;
     }
 
@@ -228,7 +234,8 @@ private:
         return camera;
     }
 
-    void print_result(const DrawingDevice& device, const Result& result) const {
+    void print_result(const DrawingDevice& device, const Result& result,
+                      const RunTimes& times) const {
         nlohmann::ordered_json frames = nlohmann::ordered_json::array();
         Totals totals;
         for (const FrameReport& report : result.frames) {
@@ -246,12 +253,15 @@ private:
         nlohmann::ordered_json json{{"model", model_.model},
                                     {"path", picture_.eye ? "still" : path_.path}};
         json.update(device_json(&device));
-        json.update(
-            {{"frames", std::move(frames)}, {"totals", std::move(sums)}, {"output", output_}});
+        json.update({{"frames", std::move(frames)},
+                     {"totals", std::move(sums)},
+                     {"times_ms", times.json()},
+                     {"output", output_}});
         print_json(json);
     }
 
-    void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports) const {
+    void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports,
+                       const RunTimes& times) const {
         Totals totals;
         for (const FrameReport& report : reports) totals.add(report);
         const auto mean = [n = double(reports.size())](auto sum) { return double(sum) / n; };
@@ -261,8 +271,9 @@ private:
                     mean(totals.changes.removed), mean(totals.changes.edges));
         std::printf("  streamed    %.1f bytes, of %.1f for all\n", mean(totals.bytes_streamed),
                     mean(totals.bytes_full));
-        std::printf("  time        %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
+        std::printf("  a frame     %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
                     totals.max_frame_ms, device.device.facts().name.c_str());
+        std::printf("  time        %s\n", times.sentence().c_str());
         print_validation(device);
     }
 

@@ -12,6 +12,7 @@
 #include "tools/output/output_folder.h"
 #include "tools/output/picture_file.h"
 #include "tools/output/view_pictures.h"
+#include "tools/run_times.h"
 
 namespace rimline::tools {
 
@@ -65,20 +66,25 @@ public:
 
     ExitStatus run(const Context& context) override {
         style_.check_usage(picture_);
+        RunTimes times(context.started);
         std::optional<OutputFolder> folder;
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
         const Mesh mesh =
             model_.load_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
+        times.end("reading");
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
+        times.end("device and index");
         const ChosenViews chosen = about_model(model_.model, [&] {
             return choose_views(choice_, model_.model, mesh, device, 1, context);
         });
+        times.end("choosing");
         if (folder) draw(*folder, device, chosen, context);
+        if (folder) times.end("drawing");
         if (context.json)
-            print_result(mesh, chosen, device);
+            print_result(mesh, chosen, device, times);
         else
-            print_summary(chosen);
+            print_summary(chosen, times);
         return ExitStatus::success;
     }
 
@@ -125,21 +131,24 @@ private:
         return {width, std::max(1u, static_cast<std::uint32_t>(height))};
     }
 
-    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device) const {
+    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device,
+                      const RunTimes& times) const {
         nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
         result.update(device_json(device.device_or_null()));
+        result["times_ms"] = times.json();
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
     }
 
-    void print_summary(const ChosenViews& chosen) const {
+    void print_summary(const ChosenViews& chosen, const RunTimes& times) const {
         if (output_option_->count() > 0)
             std::printf("%s: %zu pictures and contact_sheet.png\n", output_.c_str(),
                         chosen.best.views.size());
         else
             std::printf("%s\n", model_.model.c_str());
         print_views(chosen);
+        std::printf("  in all      %s\n", times.sentence().c_str());
     }
 
     ModelArgument model_;

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "silhouette/mesh/homogeneous_point.h"
+#include "tools/output/output_file.h"
 
 namespace rimline::tools {
 
@@ -238,7 +239,8 @@ CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& val
     const std::string type = "FILE" + ending;
     return add_text(app, name, type, description,
                     [=, &value](const std::string& text) {
-                        if (!ends_in(text, ending) && !is_device_or_pipe(text))
+                        if (text != k_standard_output && !ends_in(text, ending) &&
+                            !is_device_or_pipe(text))
                             reject(name.substr(0, name.find(',')), type, text);
                         value = text;
                     })

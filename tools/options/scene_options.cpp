@@ -9,6 +9,7 @@
 #include "engine/view_defaults.h"
 #include "silhouette/field/sun_choice.h"
 #include "silhouette/mesh/any_perpendicular.h"
+#include "tools/options/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
 
@@ -114,10 +115,13 @@ const NamedPalette* SceneOptions::named_palette() const {
 
 void SceneOptions::check_usage(const PictureOptions& picture) const {
     if (!palette.empty() && palette != own_palette(style_value()) && !named_palette()) {
-        const std::string names = palette_names(style_value());
-        throw UsageError(
-            "--palette: the style " + style +
-            (names.empty() ? " has no palettes" : " has " + names + ", not '" + palette + "'"));
+        std::vector<std::string> names{std::string(own_palette(style_value()))};
+        for (const NamedPalette& named : named_palettes())
+            if (named.style == style_value()) names.emplace_back(named.name);
+        if (names.front().empty())
+            throw UsageError("--palette: the style " + style + " has no palettes");
+        throw UsageError("--palette: the style " + style + " has " + palette_names(style_value()) +
+                         ", not '" + palette + "'" + did_you_mean(palette, names));
     }
     if (style_value() != Style::mask) return;
     const auto check = [](const char* option, const std::optional<Color>& given) {

@@ -1,6 +1,7 @@
 #include "tools/output/frame_sequence.h"
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -49,9 +50,15 @@ std::vector<FrameReport> draw_frames(Animation& animation, std::uint32_t frame_c
                                      const LongCall& call) {
     std::vector<FrameReport> reports;
     reports.reserve(frame_count);
+    // The renderer's own times overlap: it begins a frame before the one before is done.
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last = Clock::now();
     const auto finish_one = [&] {
         sequence.write(renderer.finish());
         reports.push_back(renderer.report());
+        const Clock::time_point now = Clock::now();
+        reports.back().frame_ms = std::chrono::duration<double, std::milli>(now - last).count();
+        last = now;
     };
     for (std::uint32_t frame = 0; frame < frame_count; ++frame) {
         call.checkpoint(double(frame) / frame_count);

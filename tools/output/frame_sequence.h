@@ -49,7 +49,8 @@ private:
 };
 
 /// Draws and writes all frames of an animation. Each frame is submitted before the frame before it is read
-/// back, and written while the next one is drawn. Returns one report per frame.
+/// back, and written while the next one is drawn. Returns one report per frame, whose
+/// `frame_ms` is the time by the clock from the end of the frame before: together, they are the time of the call.
 std::vector<FrameReport> draw_frames(Animation& animation, std::uint32_t frame_count,
                                      Renderer& renderer, ImageSize size, FrameSequence& sequence,
                                      const LongCall& call);

@@ -64,6 +64,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         if (context.json) throw UsageError("view has nothing to say in --json");
+        if (model_.model == "-") throw UsageError("MODEL: the window reads no standard input");
         if (!screenshot_.empty() && frames_ == 0)
             throw UsageError("--screenshot needs --frames, to know which frame is the last");
         std::optional<OutputFile> screenshot;

@@ -19,6 +19,9 @@ def check_animate(result, output, frame_count, size):
     for key in keys:
         assert totals[key] == sum(frame[key] for frame in frames), key
     assert totals["max_frame_ms"] == max(frame["frame_ms"] for frame in frames)
+    # By the clock: frames follow each other, and do not count what others took.
+    times = result["times_ms"]
+    assert sum(frame["frame_ms"] for frame in frames) <= times["drawing"] <= times["total"], times
     for before, after in zip(frames, frames[1:]):
         assert after["silhouette"] - before["silhouette"] == after["added"] - after["removed"]
     assert frames[0]["flips"] == frames[0]["added"] == frames[0]["removed"] == 0

@@ -3,10 +3,12 @@ import json
 import math
 import os
 import struct
+import subprocess
 import tempfile
+import time
 import zlib
 
-from program import fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
+from program import PROGRAM, fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
 
 
 def check_render(result, output, size):
@@ -15,6 +17,9 @@ def check_render(result, output, size):
     assert result["device_heaps"] and all(0 <= heap.get("used_bytes", 0) and heap["size_bytes"] > 0
                                           for heap in result["device_heaps"])
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
+    times = result["times_ms"]
+    assert set(times) == {"reading", "device", "index", "lines", "drawing", "writing", "total"}
+    assert math.isclose(sum(times.values()), 2 * times["total"], rel_tol=1e-6) and result["frame_ms"] <= times["drawing"]
     assert result["output"] == output and png_size(output) == size
 
 
@@ -321,3 +326,30 @@ def test_render_names_the_color_that_was_meant():
     assert "; did you mean 'steelblue'?" in fail(2, "render", "--color", "steelbleu")
     assert "only --background of a picture can be transparent" in fail(2, "render", "--color", "#ffffff80")
     assert "expected none, #rgb" in fail(2, "render", "--background", "mxyzptlk")
+
+
+def test_render_writes_its_picture_to_standard_output_and_nothing_else():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.png")
+        options = ["render", "shape:knot:2000", "--size", "64x48"]
+        succeed(*options, "-o", path)
+        with open(path, "rb") as file:
+            picture = file.read()
+        for more, summary in (([], True), (["--quiet"], False)):
+            result = subprocess.run([PROGRAM, *options, "-o", "-", *more], capture_output=True, timeout=500, cwd=folder)
+            assert result.returncode == 0 and result.stdout == picture
+            assert (b"silhouette and border edges" in result.stderr) == summary, result.stderr
+        assert os.listdir(folder) == ["a.png"]
+    assert "leave out one of them" in fail(2, *options, "-o", "-", "--json")
+    assert "leave out one of them" in fail(2, "field", "shape:box", "--slice", "z=0", "-o", "-", "--json")
+
+
+def test_render_reports_the_time_that_it_took():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        begin = time.monotonic()
+        result = succeed("render", "shape:knot:50000", "-o", os.path.join(folder, "a.png"))
+        clock = 1000 * (time.monotonic() - begin)
+        # The rest is the system's start and end of the program.
+        assert clock - 250 < result["times_ms"]["total"] < clock, (clock, result["times_ms"])
