@@ -18,6 +18,9 @@
 
 namespace rimline::tools {
 
+/// The name that stands for standard output, where a file is written.
+constexpr const char* k_standard_output = "-";
+
 /// The program's exit status. Errors of input and machine are thrown as rimline::Error.
 enum class ExitStatus : int {
     success = 0,

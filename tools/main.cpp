@@ -23,10 +23,13 @@
 #include "tools/command.h"
 #include "tools/help_formatter.h"
 #include "tools/interrupt.h"
-#include "tools/options/nearest_name.h"
+#include "tools/manual_page.h"
+#include "tools/nearest_name.h"
+#include "tools/option_table.h"
 #include "tools/options/option_types.h"
 #include "tools/output/output_file.h"
 #include "tools/output/summary_stream.h"
+#include "tools/shell_completion.h"
 #include "tools/usage_words.h"
 
 namespace {
@@ -102,6 +105,14 @@ std::vector<std::string> names_of(const std::vector<std::unique_ptr<Command>>& c
     return names;
 }
 
+// The script for a shell, or the manual page for none.
+std::string document(const rimline::tools::CommandRow& table, const std::string& shell) {
+    if (shell == "bash") return rimline::tools::bash_completion(table);
+    if (shell == "zsh") return rimline::tools::zsh_completion(table);
+    if (shell == "fish") return rimline::tools::fish_completion(table);
+    return rimline::tools::manual_page(table, RIMLINE_VERSION);
+}
+
 ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     const auto started = std::chrono::steady_clock::now();
     CLI::App app("Finds the silhouettes of 3D models, keeps them up to date, and draws with them.",
@@ -133,15 +144,25 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         for (CLI::App* nested : sub->get_subcommands([](CLI::App*) { return true; }))
             add_shared_options(*nested);
     }
+    std::string completion;
+    bool wants_manual = false;
+    app.add_option("--completion", completion, "Print a script that completes rimline in a shell")
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    app.add_flag("--manual", wants_manual, "Print the manual page, for man -l -");
     app.add_flag("--json", json, k_json_description);
     app.add_flag("--quiet", quiet, "Print no summary, warnings or progress");
+
+    const rimline::tools::CommandRow table = rimline::tools::option_table(app);
 
     // Checked first: CLI11 would take a following --help as the program's own.
     std::vector<std::string> arguments = arguments_of(argc, argv);
     const auto first = std::ranges::find_if_not(
         arguments, [](const std::string& argument) { return argument.starts_with('-'); });
+    // The value of --completion is no subcommand.
+    const bool has_value = first != arguments.begin() && first != arguments.end() &&
+                           *std::prev(first) == "--completion";
     const auto is_first = [&](const auto& command) { return command->name() == *first; };
-    if (first != arguments.end() && std::ranges::none_of(commands, is_first))
+    if (first != arguments.end() && !has_value && std::ranges::none_of(commands, is_first))
         return report_usage("there is no subcommand '" + *first + "'" +
                                 rimline::tools::did_you_mean(*first, names_of(commands)),
                             app);
@@ -157,6 +178,11 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
             return ExitStatus::success;
         }
         return report_usage(rimline::tools::usage_words(e, app), app);
+    }
+    if (!completion.empty() || wants_manual) {
+        std::fputs(document(table, completion).c_str(), stdout);
+        flush_output();
+        return ExitStatus::success;
     }
     if (app.get_subcommands().empty()) {
         std::string names;

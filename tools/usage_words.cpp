@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/options/nearest_name.h"
+#include "tools/nearest_name.h"
 
 namespace rimline::tools {
 

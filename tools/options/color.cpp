@@ -6,7 +6,7 @@
 #include <charconv>
 #include <vector>
 
-#include "tools/options/nearest_name.h"
+#include "tools/nearest_name.h"
 
 namespace rimline::tools {
 

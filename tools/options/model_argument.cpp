@@ -10,7 +10,7 @@
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
-#include "tools/options/nearest_name.h"
+#include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/standard_input.h"
 #include "tools/progress.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tools/options/nearest_name.h"
+#include "tools/nearest_name.h"
 
 namespace rimline::tools {
 

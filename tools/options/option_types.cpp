@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "silhouette/mesh/homogeneous_point.h"
-#include "tools/output/output_file.h"
+#include "tools/command.h"
 
 namespace rimline::tools {
 

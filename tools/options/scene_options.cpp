@@ -9,7 +9,7 @@
 #include "engine/view_defaults.h"
 #include "silhouette/field/sun_choice.h"
 #include "silhouette/mesh/any_perpendicular.h"
-#include "tools/options/nearest_name.h"
+#include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
 

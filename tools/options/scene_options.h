@@ -14,8 +14,8 @@
 #include "tools/options/line_style.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/palettes.h"
+#include "tools/options/picture_finish.h"
 #include "tools/options/picture_options.h"
-#include "tools/output/picture_finish.h"
 
 namespace rimline::tools {
 

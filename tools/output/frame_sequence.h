@@ -14,8 +14,8 @@
 #include "silhouette/picture.h"
 #include "tools/options/animation.h"
 #include "tools/options/option_types.h"
+#include "tools/options/picture_finish.h"
 #include "tools/output/output_folder.h"
-#include "tools/output/picture_finish.h"
 
 namespace rimline::tools {
 

@@ -15,8 +15,6 @@ namespace rimline::tools {
 
 struct Context;
 
-/// The name that stands for standard output.
-constexpr const char* k_standard_output = "-";
 /// Throws UsageError if `output` is standard output, where the JSON goes.
 void check_output(const Context& context, const std::string& output);
 

@@ -1,4 +1,4 @@
-#include "tools/options/nearest_name.h"
+#include "tools/nearest_name.h"
 
 #include <doctest/doctest.h>
 

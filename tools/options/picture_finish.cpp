@@ -1,4 +1,4 @@
-#include "tools/output/picture_finish.h"
+#include "tools/options/picture_finish.h"
 
 #include <algorithm>
 #include <array>
