@@ -42,8 +42,8 @@ std::string zsh_text(std::string text) {
 
 std::string zsh_action(const OptionRow& option) {
     if (!option.choices.empty()) return "(" + joined(option.choices, " ") + ")";
-    if (option.takes_folder()) return "_files -/";
-    return option.takes_file() ? "_files" : " ";
+    if (option.takes_file()) return "_files";
+    return option.takes_folder() ? "_files -/" : " ";
 }
 
 std::string zsh_arguments(const CommandRow& command) {
@@ -94,10 +94,10 @@ std::string bash_completion(const CommandRow& program) {
             if (!option.choices.empty())
                 action =
                     "COMPREPLY=($(compgen -W \"" + joined(option.choices, " ") + "\" -- \"$cur\"))";
-            else if (option.takes_folder())
-                action = "COMPREPLY=($(compgen -d -- \"$cur\"))";
             else if (option.takes_file())
                 action = "COMPREPLY=($(compgen -f -- \"$cur\"))";
+            else if (option.takes_folder())
+                action = "COMPREPLY=($(compgen -d -- \"$cur\"))";
             values += "        " + joined(places, "|") + ") " + action + "; return ;;\n";
         }
     }
@@ -180,10 +180,10 @@ std::string fish_completion(const CommandRow& program) {
                 lines += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
             if (!option.choices.empty())
                 lines += " -x -a '" + joined(option.choices, " ") + "'";
-            else if (option.takes_folder())
-                lines += " -x -a '(__fish_complete_directories)'";
             else if (option.takes_file())
                 lines += " -r -F";
+            else if (option.takes_folder())
+                lines += " -x -a '(__fish_complete_directories)'";
             else if (!option.value.empty())
                 lines += " -x";
             lines += " -d " + fish_text(option.description) + "\n";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/trigonometric.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -18,7 +19,7 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
-#include "tools/output/frame_sequence.h"
+#include "tools/output/frame_sink.h"
 #include "tools/progress.h"
 #include "tools/run_times.h"
 
@@ -71,14 +72,19 @@ nlohmann::ordered_json to_json(const SilhouetteChanges& changes, std::uint64_t s
 class AnimateCommand final : public Command {
 public:
     std::string name() const override { return "animate"; }
-    std::string summary() const override { return "Draw a sequence of pictures, as PNGs"; }
+    std::string summary() const override {
+        return "Draw a sequence of pictures, as PNGs or a film";
+    }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
-        app.add_option("-o,--output", output_, "Folder for the pictures frame_0000.png ...")
-            ->type_name("FOLDER")
+        app.add_option("-o,--output", output_,
+                       "Folder for the pictures frame_0000.png ..., or a film: a name that ends in "
+                       ".apng, or, with ffmpeg, in .mp4, .gif or .webm")
+            ->type_name("FOLDER|FILE")
             ->capture_default_str()
             ->group("Output");
+        add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         path_.frames = 120;
         path_.add_to(app, "chosen to show the whole model");
         constexpr const char* k_group = "Motion";
@@ -115,14 +121,19 @@ public:
             "Examples:\n"
             "  rimline animate igea.ply --frames 120 --step 0.5 -o frames\n"
             "  rimline animate shape:scene --eye 2,4,8 --light 3,4,2 --light-step 3 --style toon\n"
-            "  rimline animate shape:spring --deform wave --frames 60 --ground -o wave");
+            "  rimline animate shape:spring --deform wave --frames 60 --ground -o wave\n"
+            "  rimline animate ogre.obj --frames 48 -o ogre.mp4");
     }
 
     ExitStatus run(const Context& context) override {
         check_usage();
         RunTimes times(context.started);
         if (!picture_.eye) path_.read(context);
-        FrameSequence sequence(output_, path_.frames, scene_.finish(picture_));
+        const std::unique_ptr<FrameSink> sink =
+            make_frame_sink(output_, {.frame_count = path_.frames,
+                                      .fps = fps_,
+                                      .size = picture_.size,
+                                      .finish = scene_.finish(picture_)});
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
@@ -158,7 +169,7 @@ public:
             Renderer renderer(device.context());
             Progress progress(context, "drawing frames");
             return Result{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
-                                                sequence, progress.call()),
+                                                *sink, progress.call()),
                           .stream_bytes = renderer.stream_bytes(),
                           .tracker_bytes = renderer.tracker_bytes()};
         });
@@ -282,6 +293,7 @@ private:
     SceneOptions scene_;
     PictureOptions picture_;
     std::string output_ = k_default_folder;
+    std::uint32_t fps_ = 30;
     double light_step_degrees_ = 0.0;
     CLI::Option* light_step_option_ = nullptr;
     bool light_follow_ = false;

@@ -32,8 +32,8 @@ public:
         choice_.add_to(app, 1);
         output_option_ =
             app.add_option("-o,--output", output_,
-                           "Folder for the pictures view_1.png ... and contact_sheet.png "
-                           "(default: no pictures)")
+                           "Folder for the pictures view_1.png ... and contact_sheet.png, "
+                           "instead of those of an older run (default: no pictures)")
                 ->type_name("FOLDER")
                 ->group("Output");
         style_.add_to(app);
@@ -106,6 +106,7 @@ private:
             const std::vector<Picture> cells =
                 draw_views(renderer, scene, eyes, cell_size(columns), context);
             context.checkpoint();
+            folder.remove_numbered("view_");
             for (std::size_t i = 0; i < pictures.size(); ++i)
                 write(folder, "view_" + std::to_string(i + 1) + ".png", pictures[i]);
             write(folder, "contact_sheet.png",

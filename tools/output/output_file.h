@@ -36,6 +36,8 @@ public:
     void commit();
 
     const std::filesystem::path& path() const noexcept { return path_; }
+    /// The file that commit() renames, for another program to write; empty if bytes are written directly.
+    const std::filesystem::path& temporary() const noexcept { return temporary_; }
 
 private:
     friend void remove_temporary_files() noexcept;
