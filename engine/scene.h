@@ -126,6 +126,10 @@ struct Scene {
     std::optional<Camera> silhouette_camera;
     Style style = Style::ink;
     Palette palette;
+    /// False: Renderer::render() and submit() draw a picture with straight alpha, and no grid: 0 where nothing is,
+    /// 1 where surfaces and lines are, between at their edges. A frame that is recorded has what its target says
+    /// (PictureUse).
+    bool has_background = true;
     bool shadows = true;
     /// How volumes are drawn; does not change the picture (shadow_choice.h).
     ShadowMethod shadow_method = ShadowMethod::automatic;

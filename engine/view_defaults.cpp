@@ -98,8 +98,8 @@ StyleDefaults style_defaults(Style style) {
     constexpr glm::vec3 k_blue(0.0080f, 0.0452f, 0.1812f);
     switch (style) {
         case Style::ink: return {k_paper, 2.5f, 30.0f, 0.5f};
-        case Style::toon:
-        case Style::mask: return {k_paper, 2.5f, 0.0f, 0.5f};
+        case Style::toon: return {k_paper, 2.5f, 0.0f, 0.5f};
+        case Style::mask: return {glm::vec3(0.0f), 2.5f, 0.0f, 0.5f};
         case Style::blueprint: return {k_blue, 1.6f, 30.0f, 0.6f};
         case Style::hatch: return {k_paper, 2.0f, 0.0f, 0.6f};
     }

@@ -2,7 +2,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 // The final picture: ink over surfaces, with the surfaces' alpha as line coverage; or a layer of premultiplied
-// color, over a background or with its opacity. Averages k_scale x k_scale samples per pixel in linear light.
+// color, over a background or with its opacity, then premultiplied or straight. Averages k_scale x k_scale samples per pixel in linear light.
 // Then encodes as sRGB if the image format does not.
 
 layout(set = 0, binding = 0) uniform sampler2D surfaces;
@@ -17,6 +17,7 @@ layout(constant_id = 0) const int k_scale = 1;
 layout(constant_id = 1) const bool k_encodes_srgb = true;
 layout(constant_id = 2) const bool k_is_layer = false;
 layout(constant_id = 3) const bool k_is_opaque = true;
+layout(constant_id = 4) const bool k_is_straight = false;  // Only of a layer that is not opaque.
 
 layout(location = 0) out vec4 color;
 
@@ -49,8 +50,9 @@ void main() {
     if (k_is_layer && !k_is_opaque) {
         // Encoded values are of the color itself; their product with alpha is stored.
         const float alpha = clamp(mean.a, 0.0, 1.0);
-        const vec3 own = k_encodes_srgb ? encoded(mean.rgb / max(alpha, 1e-6)) * alpha : mean.rgb;
-        color = vec4(own, alpha);
+        const vec3 own = encoded(mean.rgb / max(alpha, 1e-6));
+        if (k_is_straight) color = vec4(own, alpha);
+        else color = vec4(k_encodes_srgb ? own * alpha : mean.rgb, alpha);
     } else {
         const vec3 whole = k_is_layer ? mean.rgb + (1.0 - mean.a) * under_or_ink : mean.rgb;
         color = vec4(encoded(whole), 1.0);

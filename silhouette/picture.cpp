@@ -48,18 +48,21 @@ void check_png_is_whole(std::span<const std::byte> bytes) {
 std::vector<std::byte> encode_png(const Picture& picture) {
     RIMLINE_CHECK(picture.rgba.size() == std::size_t{4} * picture.width * picture.height);
     std::vector<std::uint8_t> rgb;
-    rgb.reserve(picture.rgba.size() / 4 * 3);
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-        rgb.insert(rgb.end(), &picture.rgba[i], &picture.rgba[i] + 3);
+    if (!picture.has_alpha) {
+        rgb.reserve(picture.rgba.size() / 4 * 3);
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+            rgb.insert(rgb.end(), &picture.rgba[i], &picture.rgba[i] + 3);
+    }
+    const std::vector<std::uint8_t>& pixels = picture.has_alpha ? picture.rgba : rgb;
 
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = picture.width;
     image.height = picture.height;
-    image.format = PNG_FORMAT_RGB;
+    image.format = picture.has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
     std::vector<std::byte> bytes(size);
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0)
+    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
         throw Error(ErrorCode::io, std::string("PNG: ") + image.message);
     bytes.resize(size);
     return bytes;
@@ -72,6 +75,7 @@ Picture decode_png(std::span<const std::byte> bytes) {
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
         refuse_png(image.message);
     Picture picture{image.width, image.height, {}};
+    picture.has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     if (std::uint64_t{image.width} * image.height > k_max_decoded_pixels) {
         png_image_free(&image);
         refuse_png("more than 2^28 pixels");

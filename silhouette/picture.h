@@ -14,9 +14,11 @@ struct Picture {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::vector<std::uint8_t> rgba;
+    /// Whether alpha means something: straight, not multiplied into the colors. False: the picture is opaque.
+    bool has_alpha = false;
 };
 
-/// The bytes of a PNG file without alpha. Throws Error{io} when libpng fails.
+/// The bytes of a PNG file, with alpha if the picture has it. Throws Error{io} when libpng fails.
 std::vector<std::byte> encode_png(const Picture& picture);
 
 /// Files of pictures with more pixels are refused: 1 GiB of memory.

@@ -9,6 +9,8 @@ namespace rimline::tools {
 
 namespace {
 
+bool g_is_quiet = false;
+
 void print_message(const char* kind, std::string message) {
     while (!message.empty() && message.back() == '\n') message.pop_back();
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -20,7 +22,12 @@ void print_message(const char* kind, std::string message) {
 
 void print_error(std::string message) { print_message("error", std::move(message)); }
 
-void print_warning(std::string message) { print_message("warning", std::move(message)); }
+void print_warning(std::string message) {
+    if (!g_is_quiet) print_message("warning", std::move(message));
+}
+
+void be_quiet() noexcept { g_is_quiet = true; }
+bool is_quiet() noexcept { return g_is_quiet; }
 
 ExitStatus report_check(const std::string& failure) {
     if (failure.empty()) return ExitStatus::success;

@@ -7,6 +7,7 @@
 // declare its make function below, and list it in main.cpp.
 
 #include <CLI/App.hpp>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
@@ -16,6 +17,9 @@
 #include "silhouette/error.h"
 
 namespace rimline::tools {
+
+/// The name that stands for standard output, where a file is written.
+constexpr const char* k_standard_output = "-";
 
 /// The program's exit status. Errors of input and machine are thrown as rimline::Error.
 enum class ExitStatus : int {
@@ -36,6 +40,7 @@ public:
 struct Context {
     bool json;             ///< Standard output holds one JSON object and nothing else.
     std::stop_token stop;  ///< Set by Ctrl-C.
+    std::chrono::steady_clock::time_point started{};  ///< When the program began.
 
     /// Throws Error{cancelled} after Ctrl-C.
     void checkpoint() const { LongCall{stop, {}}.checkpoint(0.0); }
@@ -48,7 +53,7 @@ public:
     virtual std::string name() const = 0;
     /// One line, for the list of subcommands.
     virtual std::string summary() const = 0;
-    /// Called once, before parsing. main.cpp adds --json, --threads and --help, to subcommands of `app` too.
+    /// Called once, before parsing. main.cpp adds --json, --quiet, --threads and --help, to subcommands of `app` too.
     virtual void add_options(CLI::App& app) = 0;
     /// Called after parsing.
     virtual ExitStatus run(const Context& context) = 0;
@@ -58,6 +63,9 @@ public:
 void print_error(std::string message);
 /// The same for a warning.
 void print_warning(std::string message);
+/// From now on no warnings and no progress are shown (--quiet).
+void be_quiet() noexcept;
+bool is_quiet() noexcept;
 /// Prints `failure`, of a --verify or --check, and returns check_failed. Returns success where it is empty.
 ExitStatus report_check(const std::string& failure);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -22,8 +23,14 @@
 #include "tools/command.h"
 #include "tools/help_formatter.h"
 #include "tools/interrupt.h"
+#include "tools/manual_page.h"
+#include "tools/nearest_name.h"
+#include "tools/option_table.h"
 #include "tools/options/option_types.h"
 #include "tools/output/output_file.h"
+#include "tools/output/summary_stream.h"
+#include "tools/shell_completion.h"
+#include "tools/usage_words.h"
 
 namespace {
 
@@ -68,23 +75,6 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     return commands;
 }
 
-// CLI11's messages are NAME: WHAT. Returns our own words where WHAT is no plain sentence.
-std::string plain_words(const CLI::ParseError& e) {
-    const std::string message = e.what();
-    const std::string name = message.substr(0, message.find(": "));
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) != nullptr) {
-        if (message.find("At Most 1 ") != std::string::npos) return name + ": give it only once";
-        if (message.ends_with(" missing")) return name + ": expects a value after it";
-    }
-    const std::size_t choices = message.rfind(" not in {");
-    if (dynamic_cast<const CLI::ValidationError*>(&e) != nullptr && choices != std::string::npos) {
-        const std::size_t value = name.size() + 2;
-        return name + ": expected one of " + message.substr(choices + 8) + ", not '" +
-               message.substr(value, choices - value) + "'";
-    }
-    return message;
-}
-
 // The arguments after the program's name, where `help` and `help SUBCOMMAND` stand for --help.
 std::vector<std::string> arguments_of(int argc, char** argv) {
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
@@ -94,27 +84,9 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
     return arguments;
 }
 
-// The program and the subcommands that the command line names, outermost first.
-std::vector<const CLI::App*> parsed_chain(const CLI::App& app) {
-    std::vector<const CLI::App*> chain{&app};
-    while (!chain.back()->get_subcommands().empty())
-        chain.push_back(chain.back()->get_subcommands().front());
-    return chain;
-}
-
-// The message for a command line without a suite, or with a suite that does not exist.
-std::string missing_suite(const CLI::App& bench) {
-    std::string names;
-    for (const CLI::App* suite : bench.get_subcommands([](const CLI::App*) { return true; }))
-        names += (names.empty() ? "" : ",") + suite->get_name();
-    const std::vector<std::string> rest = bench.remaining();
-    return "SUITE: expected one of {" + names + "}" +
-           (rest.empty() ? "" : ", not '" + rest.front() + "'");
-}
-
 ExitStatus report_usage(const std::string& message, const CLI::App& app) {
     std::string help;
-    for (const CLI::App* named : parsed_chain(app)) help += named->get_name() + " ";
+    for (const CLI::App* named : rimline::tools::parsed_chain(app)) help += named->get_name() + " ";
     print_error(message + " (see " + help + "--help)");
     return ExitStatus::wrong_usage;
 }
@@ -127,7 +99,22 @@ void flush_output() {
                     "standard output: cannot write: " + std::generic_category().message(errno));
 }
 
+std::vector<std::string> names_of(const std::vector<std::unique_ptr<Command>>& commands) {
+    std::vector<std::string> names;
+    for (const auto& command : commands) names.push_back(command->name());
+    return names;
+}
+
+// The script for a shell, or the manual page for none.
+std::string document(const rimline::tools::CommandRow& table, const std::string& shell) {
+    if (shell == "bash") return rimline::tools::bash_completion(table);
+    if (shell == "zsh") return rimline::tools::zsh_completion(table);
+    if (shell == "fish") return rimline::tools::fish_completion(table);
+    return rimline::tools::manual_page(table, RIMLINE_VERSION);
+}
+
 ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
+    const auto started = std::chrono::steady_clock::now();
     CLI::App app("Finds the silhouettes of 3D models, keeps them up to date, and draws with them.",
                  "rimline");
     app.set_version_flag("--version", k_version, "Print the version and exit");
@@ -136,11 +123,12 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     app.footer(k_footer);
     app.formatter(std::make_shared<rimline::tools::HelpFormatter>());
 
-    bool json = false;
+    bool json = false, quiet = false;
     std::uint32_t threads = 0;
     const std::vector<std::unique_ptr<Command>> commands = make_commands();
     const auto add_shared_options = [&](CLI::App& sub) {
         sub.add_flag("--json", json, k_json_description)->group("Output");
+        sub.add_flag("--quiet", quiet, "Print no summary, warnings or progress")->group("Output");
         rimline::tools::add_count(sub, "--threads", threads, 1, 1024,
                                   "Threads of the parallel parts (default: all)")
             ->default_str("")
@@ -156,15 +144,28 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         for (CLI::App* nested : sub->get_subcommands([](CLI::App*) { return true; }))
             add_shared_options(*nested);
     }
+    std::string completion;
+    bool wants_manual = false;
+    app.add_option("--completion", completion, "Print a script that completes rimline in a shell")
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    app.add_flag("--manual", wants_manual, "Print the manual page, for man -l -");
     app.add_flag("--json", json, k_json_description);
+    app.add_flag("--quiet", quiet, "Print no summary, warnings or progress");
+
+    const rimline::tools::CommandRow table = rimline::tools::option_table(app);
 
     // Checked first: CLI11 would take a following --help as the program's own.
     std::vector<std::string> arguments = arguments_of(argc, argv);
     const auto first = std::ranges::find_if_not(
         arguments, [](const std::string& argument) { return argument.starts_with('-'); });
+    // The value of --completion is no subcommand.
+    const bool has_value = first != arguments.begin() && first != arguments.end() &&
+                           *std::prev(first) == "--completion";
     const auto is_first = [&](const auto& command) { return command->name() == *first; };
-    if (first != arguments.end() && std::ranges::none_of(commands, is_first))
-        return report_usage("there is no subcommand '" + *first + "'", app);
+    if (first != arguments.end() && !has_value && std::ranges::none_of(commands, is_first))
+        return report_usage("there is no subcommand '" + *first + "'" +
+                                rimline::tools::did_you_mean(*first, names_of(commands)),
+                            app);
     std::ranges::reverse(arguments);  // The order that CLI11 expects.
     try {
         app.parse(std::move(arguments));
@@ -176,13 +177,16 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
             flush_output();
             return ExitStatus::success;
         }
-        const CLI::App& last = *parsed_chain(app).back();
-        const bool lacks_suite = &last != &app && last.get_require_subcommand_min() > 0;
-        return report_usage(lacks_suite ? missing_suite(last) : plain_words(e), app);
+        return report_usage(rimline::tools::usage_words(e, app), app);
+    }
+    if (!completion.empty() || wants_manual) {
+        std::fputs(document(table, completion).c_str(), stdout);
+        flush_output();
+        return ExitStatus::success;
     }
     if (app.get_subcommands().empty()) {
         std::string names;
-        for (const auto& command : commands) names += " " + command->name();
+        for (const std::string& name : names_of(commands)) names += " " + name;
         std::fprintf(stderr,
                      "usage: rimline SUBCOMMAND [MODEL] [options]\n"
                      "subcommands:%s\n"
@@ -198,7 +202,10 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     std::optional<tbb::global_control> at_most;
     if (threads > 0) at_most.emplace(tbb::global_control::max_allowed_parallelism, threads);
     try {
-        const ExitStatus status = (*command)->run(Context{json, std::move(stop)});
+        if (quiet) rimline::tools::be_quiet();
+        if (quiet && !json) rimline::tools::drop_summary();
+        const ExitStatus status =
+            (*command)->run(Context{.json = json, .stop = std::move(stop), .started = started});
         flush_output();
         return status;
     } catch (const UsageError& e) {

@@ -7,7 +7,9 @@
 namespace rimline::tools {
 
 Progress::Progress(const Context& context, std::string task)
-    : stop_(context.stop), task_(std::move(task)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : stop_(context.stop),
+      task_(std::move(task)),
+      on_terminal_(isatty(STDERR_FILENO) == 1 && !is_quiet()) {}
 
 Progress::~Progress() {
     if (shown_percent_ >= 0) std::fputs("\r\033[K", stderr);

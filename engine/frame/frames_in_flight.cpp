@@ -210,7 +210,8 @@ void FramesInFlight::submit(const Scene& scene, VkExtent2D size) {
 
 // Records the frame into its own command buffer, which is left open.
 void FramesInFlight::record_submission(const Scene& scene, Frame& frame) {
-    const PictureTarget target = picture_target(picture_);
+    PictureTarget target = picture_target(picture_);
+    if (!scene.has_background) target.use = PictureUse::straight;
     prepare_scene(scene, target);
     const Commands commands = begin_commands(context_, frame.commands);
     record_frame(commands, commands, scene, target, frame, false);

@@ -51,8 +51,9 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
         throw Error(ErrorCode::bad_input,
                     "pictures cannot be drawn in VkFormat " + std::to_string(kind.format));
     RIMLINE_CHECK(kind.is_layer || kind.use == PictureUse::whole);
-    const std::array<std::uint32_t, 4> constants{kind.scale, encoding == PictureEncoding::srgb,
-                                                 kind.is_layer, kind.use == PictureUse::whole};
+    const std::array<std::uint32_t, 5> constants{kind.scale, encoding == PictureEncoding::srgb,
+                                                 kind.is_layer, kind.use == PictureUse::whole,
+                                                 kind.use == PictureUse::straight};
     pipelines_.emplace(
         kind, make_graphics_pipeline(
                   context, "picture",

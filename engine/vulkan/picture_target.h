@@ -28,6 +28,8 @@ enum class PictureUse {
     /// shadow on what others have drawn is black, with the part of the light that it takes as alpha. There is no
     /// background, and no grid.
     layer,
+    /// The same with straight alpha: color is not multiplied by it. Where alpha is 0, color is black. For files.
+    straight,
     /// Blends that layer over the target's content: color + (1 - alpha) * content, and alpha likewise. Formats
     /// that encode light themselves, and floats, blend linear light. Others blend their encoded values.
     over,

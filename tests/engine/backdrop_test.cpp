@@ -466,6 +466,12 @@ TEST_CASE("a layer laid over a background is the picture on it") {
             const std::vector<glm::vec4> over =
                 host.draw(renderer, scene, {}, host.target(PictureUse::over, false));
             CHECK(layer[0] == glm::vec4(0.0f));
+            // The same with straight alpha.
+            std::vector<glm::vec4> straight =
+                host.draw(renderer, scene, {}, host.target(PictureUse::straight, false));
+            for (glm::vec4& pixel : straight)
+                pixel = glm::vec4(glm::vec3(pixel) * pixel.a, pixel.a);
+            CHECK(differing(layer, straight) == 0.0);
             for (glm::vec4& pixel : layer)
                 pixel = glm::vec4(glm::vec3(pixel) + (1.0f - pixel.a) * k_sky,
                                   pixel.a + (1.0f - pixel.a));

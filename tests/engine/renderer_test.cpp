@@ -337,6 +337,39 @@ TEST_CASE("a ground that fades is seen through from below") {
     }
 }
 
+TEST_CASE("a scene without background is a picture with straight alpha") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("sphere", 2000));
+    const HoughOctree octree(mesh);
+    Scene scene = scene_of(mesh, octree, Style::toon);
+    scene.palette.background = {0.0f, 0.0f, 1.0f};
+    Renderer renderer(gpu->context());
+    const Picture opaque = renderer.render(scene, 128, 128);
+    scene.has_background = false;
+    const Picture picture = renderer.render(scene, 128, 128);
+    std::size_t none = 0, between = 0, whole = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        const std::uint8_t* pixel = &picture.rgba[i];
+        if (pixel[3] == 0) {
+            ++none;
+            CHECK(pixel[0] + pixel[1] + pixel[2] == 0);
+        } else if (pixel[3] == 255) {
+            ++whole;
+            for (int channel = 0; channel < 3; ++channel)
+                CHECK(std::abs(pixel[channel] - opaque.rgba[i + channel]) <= 1);
+        } else {
+            // At the outline: the dark color of lines, with nothing of the background in it.
+            ++between;
+            CHECK(pixel[2] < 60);
+        }
+    }
+    CHECK(none > 3000);
+    CHECK(whole > 3000);
+    CHECK(between > 100);
+    scene.has_background = true;
+    CHECK(renderer.render(scene, 128, 128).rgba == opaque.rgba);
+}
+
 TEST_CASE("a light at the camera shows no shadow") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("sphere", 2000));

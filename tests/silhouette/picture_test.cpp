@@ -38,7 +38,7 @@ std::vector<std::byte> written(png_image& image, const void* pixels) {
     return bytes;
 }
 
-TEST_CASE("a picture survives PNG, but for its alpha") {
+TEST_CASE("a picture without alpha survives PNG, but for its alpha") {
     Picture picture{3, 2, {}};
     for (std::uint8_t i = 0; i < 24; ++i)
         picture.rgba.push_back(i % 4 == 3 ? std::uint8_t{255} : std::uint8_t(i * 10));
@@ -54,6 +54,17 @@ TEST_CASE("a picture survives PNG, but for its alpha") {
     std::vector<std::uint8_t> read(24);
     REQUIRE(png_image_finish_read(&image, nullptr, read.data(), 0, nullptr) != 0);
     CHECK(read == picture.rgba);
+}
+
+TEST_CASE("a picture with alpha survives PNG") {
+    Picture picture = make_picture(9, 7);
+    picture.has_alpha = true;
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = std::uint8_t(i * 5);
+    const Picture read = decode_png(encode_png(picture));
+    CHECK(read.has_alpha);
+    CHECK(read.rgba == picture.rgba);
+    picture.has_alpha = false;
+    CHECK_FALSE(decode_png(encode_png(picture)).has_alpha);
 }
 
 TEST_CASE("decode_png reads what encode_png writes") {

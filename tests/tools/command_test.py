@@ -188,3 +188,67 @@ def test_a_machine_without_devices_ends_with_one_line():
             assert result.stderr.startswith("rimline: error: there is no Vulkan device: "), result.stderr
             assert result.stderr.count("\n") == 1, result.stderr
             assert os.listdir(folder) == []
+
+
+def test_a_mistyped_name_is_answered_with_the_one_that_was_meant():
+    box = "shape:box"
+    for arguments, meant in (
+            (["rendr"], "render"), (["redner", box], "render"), (["help", "animte"], "animate"), (["bench", "huogh"], "hough"),
+            (["info", box, "--jsn"], "--json"), (["track", box, "--freams=3"], "--frames"), (["info", "shape:shpere"], "sphere"),
+            (["silhouette", box, "--from", "1,2,3", "--method", "octre"], "octree"),
+            (["draw", box, "--lines", "silhouete", "-o", "a.svg"], "silhouette"), (["draw", box, "--hidden", "layr", "-o", "a.svg"], "layer")):
+        assert f"; did you mean '{meant}'? (see " in fail(2, *arguments), (arguments, fail(2, *arguments))
+    for arguments in (["frobnicate"], ["info", box, "--frobnicate"], ["info", box, "-x"], ["info", box, box]):
+        assert "did you mean" not in fail(2, *arguments), arguments
+    assert "not expected: --frobnicate (see" in fail(2, "info", box, "--frobnicate", "7")
+
+
+def test_quiet_leaves_only_errors():
+    with tempfile.TemporaryDirectory() as folder:
+        painted = os.path.join(folder, "painted.obj")
+        with open(painted, "w") as file:
+            file.write("mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")
+        loud = run("info", painted)
+        assert loud.stdout != "" and "warning" in loud.stderr, loud
+        for arguments in (["info", painted, "--quiet"], ["--quiet", "info", painted]):
+            quiet = run(*arguments)
+            assert (quiet.returncode, quiet.stdout, quiet.stderr) == (0, "", ""), (arguments, quiet)
+        assert succeed("info", painted, "--quiet")["faces"] == 1
+        fail(1, "info", os.path.join(folder, "gone.obj"), "--quiet")
+        # Files are written all the same, also to standard output.
+        lines = os.path.join(folder, "lines.obj")
+        assert run("silhouette", "shape:box", "--from", "4,3,2", "-o", lines, "--quiet").stdout == ""
+        assert os.path.getsize(lines) > 0
+
+
+def test_a_model_comes_from_standard_input():
+    with tempfile.TemporaryDirectory() as folder:
+        texts = {"obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "off": "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+                 "stl": "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
+                 "ply": "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}
+        for name, text in texts.items():
+            result = run("info", "-", "--format", name, "--json", input=text)
+            assert result.returncode == 0, result.stderr
+            assert '"faces":1' in result.stdout and '"model":"-"' in result.stdout
+        wrong = run("info", "-", "--format", "obj", input=texts["ply"])
+        assert wrong.returncode == 1 and "standard input: its content is ply, not obj" in wrong.stderr
+        bad = run("info", "-", "--format", "obj", input="v 0 0 zero\n")
+        assert bad.returncode == 1 and "standard input:1" in bad.stderr, bad.stderr
+        empty = run("info", "-", "--format", "obj", input="")
+        assert empty.returncode == 1 and "standard input: " in empty.stderr, empty.stderr
+        none = run("info", "-", input=texts["obj"])
+        assert none.returncode == 2 and "needs --format" in none.stderr
+    assert "did you mean 'glb'" in fail(2, "info", "-", "--format", "gbl")
+
+
+def test_a_cloud_where_faces_are_needed_names_what_takes_it():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "cloud.xyz")
+        with open(path, "w") as file:
+            file.write("0 0 0\n1 0 0\n0 1 0\n")
+        for command in (["silhouette", "--from", "1,2,3"], ["render"], ["track"]):
+            if command[0] == "render" and "without the engine" in run("render", path).stderr:
+                continue
+            line = fail(1, command[0], path, *command[1:])
+            assert path + ": no faces: it is a cloud of 3 points; rimline points" in line, line

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/trigonometric.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -18,8 +19,9 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
-#include "tools/output/frame_sequence.h"
+#include "tools/output/frame_sink.h"
 #include "tools/progress.h"
+#include "tools/run_times.h"
 
 namespace rimline::tools {
 
@@ -70,14 +72,19 @@ nlohmann::ordered_json to_json(const SilhouetteChanges& changes, std::uint64_t s
 class AnimateCommand final : public Command {
 public:
     std::string name() const override { return "animate"; }
-    std::string summary() const override { return "Draw a sequence of pictures, as PNGs"; }
+    std::string summary() const override {
+        return "Draw a sequence of pictures, as PNGs or a film";
+    }
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
-        app.add_option("-o,--output", output_, "Folder for the pictures frame_0000.png ...")
-            ->type_name("FOLDER")
+        app.add_option("-o,--output", output_,
+                       "Folder for the pictures frame_0000.png ..., or a film: a name that ends in "
+                       ".apng, or, with ffmpeg, in .mp4, .gif or .webm")
+            ->type_name("FOLDER|FILE")
             ->capture_default_str()
             ->group("Output");
+        add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         path_.frames = 120;
         path_.add_to(app, "chosen to show the whole model");
         constexpr const char* k_group = "Motion";
@@ -97,9 +104,10 @@ public:
                                 ->default_str("")
                                 ->group(k_group);
         scene_.add_to(app);
+        scene_.add_palette_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.footer(
             "The camera moves along the path and looks at the model's center, or at --target. With "
@@ -113,17 +121,25 @@ public:
             "Examples:\n"
             "  rimline animate igea.ply --frames 120 --step 0.5 -o frames\n"
             "  rimline animate shape:scene --eye 2,4,8 --light 3,4,2 --light-step 3 --style toon\n"
-            "  rimline animate shape:spring --deform wave --frames 60 --ground -o wave");
+            "  rimline animate shape:spring --deform wave --frames 60 --ground -o wave\n"
+            "  rimline animate ogre.obj --frames 48 -o ogre.mp4");
     }
 
     ExitStatus run(const Context& context) override {
         check_usage();
+        RunTimes times(context.started);
         if (!picture_.eye) path_.read(context);
-        FrameSequence sequence(output_, path_.frames);
+        const std::unique_ptr<FrameSink> sink =
+            make_frame_sink(output_, {.frame_count = path_.frames,
+                                      .fps = fps_,
+                                      .size = picture_.size,
+                                      .finish = scene_.finish(picture_)});
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
+        times.end("reading");
         const DrawingDevice device(picture_);
+        times.end("device");
 
         // A deforming mesh has no octree.
         std::optional<HoughOctree> octree;
@@ -146,20 +162,22 @@ public:
         }
 
         Animation animation(std::move(first), mesh, motion);
+        times.end("index");
         const std::uint32_t frame_count =
             motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
         const Result result = about_model(model_.model, [&] {
             Renderer renderer(device.context());
             Progress progress(context, "drawing frames");
             return Result{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
-                                                sequence, progress.call()),
+                                                *sink, progress.call()),
                           .stream_bytes = renderer.stream_bytes(),
                           .tracker_bytes = renderer.tracker_bytes()};
         });
+        times.end("drawing");
         if (context.json)
-            print_result(device, result);
+            print_result(device, result, times);
         else
-            print_summary(device, result.frames);
+            print_summary(device, result.frames, times);
         return ExitStatus::success;
     }
 
@@ -171,6 +189,7 @@ private:
     };
 
     void check_usage() const {
+        scene_.check_usage(picture_);
         if (picture_.eye && path_.is_moving())
             throw UsageError(
                 "--eye: the camera stands there; leave out --path, --radius and --step");
@@ -226,7 +245,8 @@ private:
         return camera;
     }
 
-    void print_result(const DrawingDevice& device, const Result& result) const {
+    void print_result(const DrawingDevice& device, const Result& result,
+                      const RunTimes& times) const {
         nlohmann::ordered_json frames = nlohmann::ordered_json::array();
         Totals totals;
         for (const FrameReport& report : result.frames) {
@@ -244,12 +264,15 @@ private:
         nlohmann::ordered_json json{{"model", model_.model},
                                     {"path", picture_.eye ? "still" : path_.path}};
         json.update(device_json(&device));
-        json.update(
-            {{"frames", std::move(frames)}, {"totals", std::move(sums)}, {"output", output_}});
+        json.update({{"frames", std::move(frames)},
+                     {"totals", std::move(sums)},
+                     {"times_ms", times.json()},
+                     {"output", output_}});
         print_json(json);
     }
 
-    void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports) const {
+    void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports,
+                       const RunTimes& times) const {
         Totals totals;
         for (const FrameReport& report : reports) totals.add(report);
         const auto mean = [n = double(reports.size())](auto sum) { return double(sum) / n; };
@@ -259,8 +282,9 @@ private:
                     mean(totals.changes.removed), mean(totals.changes.edges));
         std::printf("  streamed    %.1f bytes, of %.1f for all\n", mean(totals.bytes_streamed),
                     mean(totals.bytes_full));
-        std::printf("  time        %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
+        std::printf("  a frame     %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
                     totals.max_frame_ms, device.device.facts().name.c_str());
+        std::printf("  time        %s\n", times.sentence().c_str());
         print_validation(device);
     }
 
@@ -269,6 +293,7 @@ private:
     SceneOptions scene_;
     PictureOptions picture_;
     std::string output_ = k_default_folder;
+    std::uint32_t fps_ = 30;
     double light_step_degrees_ = 0.0;
     CLI::Option* light_step_option_ = nullptr;
     bool light_follow_ = false;

@@ -159,6 +159,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        check_output(context, output_);
         if (at_.empty() && !slice_) throw UsageError("field: say what to tell: --at or --slice");
         if (slice_.has_value() != !output_.empty())
             throw UsageError("field: --slice and --output go together");

@@ -5,11 +5,19 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <tuple>
+#include <utility>
+#include <vector>
 
+#include "silhouette/mesh/formats/point_file.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/points/neighbor_lists.h"
+#include "silhouette/points/point_cloud.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/standard_input.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -70,6 +78,34 @@ struct UsedMaterials {
     }
 };
 
+// What a file of points has.
+struct CloudFacts {
+    double spacing;  // The median distance of a point to its nearest; 0 for one point.
+    bool has_normals, has_colors, has_intensities;
+};
+
+double median_spacing(const PointCloud& cloud, const LongCall& call) {
+    if (cloud.size() < 2) return 0.0;
+    const NeighborLists neighbors(cloud.positions(), 1, call);
+    std::vector<double> distances;
+    for (std::uint32_t p = 0; p < cloud.size(); ++p)
+        distances.push_back(
+            glm::distance(cloud.positions()[p], cloud.positions()[neighbors.of(p).front()]));
+    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    return *middle;
+}
+
+void print_place(const Extent& extent) {
+    std::printf("  center      %.9g,%.9g,%.9g\n", extent.center.x, extent.center.y,
+                extent.center.z);
+    std::printf("  radius      %.9g\n", extent.radius);
+    std::printf("  bounds      %.9g,%.9g,%.9g to %.9g,%.9g,%.9g\n", double{extent.bounds.low.x},
+                double{extent.bounds.low.y}, double{extent.bounds.low.z},
+                double{extent.bounds.high.x}, double{extent.bounds.high.y},
+                double{extent.bounds.high.z});
+}
+
 void print_summary(const std::string& model, const Mesh& mesh, const Extent& extent) {
     const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
     std::printf("%s\n", model.c_str());
@@ -83,13 +119,7 @@ void print_summary(const std::string& model, const Mesh& mesh, const Extent& ext
     std::printf("  components  %u, %s, %s\n", mesh.component_count(),
                 mesh.is_closed() ? "closed" : "open",
                 mesh.is_oriented() ? "oriented" : "not oriented");
-    std::printf("  center      %.9g,%.9g,%.9g\n", extent.center.x, extent.center.y,
-                extent.center.z);
-    std::printf("  radius      %.9g\n", extent.radius);
-    std::printf("  bounds      %.9g,%.9g,%.9g to %.9g,%.9g,%.9g\n", double{extent.bounds.low.x},
-                double{extent.bounds.low.y}, double{extent.bounds.low.z},
-                double{extent.bounds.high.x}, double{extent.bounds.high.y},
-                double{extent.bounds.high.z});
+    print_place(extent);
     const UsedMaterials materials(mesh.materials());
     if (materials.count == 0) return;
     std::printf("  materials   %zu%s\n", materials.count,
@@ -108,7 +138,9 @@ public:
         app.footer(
             "`vertices` is the number of distinct positions that faces use; in a file without "
             "faces, of all\n"
-            "distinct points. `center` is the center of their bounding box, `radius` their "
+            "distinct points. A file without faces is a cloud; its JSON has `cloud`, with the "
+            "spacing of its points.\n"
+            "`center` is the center of their bounding box, `radius` their "
             "greatest distance\n"
             "from it.\n\n"
             "Examples:\n"
@@ -118,16 +150,30 @@ public:
 
     ExitStatus run(const Context& context) override {
         const MeshSource source = model_.load(context, FaceRequirement::faces_or_points);
+        std::optional<CloudFacts> cloud;
+        if (source.triangles.empty()) cloud = cloud_facts(source, context);
         const Mesh mesh = make_mesh(model_.model, source, context);
         const Extent extent =
             source.triangles.empty() ? extent_of(source.positions) : extent_of(mesh);
         if (!context.json) {
-            print_summary(model_.model, mesh, extent);
+            if (cloud)
+                print_cloud(mesh.file_vertex_count(), extent, *cloud);
+            else
+                print_summary(model_.model, mesh, extent);
             return ExitStatus::success;
         }
         const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
         const UsedMaterials materials(mesh.materials());
+        nlohmann::ordered_json cloud_json;
+        if (cloud)
+            cloud_json = {{"points", extent.vertices},
+                          {"duplicates", mesh.file_vertex_count() - extent.vertices},
+                          {"has_normals", cloud->has_normals},
+                          {"has_colors", cloud->has_colors},
+                          {"has_intensities", cloud->has_intensities},
+                          {"spacing", cloud->spacing}};
         print_json({{"model", model_.model},
+                    {"cloud", std::move(cloud_json)},
                     {"vertices", extent.vertices},
                     {"file_vertices", mesh.file_vertex_count()},
                     {"faces", mesh.face_count()},
@@ -149,6 +195,45 @@ public:
     }
 
 private:
+    CloudFacts cloud_facts(const MeshSource& source, const Context& context) const {
+        PointSource points;
+        // What a mesh leaves out is only in the file itself, which standard input no longer is.
+        if (model_.model == k_standard_input)
+            points = points_of(source);
+        else
+            points = follow_progress(context, [&](const BeginCall& begin) {
+                return read_point_file(model_.model, BadPoints::refuse,
+                                       begin("reading " + model_.model));
+            });
+        Progress progress(context, "measuring the distances of points");
+        return about_model(model_.model, [&] {
+            const PointCloud cloud(std::move(points));
+            return CloudFacts{.spacing = median_spacing(cloud, progress.call()),
+                              .has_normals = !cloud.normals().empty(),
+                              .has_colors = !cloud.colors().empty(),
+                              .has_intensities = !cloud.intensities().empty()};
+        });
+    }
+
+    void print_cloud(std::uint32_t file_points, const Extent& extent,
+                     const CloudFacts& cloud) const {
+        std::printf("%s\n", model_.model.c_str());
+        std::printf(
+            "  a cloud     of points without faces: rimline points finds its borders and "
+            "silhouettes\n");
+        std::printf("  points      %u in the file, %u of them repeated\n", file_points,
+                    file_points - extent.vertices);
+        std::string has;
+        for (const auto& [name, is_there] :
+             {std::pair("normals", cloud.has_normals), std::pair("colors", cloud.has_colors),
+              std::pair("intensities", cloud.has_intensities)})
+            if (is_there) has += (has.empty() ? "" : ", ") + std::string(name);
+        std::printf("  each has    %s\n", has.empty() ? "a position only" : has.c_str());
+        std::printf("  spacing     %.9g, the median distance to the nearest point\n",
+                    cloud.spacing);
+        print_place(extent);
+    }
+
     ModelArgument model_;
 };
 

@@ -123,6 +123,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        check_output(context, output_);
         if (count_option_->count() > 0 && max_option_->count() > 0)
             throw UsageError("origins: --count and --most exclude each other");
         if (literal_) require_methods("origins --literal");

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -15,7 +16,7 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
-#include "tools/output/frame_sequence.h"
+#include "tools/output/frame_sink.h"
 #include "tools/output/path_report.h"
 #include "tools/output/view_pictures.h"
 #include "tools/progress.h"
@@ -34,18 +35,21 @@ public:
         choice_.add_to(app, 2);
         plan_.add_to(app);
         output_option_ = app.add_option("-o,--output", output_,
-                                        "Folder for the pictures frame_0000.png ... (default: no "
-                                        "pictures)")
-                             ->type_name("FOLDER")
+                                        "Folder for the pictures frame_0000.png ..., or a film: a "
+                                        "name that ends in .apng, or, with ffmpeg, in .mp4, .gif "
+                                        "or .webm (default: no pictures)")
+                             ->type_name("FOLDER|FILE")
                              ->group("Output");
+        add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         style_.add_to(app);
+        style_.add_palette_to(app);
         add_direction(app, "--up", picture_.up,
                       "Up direction of pictures (default: y, or z if the file format says so)")
             ->group("Camera");
         picture_.add_lights_to(app);
         app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
             ->group("Light");
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.footer(
             "The path is closed and smooth. It passes through the best views, and between each two "
@@ -59,22 +63,26 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        std::optional<FrameSequence> sequence;
-        if (output_option_->count() > 0) sequence.emplace(output_, plan_.frames);
+        style_.check_usage(picture_);
+        std::unique_ptr<FrameSink> sink;
+        if (output_option_->count() > 0)
+            sink = make_frame_sink(output_, {.frame_count = plan_.frames,
+                                             .fps = fps_,
+                                             .size = picture_.size,
+                                             .finish = style_.finish(picture_)});
         const Mesh mesh =
-            model_.load_mesh(context, sequence ? style_.textures() : TexturePictures::skip);
+            model_.load_mesh(context, sink ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
-        const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sequence,
-                                context);
+        const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sink, context);
         about_model(model_.model, [&] {
             const ChosenViews chosen =
                 choose_views(choice_, model_.model, mesh, device, 2, context);
             const PlannedPath planned = plan_.plan(chosen, up_of(mesh, picture_), context);
-            if (sequence) draw(*sequence, device, planned, context);
+            if (sink) draw(*sink, device, planned, context);
             if (context.json)
                 print_result(mesh, chosen, planned, device);
             else
-                print_path(sequence ? output_ : model_.model, chosen, planned);
+                print_path(sink ? output_ : model_.model, chosen, planned);
         });
         return ExitStatus::success;
     }
@@ -96,7 +104,7 @@ private:
         return 2.0 * glm::degrees(std::atan(k_view_margin * tangent));
     }
 
-    void draw(FrameSequence& sequence, const ViewDevice& device, const PlannedPath& planned,
+    void draw(FrameSink& sink, const ViewDevice& device, const PlannedPath& planned,
               const Context& context) const {
         const Mesh& mesh = device.octree->mesh();
         const Camera camera{.eye = planned.samples[0],
@@ -122,7 +130,7 @@ private:
         Animation animation(std::move(first), mesh, std::move(motion));
         Renderer renderer(device.device->context());
         Progress progress(context, "drawing frames");
-        draw_frames(animation, plan_.frames, renderer, picture_.size, sequence, progress.call());
+        draw_frames(animation, plan_.frames, renderer, picture_.size, sink, progress.call());
     }
 
     void print_result(const Mesh& mesh, const ChosenViews& chosen, const PlannedPath& planned,
@@ -141,6 +149,7 @@ private:
     PictureOptions picture_;
     bool light_follow_ = false;
     std::string output_;
+    std::uint32_t fps_ = 30;
     CLI::Option* output_option_ = nullptr;
 };
 

@@ -122,6 +122,8 @@ public:
         if (verify_ && turn_frames_ == 0) throw UsageError("--verify: belongs to --turn");
         if (!export_.empty() && (export_ == output_ || is_same_file(export_, output_)))
             throw UsageError("--export: " + export_ + " is what -o writes; name another file");
+        check_output(context, output_);
+        check_output(context, export_);
         std::optional<OutputFile> file;
         if (!export_.empty()) file.emplace(export_, cloud_.model);
         std::optional<OutputFile> drawing;

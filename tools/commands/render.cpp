@@ -16,6 +16,7 @@
 #include "tools/options/scene_options.h"
 #include "tools/output/picture_file.h"
 #include "tools/output/shown_lines.h"
+#include "tools/run_times.h"
 
 namespace rimline::tools {
 
@@ -30,12 +31,14 @@ public:
 
     void add_options(CLI::App& app) override {
         model_.add_to(app, ModelArgument::Presence::optional);
-        add_output(app, "-o,--output", output_, ".png", "PNG file to write")->group("Output");
+        add_output(app, "-o,--output", output_, ".png", "PNG file to write; - is standard output")
+            ->group("Output");
         options_.add_to(app);
+        options_.add_palette_to(app);
         options_.add_still_lines_to(app);
         picture_.add_camera_to(app);
         picture_.add_lights_to(app);
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.add_flag("--pass-times", pass_times_,
                      "Report the time of each pass on the device, where its queue has timestamps")
@@ -46,7 +49,9 @@ public:
             "All lights have the same intensity. A chosen camera need not look at the model's "
             "center exactly:\n"
             "it is placed so that the model fills the picture.\n"
-            "Lines are visible exactly where no face of the model hides them.\n\n"
+            "Lines are visible exactly where no face of the model hides them. Times are by the "
+            "clock and add up\n"
+            "to the run; `frame_ms` is the part of drawing after everything is on the device.\n\n"
             "Examples:\n"
             "  rimline render\n"
             "  rimline render horse.ply --up 0,0,1 -o horse.png --style toon --ground --sun auto\n"
@@ -54,13 +59,19 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        options_.check_usage(picture_);
+        check_output(context, output_);
+        RunTimes times(context.started);
         OutputFile output(output_, model_.model);  // Reports a bad path before the work.
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, options_.textures());
         context.checkpoint();
+        times.end("reading");
         const DrawingDevice device(picture_);
+        times.end("device");
         const HoughOctree octree = build_octree(model_.model, mesh, context);
         context.checkpoint();
+        times.end("index");
 
         Scene scene =
             options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
@@ -80,20 +91,24 @@ public:
             scene.instances.front().picture_lines = lines->draw(
                 scene.camera, picture_.size, options_.line_style(scene.palette), progress.call());
         }
+        times.end("lines");
         Renderer renderer(device.context(), {.pass_times = pass_times_});
-        const Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
+        Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
         context.checkpoint();
+        times.end("drawing");
+        options_.finish(picture_).apply(picture);
 
         write_png(output, picture);
+        times.end("writing");
         FrameReport report = renderer.report();
         if (scene.instances.front().picture_lines) {
             report.silhouette = lines->silhouette_count();
             report.creases = lines->crease_count();
         }
         if (context.json)
-            print_result(device, renderer, report);
+            print_result(device, renderer, report, times);
         else
-            print_summary(device, report);
+            print_summary(device, report, times);
         return ExitStatus::success;
     }
 
@@ -135,7 +150,7 @@ private:
     }
 
     void print_result(const DrawingDevice& device, const Renderer& renderer,
-                      const FrameReport& report) const {
+                      const FrameReport& report, const RunTimes& times) const {
         nlohmann::ordered_json result{{"model", model_.model}};
         result.update(device_json(&device));
         result.update({{"silhouette", report.silhouette},
@@ -149,20 +164,22 @@ private:
                        {"tracker_memory_bytes", renderer.tracker_bytes()},
                        {"device_heaps", heaps_of(device.context())},
                        {"frame_ms", report.frame_ms},
+                       {"times_ms", times.json()},
                        {"output", output_}});
         if (pass_times_) result["passes"] = passes_of(report);
         print_json(result);
     }
 
-    void print_summary(const DrawingDevice& device, const FrameReport& report) const {
+    void print_summary(const DrawingDevice& device, const FrameReport& report,
+                       const RunTimes& times) const {
         std::printf("%s\n", output_.c_str());
         std::printf("  lines       %u silhouette and border edges, %u creases\n", report.silhouette,
                     report.creases);
         std::printf("  shadows     %u edges extruded\n", report.shadow_edges);
         std::printf("  streamed    %llu bytes\n",
                     static_cast<unsigned long long>(report.bytes_streamed));
-        std::printf("  time        %.1f ms on %s\n", report.frame_ms,
-                    device.device.facts().name.c_str());
+        std::printf("  time        %s\n", times.sentence().c_str());
+        std::printf("  device      %s\n", device.device.facts().name.c_str());
         for (const PassTime& pass : report.passes)
             std::printf("    %-28s %8.3f ms\n", pass.name.c_str(), pass.time_ms);
         if (pass_times_ && report.passes.empty())

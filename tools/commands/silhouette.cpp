@@ -18,6 +18,7 @@
 #include "tools/absent_part.h"
 #include "tools/command.h"
 #include "tools/commands/method_choice.h"
+#include "tools/nearest_name.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/line_output.h"
@@ -199,10 +200,12 @@ public:
 private:
     void set_method(const std::string& text) {
         method_ = find_silhouette_method(text);
-        if (method_ == nullptr)
-            throw CLI::ValidationError(
-                "--method", "expected " + method_names([](const auto&) { return true; }) +
-                                ", not '" + text + "'");
+        if (method_ != nullptr) return;
+        std::vector<std::string> names;
+        for (const SilhouetteMethodInfo& info : silhouette_methods()) names.emplace_back(info.name);
+        throw CLI::ValidationError(
+            "--method", "expected " + method_names([](const auto&) { return true; }) + ", not '" +
+                            text + "'" + did_you_mean(text, names));
     }
 
     HomogeneousPoint point_from_options() const {

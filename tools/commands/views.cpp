@@ -12,6 +12,7 @@
 #include "tools/output/output_folder.h"
 #include "tools/output/picture_file.h"
 #include "tools/output/view_pictures.h"
+#include "tools/run_times.h"
 
 namespace rimline::tools {
 
@@ -31,17 +32,18 @@ public:
         choice_.add_to(app, 1);
         output_option_ =
             app.add_option("-o,--output", output_,
-                           "Folder for the pictures view_1.png ... and contact_sheet.png "
-                           "(default: no pictures)")
+                           "Folder for the pictures view_1.png ... and contact_sheet.png, "
+                           "instead of those of an older run (default: no pictures)")
                 ->type_name("FOLDER")
                 ->group("Output");
         style_.add_to(app);
+        style_.add_palette_to(app);
         style_.add_still_lines_to(app);
         add_direction(app, "--up", picture_.up,
                       "Up direction of pictures (default: y, or z if the file format says so)")
             ->group("Camera");
         picture_.add_lights_to(app);
-        picture_.add_image_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
         app.footer(
             "Views are 1.73 to 2 of the model's radii from its center. The planes of the faces "
@@ -63,20 +65,26 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        style_.check_usage(picture_);
+        RunTimes times(context.started);
         std::optional<OutputFolder> folder;
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
         const Mesh mesh =
             model_.load_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
+        times.end("reading");
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
+        times.end("device and index");
         const ChosenViews chosen = about_model(model_.model, [&] {
             return choose_views(choice_, model_.model, mesh, device, 1, context);
         });
+        times.end("choosing");
         if (folder) draw(*folder, device, chosen, context);
+        if (folder) times.end("drawing");
         if (context.json)
-            print_result(mesh, chosen, device);
+            print_result(mesh, chosen, device, times);
         else
-            print_summary(chosen);
+            print_summary(chosen, times);
         return ExitStatus::success;
     }
 
@@ -89,7 +97,7 @@ private:
         const std::uint32_t columns = contact_sheet_columns(eyes.size());
         about_model(model_.model, [&] {
             std::optional<ShownLines> lines;
-            if (style_.lines == "on") lines.emplace(prepare_lines(*drawn.octree, context));
+            if (style_.draws_lines()) lines.emplace(prepare_lines(*drawn.octree, context));
             const ViewScene scene{model_.model, *drawn.octree, style_, picture_,
                                   lines ? &*lines : nullptr};
             Renderer renderer(drawn.device->context());
@@ -98,16 +106,22 @@ private:
             const std::vector<Picture> cells =
                 draw_views(renderer, scene, eyes, cell_size(columns), context);
             context.checkpoint();
+            folder.remove_numbered("view_");
             for (std::size_t i = 0; i < pictures.size(); ++i)
                 write(folder, "view_" + std::to_string(i + 1) + ".png", pictures[i]);
             write(folder, "contact_sheet.png",
-                  make_contact_sheet(cells, columns, k_sheet_gap, {255, 255, 255}));
+                  make_contact_sheet(cells, columns, k_sheet_gap, sheet_color()));
         });
     }
 
     static void write(const OutputFolder& folder, const std::string& name, const Picture& picture) {
         OutputFile file(folder.path() / name);
         write_png(file, picture);
+    }
+
+    Color sheet_color() const {
+        if (style_.finish(picture_).has_alpha) return {0, 0, 0, 0};
+        return {255, 255, 255};
     }
 
     // Size of the pictures of the sheet. They are drawn, not scaled down, so that lines keep their width.
@@ -118,21 +132,24 @@ private:
         return {width, std::max(1u, static_cast<std::uint32_t>(height))};
     }
 
-    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device) const {
+    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device,
+                      const RunTimes& times) const {
         nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
         result.update(device_json(device.device_or_null()));
+        result["times_ms"] = times.json();
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
     }
 
-    void print_summary(const ChosenViews& chosen) const {
+    void print_summary(const ChosenViews& chosen, const RunTimes& times) const {
         if (output_option_->count() > 0)
             std::printf("%s: %zu pictures and contact_sheet.png\n", output_.c_str(),
                         chosen.best.views.size());
         else
             std::printf("%s\n", model_.model.c_str());
         print_views(chosen);
+        std::printf("  in all      %s\n", times.sentence().c_str());
     }
 
     ModelArgument model_;

@@ -10,7 +10,9 @@
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
+#include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
+#include "tools/options/standard_input.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -30,6 +32,11 @@ std::string shape_names() {
     return names;
 }
 
+std::string nearest_shape(std::string_view name) {
+    return did_you_mean(
+        name, std::vector<std::string>(k_built_in_shapes.begin(), k_built_in_shapes.end()));
+}
+
 struct ShapeName {
     std::string_view name;
     std::uint32_t faces;  // 0: the default of the shape.
@@ -45,7 +52,7 @@ std::optional<ShapeName> parse_shape(std::string_view text) {
         k_built_in_shapes.end())
         throw CLI::ValidationError("MODEL", "no built-in shape is called '" +
                                                 std::string(shape.name) + "'; there are " +
-                                                shape_names());
+                                                shape_names() + nearest_shape(shape.name));
     if (colon == std::string_view::npos) return shape;
     const std::string_view faces = rest.substr(colon + 1);
     const char* end = faces.data() + faces.size();
@@ -57,10 +64,27 @@ std::optional<ShapeName> parse_shape(std::string_view text) {
     return shape;
 }
 
+// Of a file or standard input.
+MeshSource read_model(const std::string& model, const std::string& format,
+                      FaceRequirement requirement, const BeginCall& begin) {
+    // The points of a cloud are read, so that the message names what takes them.
+    constexpr FaceRequirement k_any = FaceRequirement::faces_or_points;
+    MeshSource source = model == k_standard_input
+                            ? read_standard_input(format, k_any, begin("reading standard input"))
+                            : read_mesh_file(model, k_any, begin("reading " + model));
+    if (requirement == FaceRequirement::faces && source.triangles.empty())
+        throw Error(ErrorCode::bad_input,
+                    model + ": no faces: it is a cloud of " +
+                        std::to_string(source.positions.size()) +
+                        " points; rimline points draws clouds, and rimline view shows them");
+    return source;
+}
+
 }  // namespace
 
 std::string model_description() {
-    return "File (OBJ, PLY, STL, OFF, glTF, GLB) or shape:NAME[:FACES] with NAME one of " +
+    return "File (OBJ, PLY, STL, OFF, glTF, GLB), - for standard input, or shape:NAME[:FACES] with "
+           "NAME one of " +
            shape_names();
 }
 
@@ -73,13 +97,13 @@ void check_model_name(const std::string& text) {
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
-                      FaceRequirement requirement, const BeginCall& begin,
-                      TexturePictures textures) {
+                      FaceRequirement requirement, const BeginCall& begin, TexturePictures textures,
+                      const std::string& format) {
     MeshSource source;
     if (const std::optional<ShapeName> shape = parse_shape(model))
         source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });
     else
-        source = read_mesh_file(model, requirement, begin("reading " + model));
+        source = read_model(model, format, requirement, begin);
     if (textures == TexturePictures::read && !source.materials.textures.empty())
         read_textures(source, begin("reading the textures of " + model));
     if (subdivide > 0 && !source.triangles.empty()) {
@@ -93,10 +117,10 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
-                      FaceRequirement requirement, const Context& context,
-                      TexturePictures textures) {
+                      FaceRequirement requirement, const Context& context, TexturePictures textures,
+                      const std::string& format) {
     MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
-        return load_model(model, subdivide, requirement, begin, textures);
+        return load_model(model, subdivide, requirement, begin, textures, format);
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
     return source;
@@ -158,6 +182,9 @@ void ModelArgument::add_to(CLI::App& app, Presence presence) {
                               ->type_name("");
     if (presence == Presence::required) option->required();
     add_subdivide(app, subdivide)->group("Model");
+    app.add_option("--format", format, "Format of a MODEL from standard input")
+        ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb"}))
+        ->group("Model");
 }
 
 CLI::Option* add_subdivide(CLI::App& app, std::uint32_t& steps) {

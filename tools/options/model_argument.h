@@ -29,14 +29,17 @@ void check_model_name(const std::string& text);
 enum class TexturePictures { skip, read };
 
 /// Reads a file or makes a built-in shape, shows progress, and prints the warnings. Throws Error.
+/// `format` is of standard input (standard_input.h).
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context,
-                      TexturePictures textures = TexturePictures::skip);
+                      TexturePictures textures = TexturePictures::skip,
+                      const std::string& format = {});
 
 /// The same with progress of another kind: `begin` is called before each part of the work. Prints no warnings.
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const BeginCall& begin,
-                      TexturePictures textures = TexturePictures::skip);
+                      TexturePictures textures = TexturePictures::skip,
+                      const std::string& format = {});
 
 /// load_model() and make_mesh(). The model must have faces.
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context,
@@ -67,16 +70,19 @@ auto about_model(const std::string& model, Work&& work) {
 struct ModelArgument {
     std::string model;  ///< Empty if it is optional and not given.
     std::uint32_t subdivide = 0;
+    std::string format;  ///< Of standard input.
 
     enum class Presence { required, optional };
     void add_to(CLI::App& app, Presence presence = Presence::required);
 
     MeshSource load(const Context& context,
                     FaceRequirement requirement = FaceRequirement::faces) const {
-        return load_model(model, subdivide, requirement, context);
+        return load_model(model, subdivide, requirement, context, TexturePictures::skip, format);
     }
     Mesh load_mesh(const Context& context, TexturePictures textures = TexturePictures::skip) const {
-        return tools::load_mesh(model, subdivide, context, textures);
+        return make_mesh(
+            model, load_model(model, subdivide, FaceRequirement::faces, context, textures, format),
+            context);
     }
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "tools/nearest_name.h"
+
 namespace rimline::tools {
 
 namespace {
@@ -22,8 +24,10 @@ std::vector<std::size_t> parse_names(const std::string& option,
         const std::string_view name = rest.substr(0, comma);
         const auto found = std::ranges::find(names, name);
         if (found == names.end())
-            throw CLI::ValidationError(option, "expected some of " + joined_names(names) +
-                                                   ", not '" + std::string(name) + "'");
+            throw CLI::ValidationError(
+                option,
+                "expected some of " + joined_names(names) + ", not '" + std::string(name) + "'" +
+                    did_you_mean(name, std::vector<std::string>(names.begin(), names.end())));
         const auto number = static_cast<std::size_t>(found - names.begin());
         if (std::ranges::find(numbers, number) != numbers.end())
             throw CLI::ValidationError(option, "'" + std::string(name) + "' is given twice");

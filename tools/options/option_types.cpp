@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "silhouette/mesh/homogeneous_point.h"
+#include "tools/command.h"
 
 namespace rimline::tools {
 
@@ -87,36 +88,21 @@ bool is_device_or_pipe(const std::string& file_name) {
     return fs::exists(file_name, ignored) && !fs::is_regular_file(file_name, ignored);
 }
 
-struct NamedColor {
-    std::string_view name;
-    Color color;
-};
-constexpr std::array<NamedColor, 8> k_named_colors{{{"white", {255, 255, 255}},
-                                                    {"black", {0, 0, 0}},
-                                                    {"gray", {128, 128, 128}},
-                                                    {"paper", {248, 244, 236}},
-                                                    {"red", {200, 40, 40}},
-                                                    {"green", {40, 140, 60}},
-                                                    {"blue", {40, 80, 180}},
-                                                    {"sky", {205, 222, 240}}}};
+constexpr const char* k_color_forms = "#rgb, #rrggbb or a CSS color name";
 
-std::string color_names() {
-    std::string names;
-    for (const NamedColor& named : k_named_colors)
-        names += (names.empty() ? "" : ", ") + std::string(named.name);
-    return names;
-}
-
-Color parse_color(const std::string& option, std::string_view text) {
-    for (const NamedColor& named : k_named_colors)
-        if (text == named.name) return named.color;
-    std::uint32_t rgb = 0;
-    const char* end = text.data() + text.size();
-    if (text.size() != 7 || text[0] != '#' || text[1] == '-' ||
-        std::from_chars(text.data() + 1, end, rgb, 16).ptr != end)
-        reject(option, "#rrggbb or one of " + color_names(), text);
-    return {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
-            static_cast<std::uint8_t>(rgb)};
+// A color with alpha is one only where `takes_alpha`.
+Color parse_color(const std::string& option, std::string_view text, bool takes_alpha) {
+    const std::optional<Color> color = color_of(text);
+    const std::string forms = takes_alpha ? "none, #rgb, #rrggbb, #rrggbbaa or a CSS color name"
+                                          : std::string(k_color_forms);
+    if (!color)
+        throw CLI::ValidationError(option, "expected " + forms + ", not '" + std::string(text) +
+                                               "'" + nearest_color(text));
+    if (!takes_alpha && color->alpha != 255)
+        throw CLI::ValidationError(option,
+                                   "expected a color without alpha, not '" + std::string(text) +
+                                       "': only --background of a picture can be transparent");
+    return *color;
 }
 
 ImageSize parse_image_size(const std::string& option, std::string_view text) {
@@ -253,7 +239,8 @@ CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& val
     const std::string type = "FILE" + ending;
     return add_text(app, name, type, description,
                     [=, &value](const std::string& text) {
-                        if (!ends_in(text, ending) && !is_device_or_pipe(text))
+                        if (text != k_standard_output && !ends_in(text, ending) &&
+                            !is_device_or_pipe(text))
                             reject(name.substr(0, name.find(',')), type, text);
                         value = text;
                     })
@@ -262,16 +249,29 @@ CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& val
 
 CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,
                        const std::string& description) {
-    return add_text(app, name, "COLOR", description + " (#rrggbb, " + color_names() + ")",
-                    [name, &value](const std::string& text) { value = parse_color(name, text); });
+    return add_text(
+        app, name, "COLOR", description + ": " + k_color_forms,
+        [name, &value](const std::string& text) { value = parse_color(name, text, false); });
+}
+
+CLI::Option* add_background(CLI::App& app, const std::string& name, std::optional<Color>& value,
+                            bool& is_none, const std::string& description) {
+    return add_text(app, name, "COLOR|none",
+                    description +
+                        ": #rgb, #rrggbb, #rrggbbaa, a CSS color name, or none: "
+                        "transparent",
+                    [name, &value, &is_none](const std::string& text) {
+                        is_none = text == "none" || text == "transparent";
+                        if (!is_none) value = parse_color(name, text, true);
+                    });
 }
 
 CLI::Option* add_color_or(CLI::App& app, const std::string& name, std::optional<Color>& value,
                           const std::string& word, bool& is_word, const std::string& description) {
-    return add_text(app, name, "COLOR|" + word, description + " (#rrggbb, " + color_names() + ")",
+    return add_text(app, name, "COLOR|" + word, description + ". Color: " + k_color_forms,
                     [name, word, &value, &is_word](const std::string& text) {
                         is_word = text == word;
-                        if (!is_word) value = parse_color(name, text);
+                        if (!is_word) value = parse_color(name, text, false);
                     });
 }
 

@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/options/color.h"
+
 namespace rimline::tools {
 
 /// Three finite numbers `x,y,z`, each at most k_max_coordinate in magnitude. Blanks around them are ignored.
@@ -52,17 +54,16 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& va
                        std::uint32_t low, std::uint32_t high, const std::string& description);
 
 /// The name of an output file. It must end in `ending`, for example ".png", in upper or lower case. Devices,
-/// pipes and links in /dev (/dev/stdout) may have any name. `value` holds the default; empty: no default.
+/// pipes and links in /dev (/dev/stdout) may have any name, and - is standard output. `value` holds the default; empty: no default.
 CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& value,
                         const std::string& ending, const std::string& description);
 
-/// sRGB, 8 bits per channel.
-struct Color {
-    std::uint8_t red, green, blue;
-};
-/// `#rrggbb` or one of the color names that the help lists.
+/// color_of() without alpha: everything but the background of a picture is opaque.
 CLI::Option* add_color(CLI::App& app, const std::string& name, std::optional<Color>& value,
                        const std::string& description);
+/// color_of() with alpha. `none` and CSS's `transparent` set `is_none` instead.
+CLI::Option* add_background(CLI::App& app, const std::string& name, std::optional<Color>& value,
+                            bool& is_none, const std::string& description);
 
 /// The same, or `word`, which sets `is_word`.
 CLI::Option* add_color_or(CLI::App& app, const std::string& name, std::optional<Color>& value,

@@ -38,10 +38,13 @@ void PictureOptions::add_lights_to(CLI::App& app) {
         ->group(k_group);
 }
 
-void PictureOptions::add_image_to(CLI::App& app) {
+void PictureOptions::add_image_to(CLI::App& app, Background kind) {
     constexpr const char* k_group = "Image";
     add_image_size(app, "--size", size, "Width and height in pixels")->group(k_group);
-    add_color(app, "--background", background, "Background color (default: the style's own)")
+    constexpr const char* k_background = "Background color (default: the style's own)";
+    (kind == Background::any
+         ? add_background(app, "--background", background, has_no_background, k_background)
+         : add_color(app, "--background", background, k_background))
         ->group(k_group);
     // Commands with a path have --seed already.
     if (!app.get_option_no_throw("--seed"))

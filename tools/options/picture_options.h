@@ -29,6 +29,7 @@ struct PictureOptions {
     // Image.
     ImageSize size{1280, 960};
     std::optional<Color> background;  ///< Not set: the style's own.
+    bool has_no_background = false;   ///< Transparent. Surfaces are those on the style's own.
     std::uint32_t seed = 1;
 
     // Machine.
@@ -39,7 +40,8 @@ struct PictureOptions {
     /// The same without eye and target.
     void add_lens_to(CLI::App& app);
     void add_lights_to(CLI::App& app);
-    void add_image_to(CLI::App& app);
+    enum class Background { opaque, any };
+    void add_image_to(CLI::App& app, Background kind = Background::opaque);
     void add_machine_to(CLI::App& app);
 };
 

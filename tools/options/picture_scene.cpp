@@ -43,6 +43,8 @@ SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughO
     return {.octree = &octree,
             .material = {.color = scene.style == Style::mask ? glm::vec3(1.0f)
                                                              : scene.palette.background},
+            // On no background only the shadows are left of it.
+            .has_surfaces = scene.has_background,
             .has_lines = false,
             .casts_shadows = false,
             .fade_radius = k_ground_fade * mesh.radius(),

@@ -29,7 +29,7 @@ glm::dvec3 up_of(const Subject& subject, const PictureOptions& options);
 Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
 
 /// An instance of the mesh make_ground(mesh, up, k_ground_end * radius), of which `octree` is the octree. It
-/// receives shadows in the style and the palette of `scene`.
+/// receives shadows in the style and the palette of `scene`; without a background only these are drawn, black.
 SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree);
 
 }  // namespace rimline::tools

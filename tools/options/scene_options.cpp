@@ -9,6 +9,7 @@
 #include "engine/view_defaults.h"
 #include "silhouette/field/sun_choice.h"
 #include "silhouette/mesh/any_perpendicular.h"
+#include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
 
@@ -16,8 +17,10 @@ namespace rimline::tools {
 
 void SceneOptions::add_to(CLI::App& app) {
     constexpr const char* k_group = "Style";
-    app.add_option("--style", style,
-                   "Drawing style; hatch: pen strokes, mask: white where light arrives")
+    app.add_option(
+           "--style", style,
+           "Drawing style; hatch: pen strokes, mask: white where light arrives, black elsewhere, "
+           "no other value")
         ->check(CLI::IsMember({"ink", "toon", "blueprint", "hatch", "mask"}))
         ->capture_default_str()
         ->group(k_group);
@@ -34,9 +37,9 @@ void SceneOptions::add_to(CLI::App& app) {
                  "Color of lines (default: the style's own). material: in ink, toon and hatch, a "
                  "dark shade of the colors of the model's file")
         ->group(k_group);
-    app.add_option("--lines", lines, "Draw silhouettes and borders")
+    app.add_option("--lines", lines,
+                   "Draw silhouettes and borders (default: on; off in the style mask)")
         ->check(CLI::IsMember({"on", "off"}))
-        ->capture_default_str()
         ->group(k_group);
     add_number(app, "--line-width", line_width, 0.1, 100.0,
                "Line width in pixels (default: the style's own)")
@@ -60,6 +63,16 @@ void SceneOptions::add_to(CLI::App& app) {
         ->group(k_group);
 }
 
+void SceneOptions::add_palette_to(CLI::App& app) {
+    app.add_option(
+           "--palette", palette,
+           "Colors of the style, which --color, --line-color and --background replace one by "
+           "one. " +
+               all_palette_names())
+        ->type_name("NAME")
+        ->group("Style");
+}
+
 void SceneOptions::add_still_lines_to(CLI::App& app) {
     constexpr const char* k_group = "Style";
     app.add_option("--intersections", intersections,
@@ -73,10 +86,10 @@ void SceneOptions::add_still_lines_to(CLI::App& app) {
         ->group(k_group);
 }
 
-LineStyle SceneOptions::line_style(const Palette& palette) const {
+LineStyle SceneOptions::line_style(const Palette& shown_palette) const {
     LineStyle shown = line_style();
     if (has_material_lines && shows_colors(style_value()))
-        shown.material_shades_are_light = palette.has_light_ink();
+        shown.material_shades_are_light = shown_palette.has_light_ink();
     return shown;
 }
 
@@ -97,14 +110,56 @@ Style SceneOptions::style_value() const {
     return style == "mask" ? Style::mask : Style::ink;
 }
 
+PictureFinish SceneOptions::finish(const PictureOptions& picture) const {
+    const std::optional<Color>& under = picture.background;
+    const bool is_translucent = under && under->alpha < 255;
+    return {.has_alpha = picture.has_no_background || is_translucent,
+            .under = is_translucent ? under : std::nullopt,
+            .is_mask = style_value() == Style::mask};
+}
+
+const NamedPalette* SceneOptions::named_palette() const {
+    return find_palette(style_value(), palette);
+}
+
+void SceneOptions::check_usage(const PictureOptions& picture) const {
+    if (!palette.empty() && palette != own_palette(style_value()) && !named_palette()) {
+        std::vector<std::string> names{std::string(own_palette(style_value()))};
+        for (const NamedPalette& named : named_palettes())
+            if (named.style == style_value()) names.emplace_back(named.name);
+        if (names.front().empty())
+            throw UsageError("--palette: the style " + style + " has no palettes");
+        throw UsageError("--palette: the style " + style + " has " + palette_names(style_value()) +
+                         ", not '" + palette + "'" + did_you_mean(palette, names));
+    }
+    if (style_value() != Style::mask) return;
+    const auto check = [](const char* option, const std::optional<Color>& given) {
+        constexpr Color k_black{0, 0, 0}, k_white{255, 255, 255};
+        if (given && *given != k_black && *given != k_white)
+            throw UsageError(std::string(option) +
+                             ": the style mask has only the colors black and white");
+    };
+    check("--color", color);
+    check("--line-color", line_color);
+    check("--background", picture.background);
+}
+
 glm::vec3 SceneOptions::background(const PictureOptions& picture) const {
-    return picture.background ? linear_from_srgb(*picture.background)
-                              : style_defaults(style_value()).background;
+    if (picture.background) return linear_from_srgb(*picture.background);
+    if (const NamedPalette* named = named_palette()) return linear_from_srgb(named->background);
+    return style_defaults(style_value()).background;
+}
+
+glm::vec3 SceneOptions::surface_color(const PictureOptions& picture) const {
+    if (color) return linear_from_srgb(*color);
+    const NamedPalette* named = named_palette();
+    if (named && named->surface) return linear_from_srgb(*named->surface);
+    if (named) return background(picture);
+    return default_surface_color(style_value(), background(picture));
 }
 
 Material SceneOptions::material(const PictureOptions& picture) const {
-    Material material{.color = color ? linear_from_srgb(*color)
-                                     : default_surface_color(style_value(), background(picture)),
+    Material material{.color = surface_color(picture),
                       .shows_mesh_colors = shows_mesh_colors(),
                       .lines_in_mesh_colors = has_material_lines};
     if (line_color) material.line_color = linear_from_srgb(*line_color);
@@ -127,16 +182,20 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
                                const PictureOptions& picture) const {
     const StyleDefaults defaults = style_defaults(style_value());
     const LineStyle shown = line_style();
-    Scene scene{.camera = camera,
-                .style = style_value(),
-                .palette = default_palette(style_value(), background(picture)),
-                .shadows = shadows != "off",
-                .shadow_method = shadows == "fail" ? ShadowMethod::fail : ShadowMethod::automatic,
-                .lines = lines == "on",
-                .line_width_px = float(line_width.value_or(defaults.line_width_px)),
-                .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,
-                .crease_angle_deg = float(shown.crease_degrees),
-                .only_clear_creases = !shown.all_creases};
+    const NamedPalette* named = named_palette();
+    const glm::vec3 paper = background(picture);
+    Scene scene{
+        .camera = camera,
+        .style = style_value(),
+        .palette = named ? engine_palette(*named, paper) : default_palette(style_value(), paper),
+        .has_background = !finish(picture).has_alpha,
+        .shadows = shadows != "off",
+        .shadow_method = shadows == "fail" ? ShadowMethod::fail : ShadowMethod::automatic,
+        .lines = draws_lines(),
+        .line_width_px = float(line_width.value_or(defaults.line_width_px)),
+        .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,
+        .crease_angle_deg = float(shown.crease_degrees),
+        .only_clear_creases = !shown.all_creases};
     for (const glm::vec3& light : picture.lights)
         scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
     for (const glm::vec3& sun : picture.suns)

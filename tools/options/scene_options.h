@@ -13,6 +13,8 @@
 #include "silhouette/hough/hough_octree.h"
 #include "tools/options/line_style.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/palettes.h"
+#include "tools/options/picture_finish.h"
 #include "tools/options/picture_options.h"
 
 namespace rimline::tools {
@@ -23,8 +25,9 @@ struct SceneOptions {
     std::optional<Color> color;  ///< Of surfaces.
     std::optional<Color> line_color;
     bool has_material_lines = false;  ///< Lines have shades of the materials of their faces.
+    std::string palette;
     std::string materials = "on";
-    std::string lines = "on";
+    std::optional<std::string> lines;  ///< on or off.
     std::optional<double> line_width;  ///< In pixels.
     std::optional<double> crease_degrees;
     std::optional<std::string> intersections;  ///< on or off.
@@ -34,6 +37,8 @@ struct SceneOptions {
     bool ground = false;
 
     void add_to(CLI::App& app);
+    /// --palette, which the window does not have.
+    void add_palette_to(CLI::App& app);
     /// Options of still pictures, whose lines have exact visibility.
     void add_still_lines_to(CLI::App& app);
 
@@ -41,7 +46,13 @@ struct SceneOptions {
     /// computed for `mesh`.
     Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
     /// For lines of exact visibility in a scene with this palette.
-    LineStyle line_style(const Palette& palette) const;
+    LineStyle line_style(const Palette& shown_palette) const;
+    bool draws_lines() const { return lines ? *lines == "on" : style != "mask"; }
+    /// What is left to do with the pictures of such a scene.
+    PictureFinish finish(const PictureOptions& picture) const;
+    /// Throws UsageError for a palette that the style does not have, and for colors in the style mask, which is
+    /// black and white.
+    void check_usage(const PictureOptions& picture) const;
     /// Whether surfaces have the colors of the model's file, if it has some.
     bool shows_mesh_colors() const { return materials == "on" && !color; }
     TexturePictures textures() const {
@@ -54,7 +65,9 @@ struct SceneOptions {
 private:
     LineStyle line_style() const;
     Style style_value() const;
+    const NamedPalette* named_palette() const;
     glm::vec3 background(const PictureOptions& picture) const;
+    glm::vec3 surface_color(const PictureOptions& picture) const;
 };
 
 /// The direction of a sun if it is at least 15 degrees above the ground; else the nearest direction that is.

@@ -20,12 +20,13 @@ Picture make_contact_sheet(std::span<const Picture> pictures, std::uint32_t colu
     columns = std::min(columns, count);
     const std::uint32_t rows = (count + columns - 1) / columns;
     Picture sheet{columns * (width + gap) + gap, rows * (height + gap) + gap, {}};
+    sheet.has_alpha = pictures[0].has_alpha;
     sheet.rgba.resize(std::size_t{4} * sheet.width * sheet.height);
     for (std::size_t i = 0; i < sheet.rgba.size(); i += 4) {
         sheet.rgba[i] = color.red;
         sheet.rgba[i + 1] = color.green;
         sheet.rgba[i + 2] = color.blue;
-        sheet.rgba[i + 3] = 255;
+        sheet.rgba[i + 3] = color.alpha;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
         const Picture& picture = pictures[i];

@@ -14,6 +14,7 @@ namespace rimline::tools {
 std::uint32_t contact_sheet_columns(std::size_t pictures);
 
 /// At least one picture, all of the same size (RIMLINE_CHECK). Gaps and empty cells have this color.
+/// The sheet has alpha if the first picture has it.
 Picture make_contact_sheet(std::span<const Picture> pictures, std::uint32_t columns,
                            std::uint32_t gap, const Color& color);
 

@@ -10,15 +10,14 @@ namespace rimline::tools {
 
 namespace fs = std::filesystem;
 
-FrameSequence::FrameSequence(fs::path folder, std::uint32_t frame_count)
-    : folder_(std::move(folder), "frames") {
+FrameSequence::FrameSequence(fs::path folder, std::uint32_t frame_count,
+                             const PictureFinish& finish)
+    : FrameSink(finish), folder_(std::move(folder), "frames") {
     const std::size_t needed = std::to_string(frame_count > 0 ? frame_count - 1 : 0).size();
     digits_ = std::max(digits_, static_cast<int>(needed));
 }
 
-FrameSequence::~FrameSequence() {
-    if (writing_.valid()) writing_.wait();
-}
+FrameSequence::~FrameSequence() { wait(); }
 
 fs::path FrameSequence::file(std::uint32_t frame) const {
     std::string number = std::to_string(frame);
@@ -28,36 +27,10 @@ fs::path FrameSequence::file(std::uint32_t frame) const {
     return folder_.path() / ("frame_" + number + ".png");
 }
 
-void FrameSequence::write(Picture picture) {
-    finish();
-    writing_ = std::async(std::launch::async, [path = file(next_), picture = std::move(picture)] {
-        OutputFile output(path);
-        write_png(output, picture);
-    });
-    ++next_;
-}
-
-void FrameSequence::finish() {
-    if (writing_.valid()) writing_.get();
-}
-
-std::vector<FrameReport> draw_frames(Animation& animation, std::uint32_t frame_count,
-                                     Renderer& renderer, ImageSize size, FrameSequence& sequence,
-                                     const LongCall& call) {
-    std::vector<FrameReport> reports;
-    reports.reserve(frame_count);
-    const auto finish_one = [&] {
-        sequence.write(renderer.finish());
-        reports.push_back(renderer.report());
-    };
-    for (std::uint32_t frame = 0; frame < frame_count; ++frame) {
-        call.checkpoint(double(frame) / frame_count);
-        renderer.submit(animation.at(frame), size.width, size.height);
-        if (frame > 0) finish_one();
-    }
-    if (frame_count > 0) finish_one();
-    sequence.finish();
-    return reports;
+void FrameSequence::put(const Picture& picture, std::uint32_t number) {
+    if (number == 0) folder_.remove_numbered("frame_");
+    OutputFile output(file(number));
+    write_png(output, picture);
 }
 
 }  // namespace rimline::tools

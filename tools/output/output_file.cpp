@@ -11,6 +11,7 @@
 
 #include "silhouette/error.h"
 #include "tools/command.h"
+#include "tools/output/summary_stream.h"
 
 namespace rimline::tools {
 
@@ -27,6 +28,15 @@ OutputFile* g_first = nullptr;
 OutputFile::OutputFile(fs::path path, const fs::path& model)
     : path_(std::move(path)), target_(path_) {
     if (path_.empty()) throw Error(ErrorCode::io, "the output file's name is empty");
+    if (path_ == k_standard_output) {
+        if (isatty(STDOUT_FILENO) == 1)
+            throw UsageError("-o -: standard output is a terminal; send it to a file or program");
+        path_ = "standard output";
+        descriptor_ = dup(STDOUT_FILENO);
+        if (descriptor_ < 0) fail("cannot write", errno);
+        move_summary_to_standard_error();
+        return;
+    }
     if (is_same_file(path_, model))
         throw UsageError(path_.string() + ": this is the model itself; name another file to write");
     struct stat existing {};
@@ -108,6 +118,12 @@ void OutputFile::fail(const std::string& problem, int error_number) const {
 void OutputFile::close_descriptor() noexcept {
     if (descriptor_ >= 0) close(descriptor_);
     descriptor_ = -1;
+}
+
+void check_output(const Context& context, const std::string& output) {
+    if (context.json && output == k_standard_output)
+        throw UsageError(
+            "--json: standard output is the picture's with -o -; leave out one of them");
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {

@@ -13,10 +13,16 @@
 
 namespace rimline::tools {
 
+struct Context;
+
+/// Throws UsageError if `output` is standard output, where the JSON goes.
+void check_output(const Context& context, const std::string& output);
+
 class OutputFile {
 public:
     /// Create it before the work, so that a bad path is reported at once. Follows symbolic links, also to
-    /// files that do not exist. Writes to a device or pipe directly. Throws Error{io} naming `path` if its
+    /// files that do not exist. Writes to a device or pipe directly, and to standard output for k_standard_output;
+    /// summaries go to standard error then (summary_stream.h). Throws UsageError if that is a terminal. Throws Error{io} naming `path` if its
     /// folder is missing, if it is a folder, or if it cannot be written. Throws UsageError if it is the file
     /// `model`, which is an input.
     explicit OutputFile(std::filesystem::path path, const std::filesystem::path& model = {});
@@ -30,6 +36,8 @@ public:
     void commit();
 
     const std::filesystem::path& path() const noexcept { return path_; }
+    /// The file that commit() renames, for another program to write; empty if bytes are written directly.
+    const std::filesystem::path& temporary() const noexcept { return temporary_; }
 
 private:
     friend void remove_temporary_files() noexcept;

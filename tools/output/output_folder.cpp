@@ -4,8 +4,10 @@
 
 #include <cerrno>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "silhouette/error.h"
 
@@ -22,6 +24,25 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
     is_own_ = fs::create_directory(path_, error);
     if (!fs::is_directory(path_)) fail(fs::exists(path_) ? "it is not a folder" : error.message());
     if (access(path_.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
+}
+
+void OutputFolder::remove_numbered(const std::string& prefix) const {
+    constexpr std::string_view k_ending = ".png";
+    std::vector<fs::path> old;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_, error)) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() <= prefix.size() + k_ending.size() || !name.starts_with(prefix) ||
+            !name.ends_with(k_ending) || !entry.is_regular_file(error))
+            continue;
+        const std::string_view digits = std::string_view(name).substr(
+            prefix.size(), name.size() - prefix.size() - k_ending.size());
+        if (digits.find_first_not_of("0123456789") == std::string_view::npos)
+            old.push_back(entry.path());
+    }
+    for (const fs::path& file : old)
+        if (!fs::remove(file, error) && error)
+            throw Error(ErrorCode::io, file.string() + ": cannot remove it: " + error.message());
 }
 
 OutputFolder::~OutputFolder() {

@@ -4,6 +4,7 @@
 // failure before the first file leaves nothing behind.
 
 #include <filesystem>
+#include <string>
 
 namespace rimline::tools {
 
@@ -17,6 +18,10 @@ public:
     OutputFolder& operator=(const OutputFolder&) = delete;
 
     const std::filesystem::path& path() const noexcept { return path_; }
+
+    /// Removes the files PREFIX, digits, .png: pictures of an older run, which must not be taken for ones of this run.
+    /// Throws Error{io} naming a file that cannot be removed.
+    void remove_numbered(const std::string& prefix) const;
 
 private:
     std::filesystem::path path_;

@@ -51,6 +51,7 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                 camera, size, scene.style.line_style(picture_scene.palette), {context.stop, {}});
         if (ground) picture_scene.instances.push_back(ground->instance(picture_scene));
         pictures.push_back(renderer.render(picture_scene, size.width, size.height));
+        scene.style.finish(scene.picture).apply(pictures.back());
     }
     return pictures;
 }

@@ -64,6 +64,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         if (context.json) throw UsageError("view has nothing to say in --json");
+        if (model_.model == "-") throw UsageError("MODEL: the window reads no standard input");
         if (!screenshot_.empty() && frames_ == 0)
             throw UsageError("--screenshot needs --frames, to know which frame is the last");
         std::optional<OutputFile> screenshot;
@@ -129,7 +130,7 @@ private:
             session.appearance.background = linear_from_srgb(*picture_.background);
         if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
         if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
-        session.appearance.lines = scene_.lines == "on";
+        session.appearance.lines = scene_.draws_lines();
         if (scene_.line_width) session.appearance.line_width_px = float(*scene_.line_width);
         std::optional<glm::dvec3> from;
         if (silhouette_from_)

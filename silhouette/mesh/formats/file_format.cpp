@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
 #include "silhouette/mesh/formats/text_scanner.h"
@@ -70,8 +71,7 @@ FileFormat format_of(const SourceFile& file, const std::string& extension) {
              "the format is not known; it should be OBJ, PLY, STL, OFF, glTF, GLB, XYZ or PTS");
 }
 
-SourceFile read_text_or_bytes(const std::filesystem::path& path, const LongCall& call) {
-    SourceFile file = read_source_file(path, call);
+SourceFile with_text(SourceFile file) {
     // The byte order mark that some editors write before UTF-8 text.
     if (file.bytes.starts_with("\xef\xbb\xbf")) file.text_begin = 3;
     if (file.text().empty()) bad_file(file.name, "the file is empty");
@@ -81,6 +81,9 @@ SourceFile read_text_or_bytes(const std::filesystem::path& path, const LongCall&
 }  // namespace
 
 KnownFile::KnownFile(const std::filesystem::path& path, const LongCall& call)
-    : file(read_text_or_bytes(path, call)), format(format_of(file, lower_extension(path))) {}
+    : KnownFile(read_source_file(path, call), lower_extension(path)) {}
+
+KnownFile::KnownFile(SourceFile source, const std::string& extension)
+    : file(with_text(std::move(source))), format(format_of(file, extension)) {}
 
 }  // namespace rimline

@@ -14,6 +14,9 @@ enum class FileFormat { ply, stl_text, stl_binary, off, obj, gltf, glb, point_te
 /// unknown format.
 struct KnownFile {
     KnownFile(const std::filesystem::path& path, const LongCall& call);
+    /// The same for bytes that were read already. `extension`, with its point and in lower case, stands for that
+    /// of the name.
+    KnownFile(SourceFile source, const std::string& extension);
 
     SourceFile file;
     FileFormat format;

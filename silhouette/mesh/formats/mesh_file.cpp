@@ -1,6 +1,8 @@
 #include "silhouette/mesh/formats/mesh_file.h"
 
+#include <algorithm>
 #include <new>
+#include <utility>
 
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/file_format.h"
@@ -23,27 +25,62 @@ MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call
     return read_point_text_as_mesh(file, call);
 }
 
+namespace {
+
+MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, const LongCall& call) {
+    const SourceFile& file = known.file;
+    MeshSource source = read_mesh(known, BadPoints::refuse, call);
+    if (source.triangles.empty() && requirement == FaceRequirement::faces)
+        bad_file(file.name, "no faces: it holds " +
+                                (source.positions.empty()
+                                     ? std::string("nothing")
+                                     : std::to_string(source.positions.size()) + " points only") +
+                                "; a model with faces is needed");
+    if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
+    drop_unused_materials(source);
+    call.checkpoint(1.0);
+    return source;
+}
+
+std::string_view extension_of(FileFormat format) {
+    switch (format) {
+        case FileFormat::ply: return ".ply";
+        case FileFormat::stl_text:
+        case FileFormat::stl_binary: return ".stl";
+        case FileFormat::off: return ".off";
+        case FileFormat::obj: return ".obj";
+        case FileFormat::gltf: return ".gltf";
+        case FileFormat::glb: return ".glb";
+        case FileFormat::point_text: break;
+    }
+    return ".xyz";
+}
+
+}  // namespace
+
 MeshSource read_mesh_file(const std::filesystem::path& path, FaceRequirement requirement,
                           const LongCall& call) {
     try {
         call.checkpoint(0.0);
-        const KnownFile known(path, call);
-        const SourceFile& file = known.file;
-        MeshSource source = read_mesh(known, BadPoints::refuse, call);
-        if (source.triangles.empty() && requirement == FaceRequirement::faces)
-            bad_file(file.name,
-                     "no faces: it holds " +
-                         (source.positions.empty()
-                              ? std::string("nothing")
-                              : std::to_string(source.positions.size()) + " points only") +
-                         "; a model with faces is needed");
-        if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
-        drop_unused_materials(source);
-        call.checkpoint(1.0);
-        return source;
+        return checked_mesh(KnownFile(path, call), requirement, call);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::too_large,
                     path.string() + ": there is not enough memory to read it");
+    }
+}
+
+MeshSource read_mesh_bytes(std::string name, std::string bytes, const std::string& extension,
+                           FaceRequirement requirement, const LongCall& call) {
+    try {
+        call.checkpoint(0.0);
+        const KnownFile known(SourceFile{name, std::move(bytes), {}, 0}, extension);
+        const std::string_view found = extension_of(known.format);
+        if (found != extension)
+            bad_file(name, "its content is " + std::string(found.substr(1)) + ", not " +
+                               extension.substr(std::min<std::size_t>(extension.size(), 1)));
+        return checked_mesh(known, requirement, call);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::too_large, name + ": there is not enough memory to read it");
     }
 }
 

@@ -20,6 +20,7 @@
 // and morph targets of glTF.
 
 #include <filesystem>
+#include <string>
 
 #include "silhouette/error.h"
 #include "silhouette/mesh/mesh_source.h"
@@ -39,6 +40,13 @@ enum class FaceRequirement {
 MeshSource read_mesh_file(const std::filesystem::path& path,
                           FaceRequirement requirement = FaceRequirement::faces,
                           const LongCall& call = {});
+
+/// The same for the bytes of a file, as of a pipe. `name` stands for the path in messages, and `extension`, with its
+/// point and in lower case (".ply"), for the ending of its name; Error{bad_input} if the content is of another format.
+/// Files that it refers to are looked for in the working folder.
+MeshSource read_mesh_bytes(std::string name, std::string bytes, const std::string& extension,
+                           FaceRequirement requirement = FaceRequirement::faces,
+                           const LongCall& call = {});
 
 /// Reads the pictures of the textures (MaterialTexture::picture), PNG and JPEG, each file once. Only programs that
 /// draw need them. A picture that is missing or faulty becomes a warning, with its place and file. Throws

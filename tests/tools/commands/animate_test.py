@@ -1,10 +1,13 @@
 """rimline animate."""
 import json
 import os
+import shutil
 import signal
+import struct
 import subprocess
 import tempfile
 import time
+import zlib
 
 from program import PROGRAM, SMALL, fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
 
@@ -19,6 +22,9 @@ def check_animate(result, output, frame_count, size):
     for key in keys:
         assert totals[key] == sum(frame[key] for frame in frames), key
     assert totals["max_frame_ms"] == max(frame["frame_ms"] for frame in frames)
+    # By the clock: frames follow each other, and do not count what others took.
+    times = result["times_ms"]
+    assert sum(frame["frame_ms"] for frame in frames) <= times["drawing"] <= times["total"], times
     for before, after in zip(frames, frames[1:]):
         assert after["silhouette"] - before["silhouette"] == after["added"] - after["removed"]
     assert frames[0]["flips"] == frames[0]["added"] == frames[0]["removed"] == 0
@@ -123,3 +129,126 @@ def test_an_interrupted_animation_leaves_whole_frames():
         for name in names:
             with open(os.path.join(output, name), "rb") as file:
                 assert file.read().endswith(b"IEND\xaeB`\x82"), name
+
+
+def apng_frames(data, folder):
+    """The frames of an animated PNG, each as rows of pixels. Checks the chunks."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, chunks = 8, []
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + size]
+        assert struct.unpack(">I", data[at + 8 + size:at + 12 + size])[0] == zlib.crc32(kind + body)
+        chunks.append((kind, body))
+        at += 12 + size
+    kinds = [kind for kind, _ in chunks]
+    assert kinds[0] == b"IHDR" and kinds[-1] == b"IEND" and kinds.index(b"acTL") < kinds.index(b"IDAT")
+    count, plays = struct.unpack(">II", dict(chunks)[b"acTL"])
+    assert count == kinds.count(b"fcTL") and plays == 0
+    frames, sequence = [], 0
+    for kind, body in chunks:
+        if kind in (b"fcTL", b"fdAT"):
+            assert struct.unpack(">I", body[:4])[0] == sequence
+            sequence += 1
+        if kind == b"fcTL":
+            frames.append((struct.unpack(">IIIIHHBB", body[4:]), []))
+        elif kind in (b"IDAT", b"fdAT"):
+            frames[-1][1].append(body if kind == b"IDAT" else body[4:])
+    header, pictures, canvas = chunks[0][1], [], None
+    for (width, height, left, top, num, den, dispose, blend), data in frames:
+        assert (num, den, dispose, blend) == (1, 25, 0, 0)
+        path = os.path.join(folder, "part.png")
+        with open(path, "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n")
+            for kind, body in ((b"IHDR", struct.pack(">II", width, height) + header[8:]), (b"IDAT", b"".join(data)), (b"IEND", b"")):
+                file.write(struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body)))
+        part = png_rows(path)
+        if canvas is None:
+            canvas = [list(row) for row in part]
+        for y, row in enumerate(part):
+            canvas[top + y][left:left + width] = row
+        pictures.append([tuple(row) for row in canvas])
+    return pictures
+
+
+def test_an_animated_png_has_the_frames_of_the_folder():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        points = os.path.join(folder, "points.txt")
+        with open(points, "w") as file:
+            file.write("3 2 1\n3 2 1.2\n3 2 1.2\n3 1 1.4\n")  # The second stands still.
+        for more in ([], ["--background", "none"]):
+            options = ["shape:knot:1000", *SMALL, "--path", points, "--style", "toon", *more]
+            frames, film = os.path.join(folder, "frames"), os.path.join(folder, "a.apng")
+            succeed("animate", *options, "-o", frames)
+            assert succeed("animate", *options, "-o", film, "--fps", "25")["output"] == film
+            with open(film, "rb") as file:
+                data = file.read()
+            shown = apng_frames(data, folder)
+            assert len(shown) == 4
+            for i, picture in enumerate(shown):
+                drawn = png_rows(os.path.join(frames, f"frame_{i:04}.png"))
+                assert picture == [tuple(row) for row in drawn], i
+            os.remove(film)
+
+
+def test_films_are_made_by_ffmpeg():
+    have_device()
+    if shutil.which("ffmpeg") is None or shutil.which("ffprobe") is None:
+        skip("ffmpeg is not installed")
+    encoders = subprocess.run(["ffmpeg", "-hide_banner", "-encoders"], capture_output=True, text=True, timeout=60).stdout
+    with tempfile.TemporaryDirectory() as folder:
+        for ending, codec, encoder in (("mp4", "h264", "libx264"), ("webm", "vp9", "libvpx-vp9"), ("gif", "gif", " gif ")):
+            if encoder not in encoders:
+                continue
+            film = os.path.join(folder, "a." + ending)
+            succeed("animate", "shape:knot:1000", "--frames", "5", "--size", "65x48", "-o", film, "--fps", "20")
+            found = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                    "stream=codec_name,width,height,nb_read_frames", "-of", "csv=p=0", film],
+                                   capture_output=True, text=True, timeout=60).stdout.strip().split(",")
+            assert found == [codec, "65" if ending == "gif" else "64", "48", "5"], found
+        assert sorted(name[:2] for name in os.listdir(folder)) == ["a."] * len(os.listdir(folder))
+        # A failure leaves nothing, and says what ffmpeg said.
+        os.mkdir(os.path.join(folder, "bin"))
+        fake = os.path.join(folder, "bin", "ffmpeg")
+        with open(fake, "w") as file:
+            file.write("#!/bin/sh\necho no such encoder >&2\nexit 1\n")
+        os.chmod(fake, 0o755)
+        film = os.path.join(folder, "b.mp4")
+        result = run("animate", "shape:box", "--frames", "3", *SMALL, "-o", film,
+                     env={**os.environ, "PATH": os.path.join(folder, "bin") + ":/usr/bin:/bin"})
+        assert result.returncode == 1 and film + ": ffmpeg failed: no such encoder" in result.stderr, result
+        assert not [name for name in os.listdir(folder) if "b.mp4" in name]
+
+
+def test_a_film_that_cannot_be_made_is_refused_before_the_work():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        film = os.path.join(folder, "a.mp4")
+        result = run("animate", "shape:box", "-o", film, env={**os.environ, "PATH": folder})
+        assert result.returncode == 1 and "install the package ffmpeg, or write an .apng" in result.stderr, result
+        for name in ("a.png", "a.MOV", "-"):
+            line = fail(2, "animate", "shape:box", "-o", os.path.join(folder, name) if name != "-" else name)
+            assert "expected a folder, or a name that ends in .apng, .mp4, .gif or .webm" in line
+        assert "an .mp4 is opaque" in fail(2, "animate", "shape:box", "-o", film, "--background", "none")
+        assert "gone" in fail(1, "animate", "shape:box", "-o", os.path.join(folder, "gone", "a.apng"))
+        fail(1, "animate", "gone.obj", "-o", os.path.join(folder, "a.apng"))
+        assert os.listdir(folder) == []
+
+
+def test_frames_of_an_older_run_are_not_left_among_new_ones():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "frames")
+        succeed("animate", "shape:box", "--frames", "5", *SMALL, "-o", output)
+        with open(os.path.join(output, "notes.txt"), "w"):
+            pass
+        # Nothing is lost before there is a new frame.
+        fail(1, "animate", "gone.obj", "-o", output)
+        assert len(os.listdir(output)) == 6
+        succeed("animate", "shape:box", "--frames", "2", *SMALL, "-o", output)
+        assert sorted(os.listdir(output)) == ["frame_0000.png", "frame_0001.png", "notes.txt"]
+        succeed("views", "shape:knot:2000", "-k", "3", *SMALL, "-o", output)
+        succeed("views", "shape:knot:2000", "-k", "2", *SMALL, "-o", output)
+        assert sorted(os.listdir(output)) == ["contact_sheet.png", "frame_0000.png", "frame_0001.png", "notes.txt", "view_1.png",
+                                              "view_2.png"]

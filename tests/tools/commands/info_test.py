@@ -35,3 +35,24 @@ def test_info_takes_every_point_of_a_cloud_as_used():
         assert found["center"] == [2, 1, 0] and math.isclose(found["radius"], math.sqrt(5))
         assert found["bounds"] == [[0, 0, 0], [4, 2, 0]] and found["closed"] is False
         assert path in fail(1, "silhouette", path, "--from", "1,2,3")
+
+
+def test_info_tells_what_a_cloud_is():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "cloud.ply")
+        with open(path, "w") as file:
+            file.write("ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+                       "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+                       "property uchar blue\nend_header\n")
+            for x in (0, 1, 2, 4, 7, 7):
+                file.write(f"{x} 0 0 0 0 1 1 2 3\n")
+        cloud = succeed("info", path)["cloud"]
+        # Nearest: 1, 1, 1, 2, 3; the upper median is 1.
+        assert cloud == {"points": 5, "duplicates": 1, "has_normals": True, "has_colors": True, "has_intensities": False,
+                         "spacing": 1.0}, cloud
+        text = run("info", path).stdout
+        assert "a cloud" in text and "rimline points" in text and "each has    normals, colors" in text, text
+        with open(path) as file:
+            piped = run("info", "-", "--format", "ply", input=file.read())
+        assert piped.returncode == 0 and "6 in the file, 1 of them repeated" in piped.stdout, piped
+    assert succeed("info", "shape:box")["cloud"] is None

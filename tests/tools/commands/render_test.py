@@ -4,10 +4,12 @@ import math
 import os
 import re
 import struct
+import subprocess
 import tempfile
+import time
 import zlib
 
-from program import fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
+from program import PROGRAM, fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
 
 
 def check_render(result, output, size):
@@ -16,6 +18,9 @@ def check_render(result, output, size):
     assert result["device_heaps"] and all(0 <= heap.get("used_bytes", 0) and heap["size_bytes"] > 0
                                           for heap in result["device_heaps"])
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
+    times = result["times_ms"]
+    assert set(times) == {"reading", "device", "index", "lines", "drawing", "writing", "total"}
+    assert math.isclose(sum(times.values()), 2 * times["total"], rel_tol=1e-6) and result["frame_ms"] <= times["drawing"]
     assert result["output"] == output and png_size(output) == size
 
 
@@ -290,3 +295,104 @@ def test_render_leaves_nothing_behind_when_it_fails():
                         ["--size", "0x5"], ["--sun", "0,0,0"], ["--shadows", "on"]):
             fail(2, "render", "shape:box", "-o", output, *options)
             assert os.listdir(folder) == []
+
+
+def draw(folder, *options):
+    """The rows of a picture of a knot of 96x64."""
+    output = os.path.join(folder, "a.png")
+    succeed("render", "shape:knot:2000", "-o", output, "--size", "96x64", *options)
+    return png_rows(output)
+
+
+def test_render_draws_on_no_background_what_viewers_show_as_on_white():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        for style in ("ink", "toon", "blueprint", "hatch", "mask"):
+            assert len(draw(folder, "--style", style)[0][0]) == 3
+            cutout = draw(folder, "--style", style, "--background", "none")
+            alphas = {pixel[3] for row in cutout for pixel in row}
+            assert {0, 255} <= alphas, alphas
+            assert cutout[0][0] == (0, 0, 0, 0)
+        # Surfaces of toon have the same color on every background. Viewers blend encoded values.
+        white = draw(folder, "--style", "toon", "--background", "white")
+        cutout = draw(folder, "--style", "toon", "--background", "none")
+        viewed = [[tuple(round((c * p[3] + 255 * (255 - p[3])) / 255) for c in p[:3]) for p in row] for row in cutout]
+        worst = max(abs(a - b) for v, w in zip(viewed, white) for p, q in zip(v, w) for a, b in zip(p, q))
+        assert worst <= 6, worst
+        half = draw(folder, "--background", "#ff000080")
+        assert half[0][0] == (255, 0, 0, 128)
+
+
+def test_render_draws_only_the_shadow_of_a_ground_on_no_background():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        view = ["--style", "ink", "--eye", "3,2.5,4", "--sun", "1,2,1", "--ground"]
+        opaque, cutout = draw(folder, *view), draw(folder, *view, "--background", "none")
+        paper = opaque[0][0]
+        shadows = [(p, q) for r, s in zip(opaque, cutout) for p, q in zip(r, s)
+                   if q[:3] == (0, 0, 0) and 0 < q[3] < 255]
+        assert len(shadows) > 40
+        # Over the paper a viewer shows what is drawn on it, up to the hue of the style's shadow.
+        near = [max(abs(p[i] - (255 - q[3]) * paper[i] / 255) for i in range(3)) for p, q in shadows]
+        assert sorted(near)[len(near) // 2] < 12, near
+
+
+def test_a_mask_is_black_and_white():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        black, white = (0, 0, 0), (255, 255, 255)
+        for options in ([], ["--ground"], ["--lines", "on"], ["--background", "white"], ["--light", "2,3,2", "--sun", "0,1,0"]):
+            values = {pixel for row in draw(folder, "--style", "mask", *options) for pixel in row}
+            assert values == {black, white}, (options, values)
+        values = {pixel for row in draw(folder, "--style", "mask", "--background", "none") for pixel in row}
+        assert values == {(0, 0, 0, 0), (*black, 255), (*white, 255)}, values
+        for option in ("--color", "--line-color", "--background"):
+            assert "black and white" in fail(2, "render", "--style", "mask", option, "red")
+
+
+def test_render_has_palettes_for_styles():
+    have_device()
+    listed = run("render", "--help").stdout
+    with tempfile.TemporaryDirectory() as folder:
+        for style, names in (("ink", "paper sepia indigo riso chalk night"), ("toon", "clay sea moss plum gold midnight"),
+                             ("blueprint", "cyanotype diazo sepia graphite phosphor"), ("hatch", "pen sanguine blue kraft")):
+            pictures = [draw(folder, "--style", style, "--palette", name) for name in names.split()]
+            assert all(name in listed for name in names.split())
+            assert pictures[0] == draw(folder, "--style", style)
+            assert len({str(picture) for picture in pictures}) == len(pictures)
+            assert names.replace(" ", ", ") in fail(2, "render", "--style", style, "--palette", "mud")
+        assert draw(folder, "--palette", "riso", "--background", "#010203")[0][0] == (1, 2, 3)
+    assert "no palettes" in fail(2, "render", "--style", "mask", "--palette", "riso")
+
+
+def test_render_names_the_color_that_was_meant():
+    assert "; did you mean 'steelblue'?" in fail(2, "render", "--color", "steelbleu")
+    assert "only --background of a picture can be transparent" in fail(2, "render", "--color", "#ffffff80")
+    assert "expected none, #rgb" in fail(2, "render", "--background", "mxyzptlk")
+
+
+def test_render_writes_its_picture_to_standard_output_and_nothing_else():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.png")
+        options = ["render", "shape:knot:2000", "--size", "64x48"]
+        succeed(*options, "-o", path)
+        with open(path, "rb") as file:
+            picture = file.read()
+        for more, summary in (([], True), (["--quiet"], False)):
+            result = subprocess.run([PROGRAM, *options, "-o", "-", *more], capture_output=True, timeout=500, cwd=folder)
+            assert result.returncode == 0 and result.stdout == picture
+            assert (b"silhouette and border edges" in result.stderr) == summary, result.stderr
+        assert os.listdir(folder) == ["a.png"]
+    assert "leave out one of them" in fail(2, *options, "-o", "-", "--json")
+    assert "leave out one of them" in fail(2, "field", "shape:box", "--slice", "z=0", "-o", "-", "--json")
+
+
+def test_render_reports_the_time_that_it_took():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        begin = time.monotonic()
+        result = succeed("render", "shape:knot:50000", "-o", os.path.join(folder, "a.png"))
+        clock = 1000 * (time.monotonic() - begin)
+        # The rest is the system's start and end of the program.
+        assert clock - 250 < result["times_ms"]["total"] < clock, (clock, result["times_ms"])

@@ -40,6 +40,8 @@ def test_views_are_drawn_from_where_they_are_and_written_together():
         result = succeed("views", "shape:scene:3000", "-k", "3", "-o", output, *SMALL, "--ground", "--sun", "auto")
         check_views(result, 3, True)
         assert 3 <= result["renders"] <= result["candidates"] and result["output"] == output
+        times = result["times_ms"]
+        assert result["ms"] <= times["choosing"] + 1 and times["drawing"] > 0 and times["total"] >= sum(times.values()) / 2 - 1e-6
         assert sorted(os.listdir(output)) == ["contact_sheet.png", "view_1.png", "view_2.png", "view_3.png"]
         for i in (1, 2, 3):
             assert png_size(os.path.join(output, f"view_{i}.png")) == (64, 48)

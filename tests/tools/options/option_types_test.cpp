@@ -149,20 +149,25 @@ TEST_CASE("an image size is WxH within bounds") {
     }
 }
 
-TEST_CASE("a color is six digits after # or a name") {
+TEST_CASE("a color is in digits or a name, and only a background may be transparent") {
     CLI::App app;
-    std::optional<Color> color;
-    add_color(app, "--background", color, "");
-    CHECK_FALSE(color);
-    REQUIRE(parses(app, {"--background", "#0aF3ff"}));
-    CHECK(color->red == 0x0a);
-    CHECK(color->green == 0xf3);
-    CHECK(color->blue == 0xff);
-    REQUIRE(parses(app, {"--background", "black"}));
-    CHECK(color->green == 0);
-    for (const char* text :
-         {"", "#", "#fff", "#-12345", "#12345g", "#1234567", "123456", "Black"}) {
+    std::optional<Color> color, background;
+    bool is_none = false;
+    add_color(app, "--color", color, "");
+    add_background(app, "--background", background, is_none, "");
+    REQUIRE(parses(app, {"--color", "#FfE8d0", "--background", "#12345678"}));
+    CHECK(color == Color{255, 232, 208});
+    CHECK(background == Color{0x12, 0x34, 0x56, 0x78});
+    CHECK_FALSE(is_none);
+    background.reset();
+    for (const char* text : {"none", "transparent"}) {
+        REQUIRE(parses(app, {"--background", text}));
+        CHECK(is_none);
+        CHECK_FALSE(background);
+    }
+    REQUIRE(parses(app, {"--color", "#ffffffff"}));
+    for (const char* text : {"none", "transparent", "#ffffff80", "#fff8", "", "#", "blu"}) {
         CAPTURE(text);
-        CHECK_FALSE(parses(app, {"--background", text}));
+        CHECK_FALSE(parses(app, {"--color", text}));
     }
 }

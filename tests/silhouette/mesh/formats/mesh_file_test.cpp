@@ -21,6 +21,30 @@ TEST_CASE("What a file is, its content says before its name") {
     }
 }
 
+TEST_CASE("Bytes are read as a file of the format that is said, and refused as another") {
+    for (const SampleFile& sample : sample_files()) {
+        CAPTURE(sample.name);
+        const std::string own = std::filesystem::path(sample.name).extension().string();
+        for (const char* extension : {".ply", ".obj", ".stl", ".off", ".glb", ".gltf"}) {
+            CAPTURE(extension);
+            if (extension == own) {
+                const MeshSource source = read_mesh_bytes("a pipe", sample.bytes, extension);
+                CHECK(source.triangles.size() == 5);
+                continue;
+            }
+            std::string message;
+            try {
+                read_mesh_bytes("a pipe", sample.bytes, extension);
+            } catch (const Error& e) {
+                message = e.what();
+            }
+            CHECK(message.starts_with("a pipe: its content is " + own.substr(1) + ", not "));
+        }
+    }
+    CHECK_THROWS_AS(read_mesh_bytes("a pipe", "", ".obj"), Error);
+    CHECK_THROWS_AS(read_mesh_bytes("a pipe", "v 0 0 0\n", ".obj"), Error);
+}
+
 TEST_CASE("A byte order mark before text does not matter") {
     CHECK(read_text("a.obj", "\xef\xbb\xbf" + sample_obj()).triangles.size() == 5);
     CHECK(read_text("a.gltf", "\xef\xbb\xbf" + sample_gltf_embedded()).triangles.size() == 5);

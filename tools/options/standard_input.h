@@ -1,0 +1,19 @@
+#pragma once
+
+// A model from standard input: the name `-`, and --format, because there is no name that tells the format.
+
+#include <string>
+
+#include "silhouette/mesh/formats/mesh_file.h"
+
+namespace rimline::tools {
+
+/// The MODEL that stands for standard input.
+constexpr const char* k_standard_input = "-";
+
+/// Reads standard input to its end. Throws UsageError without a format, or if standard input is a terminal, and
+/// Error as read_mesh_bytes(). `format` is ply, obj, stl, off or glb.
+MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
+                               const LongCall& call);
+
+}  // namespace rimline::tools
