@@ -6,6 +6,7 @@ import json
 import math
 import os
 import resource
+import shlex
 import struct
 import subprocess
 import sys
@@ -158,6 +159,29 @@ def png_size(path):
         header = file.read(24)
     assert header[:8] == b"\x89PNG\r\n\x1a\n", header
     return tuple(int.from_bytes(header[i:i + 4], "big") for i in (16, 20))
+
+
+def camera_arguments(said):
+    """The options of `render` that give the camera and the lights of a result."""
+    text = lambda v: ",".join(f"{x:.17g}" for x in v)
+    options = [f"--{name}={text(said[name])}" for name in ("eye", "target", "up")]
+    options.append(f"--fov={said['fov']:.17g}" if said["fov"] is not None else f"--ortho={said['ortho']:.17g}")
+    if said.get("ground_up"):
+        options.append(f"--ground-up={text(said['ground_up'])}")
+    for light in said.get("lights", ()):
+        [(kind, vector)] = light.items()
+        options.append(("--sun=" if kind == "direction" else "--light=") + text(vector))
+    return options
+
+
+def drawn_again(stdout, prefix, output):
+    """Runs the command in the line of human-readable output that begins with `prefix`, with another output file."""
+    [line] = [line for line in stdout.splitlines() if line.startswith(prefix)]
+    words = shlex.split(line[len(prefix):])
+    assert words[:2] == ["rimline", "render"] and words[-2] == "-o", words
+    result = run(*words[1:-1], output)
+    assert result.returncode == 0, result.stderr
+    return result.stdout
 
 
 SMALL = ("--size", "64x48")

@@ -201,8 +201,7 @@ private:
     double fitting_distance(double radius) const {
         if (picture_.ortho_height) return 3.0 * radius;
         const double aspect = double(picture_.size.width) / picture_.size.height;
-        const double tangent =
-            std::tan(0.5 * glm::radians(picture_.fov_degrees)) * std::min(aspect, 1.0);
+        const double tangent = std::tan(0.5 * glm::radians(picture_.fov())) * std::min(aspect, 1.0);
         return k_view_margin * radius * std::sqrt(1.0 + tangent * tangent) / tangent;
     }
 
@@ -212,7 +211,7 @@ private:
         Camera camera{.eye = {},
                       .target = picture_.target ? glm::dvec3(*picture_.target) : mesh.center(),
                       .up = up_of(mesh, picture_),
-                      .fov_y_deg = picture_.fov_degrees,
+                      .fov_y_deg = picture_.fov(),
                       .ortho_height = picture_.ortho_height.value_or(0.0)};
         // The front view, if no eye of the path differs from the target.
         camera.eye = camera.target + glm::dvec3(0.0, 0.0, motion.distance);

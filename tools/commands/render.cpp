@@ -14,7 +14,11 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/view_camera.h"
+#include "tools/output/camera_report.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/picture_file.h"
+#include "tools/output/same_picture.h"
 #include "tools/output/shown_lines.h"
 
 namespace rimline::tools {
@@ -29,11 +33,13 @@ public:
     std::string summary() const override { return "Draw one picture, as a PNG"; }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app, ModelArgument::Presence::optional);
         add_output(app, "-o,--output", output_, ".png", "PNG file to write")->group("Output");
         options_.add_to(app);
         options_.add_still_lines_to(app);
         picture_.add_camera_to(app);
+        picture_.add_ground_up_to(app);
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
@@ -67,9 +73,10 @@ public:
         check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
             {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
+        const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
         std::optional<Ground> ground;
         if (options_.ground) {
-            ground.emplace(mesh, up_of(mesh, picture_), 0.0);
+            ground.emplace(mesh, ground_up, 0.0);
             scene.instances.push_back(ground->instance(scene));
         }
         // The ground hides no line: the model stands on it, and from below it is not drawn.
@@ -91,9 +98,9 @@ public:
             report.creases = lines->crease_count();
         }
         if (context.json)
-            print_result(device, renderer, report);
+            print_result(device, renderer, report, scene, ground_up);
         else
-            print_summary(device, report);
+            print_summary(device, report, scene, ground_up);
         return ExitStatus::success;
     }
 
@@ -135,7 +142,8 @@ private:
     }
 
     void print_result(const DrawingDevice& device, const Renderer& renderer,
-                      const FrameReport& report) const {
+                      const FrameReport& report, const Scene& scene,
+                      const glm::dvec3& ground_up) const {
         nlohmann::ordered_json result{{"model", model_.model}};
         result.update(device_json(&device));
         result.update({{"silhouette", report.silhouette},
@@ -150,11 +158,16 @@ private:
                        {"device_heaps", heaps_of(device.context())},
                        {"frame_ms", report.frame_ms},
                        {"output", output_}});
+        result.update(camera_json(scene.camera));
+        result.update(clip_planes_json(scene));
+        result["lights"] = lights_json(scene.lights);
+        if (options_.ground) result["ground_up"] = json_vector(ground_up);
         if (pass_times_) result["passes"] = passes_of(report);
         print_json(result);
     }
 
-    void print_summary(const DrawingDevice& device, const FrameReport& report) const {
+    void print_summary(const DrawingDevice& device, const FrameReport& report, const Scene& scene,
+                       const glm::dvec3& ground_up) const {
         std::printf("%s\n", output_.c_str());
         std::printf("  lines       %u silhouette and border edges, %u creases\n", report.silhouette,
                     report.creases);
@@ -168,6 +181,11 @@ private:
         if (pass_times_ && report.passes.empty())
             std::printf("    the device's queue has no timestamps\n");
         print_validation(device);
+        std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
+        if (options_.ground && ground_up != scene.camera.up)
+            arguments.push_back(vector_argument("--ground-up", ground_up));
+        arguments.push_back("-o " + quoted_for_shell(output_));
+        std::printf("  again       %s\n", render_command(*app_, model_.model, arguments).c_str());
     }
 
     ModelArgument model_;
@@ -175,6 +193,7 @@ private:
     std::string output_ = k_default_output;
     SceneOptions options_;
     bool pass_times_ = false;
+    const CLI::App* app_ = nullptr;
 };
 
 }  // namespace

@@ -8,9 +8,13 @@
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/view_camera.h"
+#include "tools/output/camera_report.h"
 #include "tools/output/contact_sheet.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/output_folder.h"
 #include "tools/output/picture_file.h"
+#include "tools/output/same_picture.h"
 #include "tools/output/view_pictures.h"
 
 namespace rimline::tools {
@@ -27,6 +31,7 @@ public:
     std::string summary() const override { return "Choose the views that show a model best"; }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app);
         choice_.add_to(app, 1);
         output_option_ =
@@ -76,7 +81,7 @@ public:
         if (context.json)
             print_result(mesh, chosen, device);
         else
-            print_summary(chosen);
+            print_summary(mesh, chosen);
         return ExitStatus::success;
     }
 
@@ -120,19 +125,46 @@ private:
 
     void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device) const {
         nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
+        for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
+            const Scene scene = scene_of(mesh, chosen.best.views[i]);
+            nlohmann::ordered_json camera = camera_json(scene.camera);
+            camera.erase("eye");  // The view's own has more digits, and is rounded to this one.
+            result["views"][i].update(camera);
+            result["views"][i]["lights"] = lights_json(scene.lights);
+            if (style_.ground) result["views"][i]["ground_up"] = json_vector(ground_up(mesh));
+        }
         result.update(device_json(device.device_or_null()));
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
     }
 
-    void print_summary(const ChosenViews& chosen) const {
+    void print_summary(const Mesh& mesh, const ChosenViews& chosen) const {
         if (output_option_->count() > 0)
             std::printf("%s: %zu pictures and contact_sheet.png\n", output_.c_str(),
                         chosen.best.views.size());
         else
             std::printf("%s\n", model_.model.c_str());
         print_views(chosen);
+        for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
+            const Scene scene = scene_of(mesh, chosen.best.views[i]);
+            std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
+            if (style_.ground && ground_up(mesh) != scene.camera.up)
+                arguments.push_back(vector_argument("--ground-up", ground_up(mesh)));
+            arguments.push_back("-o view_" + std::to_string(i + 1) + ".png");
+            std::printf("  draw %-2zu     %s\n", i + 1,
+                        render_command(*app_, model_.model, arguments).c_str());
+        }
+    }
+
+    glm::dvec3 ground_up(const Mesh& mesh) const {
+        return rounded_to_float(ground_up_of(mesh, picture_));
+    }
+
+    // Without instances: the camera and the lights of a view's picture.
+    Scene scene_of(const Mesh& mesh, const BestView& view) const {
+        return style_.make_scene(make_view_camera(mesh, view.eye, picture_, picture_.size), mesh,
+                                 picture_);
     }
 
     ModelArgument model_;
@@ -141,6 +173,7 @@ private:
     PictureOptions picture_;
     std::string output_;
     CLI::Option* output_option_ = nullptr;
+    const CLI::App* app_ = nullptr;
 };
 
 }  // namespace

@@ -6,7 +6,9 @@
 
 #include "tools/absent_part.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/view_camera.h"
 #include "tools/options/view_choice.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/path_report.h"
 #include "tools/output/points_picture.h"
 
@@ -14,6 +16,7 @@ namespace rimline::tools {
 
 namespace {
 
+constexpr double k_aspect = 4.0 / 3.0;  // Of the pictures that `render` draws.
 constexpr const char* k_votes_footer =
     "This rimline was built without the engine: it draws nothing, and views are chosen by votes "
     "alone.";
@@ -32,7 +35,15 @@ public:
         const ChosenViews chosen = about_model(
             model_.model, [&] { return choice_.choose(model_.model, mesh, {}, 1, context); });
         if (context.json) {
-            print_json(views_json(model_.model, mesh, chosen));
+            nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
+            for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
+                const ViewCamera camera = camera_of_view(mesh, chosen.best.views[i].eye,
+                                                         direction_of(mesh.up()), k_aspect);
+                result["views"][i].update({{"target", json_vector(camera.target)},
+                                           {"up", json_vector(camera.up)},
+                                           {"fov", camera.fov_y_deg}});
+            }
+            print_json(result);
         } else {
             std::printf("%s\n", model_.model.c_str());
             print_views(chosen);

@@ -6,6 +6,7 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/view_camera.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -27,6 +28,14 @@ ViewDevice::ViewDevice(const std::string& model, const Mesh& mesh, const Picture
     octree.emplace(build_octree(model, mesh, context));
 }
 
+Camera make_view_camera(const Mesh& mesh, const glm::dvec3& eye, const PictureOptions& options,
+                        ImageSize size) {
+    const ViewCamera camera =
+        camera_of_view(mesh, eye, up_of(mesh, options), double(size.width) / size.height);
+    return {
+        .eye = camera.eye, .target = camera.target, .up = camera.up, .fov_y_deg = camera.fov_y_deg};
+}
+
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                 std::span<const glm::dvec3> eyes, ImageSize size,
                                 const Context& context) {
@@ -40,8 +49,7 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
     std::vector<Picture> pictures;
     for (const glm::dvec3& eye : eyes) {
         call.checkpoint(double(pictures.size()) / double(eyes.size()));
-        Camera camera{.eye = eye, .target = mesh.center(), .up = up};
-        camera = zoom_camera(camera, mesh, double(size.width) / size.height);
+        const Camera camera = make_view_camera(mesh, eye, scene.picture, size);
         Scene picture_scene = scene.style.make_scene(camera, mesh, scene.picture);
         picture_scene.instances.push_back({.octree = &scene.octree,
                                            .name = scene.model,

@@ -165,10 +165,8 @@ private:
         if (!from) return;
         const glm::dvec3 center = session.bounds().center;
         if (*from == center) throw UsageError("--silhouette-from is the model's center");
-        session.freeze_at({.eye = *from,
-                           .target = center,
-                           .up = session.camera.up,
-                           .fov_y_deg = picture_.fov_degrees});
+        session.freeze_at(
+            {.eye = *from, .target = center, .up = session.camera.up, .fov_y_deg = picture_.fov()});
     }
 
     ModelArgument model_;

@@ -66,7 +66,7 @@ def test_animate_streams_what_track_finds_and_draws_what_render_draws():
         # Surfaces alone: lines of render have exact visibility, and those of animate are compared with depths.
         sun = ["--sun", "1,2,3", "--lines", "off"]
         succeed("animate", shape, "-o", output, *SMALL, *path, *sun)
-        succeed("render", shape, "-o", rendered, *SMALL, *sun, "--eye", ",".join(f"{x:.17g}" for x in eye))
+        succeed("render", shape, "-o", rendered, *SMALL, *sun, "--fov", "35", "--eye", ",".join(f"{x:.17g}" for x in eye))
         one, other = (sum(png_rows(path), []) for path in (rendered, os.path.join(output, "frame_0000.png")))
         # animate leaves out the backs of solids, of which single pixels may show at silhouettes.
         assert len(one) == len(other) and sum(a != b for a, b in zip(one, other)) < len(one) // 100

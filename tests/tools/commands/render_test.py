@@ -6,7 +6,8 @@ import struct
 import tempfile
 import zlib
 
-from program import fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
+from program import (camera_arguments, drawn_again, fail, fail_for_memory, have_device, is_count, is_vector, png_rows,
+                     png_size, read_file, run, skip, succeed)
 
 
 def check_render(result, output, size):
@@ -42,6 +43,57 @@ def test_render_draws_every_style_camera_and_light():
             check_render(result, output, (96, 64))
             assert result["validation_messages"] is None
             assert (result["shadow_edges"] == 0) == ("--shadows" in options)
+
+
+def test_render_says_its_camera_and_draws_the_same_picture_from_it():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output, other = os.path.join(folder, "a b.png"), os.path.join(folder, "b.png")
+        for options in ([], ["--eye", "0.3,2.1,-4.7"], ["--eye", "3,2,4", "--target", "0.1,0.2,0.3"], ["--ortho", "2.7"],
+                        ["--up", "1,2,3", "--sun", "auto", "--ground"], ["--light", "1,2.3,4", "--sun", "0.1,1,0.7"]):
+            draw = ("render", "shape:knot:2000", "--size", "96x64", "--style", "toon", "--background", "#102030")
+            said = succeed(*draw, "-o", output, *options)
+            assert all(is_vector(said[name]) for name in ("eye", "target", "up"))
+            assert (said["fov"] is None) == ("--ortho" in options) != (said["ortho"] is None)
+            assert 0 < said["near"] and (said["far"] is None or said["far"] > said["near"])
+            ground = [option for option in options if option == "--ground"]
+            succeed(*draw, "-o", other, *camera_arguments(said), *ground)
+            assert read_file(output) == read_file(other), options
+            os.remove(other)
+            told = run(*draw, "-o", output, *options).stdout
+            assert "--style toon" in told.splitlines()[-1] and "'#102030'" in told.splitlines()[-1]
+            again = drawn_again(told, "  again       ", other)
+            assert read_file(output) == read_file(other), options
+            # What it draws is repeated by the same command.
+            assert again.splitlines()[-1].split(" -o ")[0] == told.splitlines()[-1].split(" -o ")[0]
+
+
+def test_an_eye_alone_shows_the_whole_model():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        draw = ("render", "shape:knot:2000", "-o", output, "--size", "96x72", "--style", "mask", "--lines", "off",
+                "--shadows", "off", "--background", "black")
+
+        def bounds():
+            rows = png_rows(output)
+            lit = [(x, y) for y, row in enumerate(rows) for x, pixel in enumerate(row) if sum(pixel[:3]) > 300]
+            return [f(p[i] for p in lit) for f in (min, max) for i in (0, 1)]
+
+        for eye in ("3,2,4", "0,5,0", "-4,0.3,0.1", "30,1,2"):
+            said = succeed(*draw, f"--eye={eye}")
+            left, top, right, bottom = bounds()
+            assert 0 < left and 0 < top and right < 95 and bottom < 71, (eye, bounds())
+            # It fills the picture and lies in its middle.
+            assert right - left > 80 or bottom - top > 60
+            assert abs(left - (95 - right)) <= 2 and abs(top - (71 - bottom)) <= 2
+            assert said["eye"] == [float(x) for x in struct.unpack("3f", struct.pack("3f", *map(float, eye.split(","))))]
+        # With a target or a field of view, the user says what is shown.
+        assert succeed(*draw, "--eye", "3,2,4", "--target", "0,0,0")["fov"] == 35
+        said = succeed(*draw, "--eye", "3,2,4", "--fov", "10")
+        assert said["fov"] == 10 and bounds() == [0, 0, 95, 71]
+        # No picture from inside shows all.
+        assert succeed(*draw, "--eye", "0.1,0.2,0.3")["fov"] == 35
 
 
 def test_render_casts_the_same_shadows_by_every_method():
