@@ -18,7 +18,9 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
 #include "tools/output/frame_sequence.h"
+#include "tools/output/json_vector.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -123,6 +125,7 @@ public:
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const DrawingDevice device(picture_);
 
         // A deforming mesh has no octree.
@@ -242,6 +245,8 @@ private:
         sums["tracker_memory_bytes"] = result.tracker_bytes;
         nlohmann::ordered_json json{{"model", model_.model},
                                     {"path", picture_.eye ? "still" : path_.path}};
+        json["up"] = json_vector(up_.up);
+        json["up_from"] = up_source_name(up_.source);
         json.update(device_json(&device));
         json.update(
             {{"frames", std::move(frames)}, {"totals", std::move(sums)}, {"output", output_}});
@@ -260,6 +265,7 @@ private:
                     mean(totals.bytes_full));
         std::printf("  time        %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
                     totals.max_frame_ms, device.device.facts().name.c_str());
+        print_up(up_);
         print_validation(device);
     }
 
@@ -267,6 +273,7 @@ private:
     PathOptions path_;
     SceneOptions scene_;
     PictureOptions picture_;
+    ChosenUp up_;
     std::string output_ = k_default_folder;
     double light_step_degrees_ = 0.0;
     CLI::Option* light_step_option_ = nullptr;

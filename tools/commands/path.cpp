@@ -15,7 +15,9 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
 #include "tools/output/frame_sequence.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/path_report.h"
 #include "tools/output/view_pictures.h"
 #include "tools/progress.h"
@@ -39,9 +41,7 @@ public:
                              ->type_name("FOLDER")
                              ->group("Output");
         style_.add_to(app);
-        add_direction(app, "--up", picture_.up,
-                      "Up direction of pictures (default: y, or z if the file format says so)")
-            ->group("Camera");
+        add_up_or_auto(app, picture_.up, picture_.is_up_auto)->group("Camera");
         picture_.add_lights_to(app);
         app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
             ->group("Light");
@@ -55,7 +55,7 @@ public:
             "radii. The camera moves at constant speed and looks at the center.\n\n"
             "Examples:\n"
             "  rimline path horse.ply --json\n"
-            "  rimline path horse.ply --up 0,0,1 --frames 240 -o path --style toon --ground");
+            "  rimline path horse.ply --frames 240 -o path --style toon --ground");
     }
 
     ExitStatus run(const Context& context) override {
@@ -64,6 +64,7 @@ public:
         const Mesh mesh =
             model_.load_mesh(context, sequence ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sequence,
                                 context);
         about_model(model_.model, [&] {
@@ -73,8 +74,10 @@ public:
             if (sequence) draw(*sequence, device, planned, context);
             if (context.json)
                 print_result(mesh, chosen, planned, device);
-            else
+            else {
                 print_path(sequence ? output_ : model_.model, chosen, planned);
+                print_up(up_);
+            }
         });
         return ExitStatus::success;
     }
@@ -129,6 +132,8 @@ private:
                       const ViewDevice& device) const {
         nlohmann::ordered_json result = path_json(model_.model, mesh, chosen, planned);
         result.update(device_json(device.device_or_null()));
+        result["up"] = json_vector(up_.up);
+        result["up_from"] = up_source_name(up_.source);
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
@@ -139,6 +144,7 @@ private:
     PathPlan plan_;
     SceneOptions style_;
     PictureOptions picture_;
+    ChosenUp up_;
     bool light_follow_ = false;
     std::string output_;
     CLI::Option* output_option_ = nullptr;

@@ -14,6 +14,7 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
 #include "tools/output/json_vector.h"
@@ -55,7 +56,7 @@ public:
             "Lines are visible exactly where no face of the model hides them.\n\n"
             "Examples:\n"
             "  rimline render\n"
-            "  rimline render horse.ply --up 0,0,1 -o horse.png --style toon --ground --sun auto\n"
+            "  rimline render horse.ply -o horse.png --style toon --ground --sun auto\n"
             "  rimline render shape:knot --eye 3,2,4 --light 2,5,1 --style ink -o knot.png");
     }
 
@@ -64,6 +65,7 @@ public:
         if (model_.model.empty()) model_.model = k_default_model;
         const Mesh mesh = model_.load_mesh(context, options_.textures());
         context.checkpoint();
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const DrawingDevice device(picture_);
         const HoughOctree octree = build_octree(model_.model, mesh, context);
         context.checkpoint();
@@ -159,6 +161,7 @@ private:
                        {"frame_ms", report.frame_ms},
                        {"output", output_}});
         result.update(camera_json(scene.camera));
+        result["up_from"] = up_source_name(up_.source);
         result.update(clip_planes_json(scene));
         result["lights"] = lights_json(scene.lights);
         if (options_.ground) result["ground_up"] = json_vector(ground_up);
@@ -180,6 +183,7 @@ private:
             std::printf("    %-28s %8.3f ms\n", pass.name.c_str(), pass.time_ms);
         if (pass_times_ && report.passes.empty())
             std::printf("    the device's queue has no timestamps\n");
+        print_up(up_);
         print_validation(device);
         std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
         if (options_.ground && ground_up != scene.camera.up)
@@ -190,6 +194,7 @@ private:
 
     ModelArgument model_;
     PictureOptions picture_;
+    ChosenUp up_;
     std::string output_ = k_default_output;
     SceneOptions options_;
     bool pass_times_ = false;

@@ -8,6 +8,7 @@
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
 #include "tools/output/contact_sheet.h"
@@ -42,9 +43,7 @@ public:
                 ->group("Output");
         style_.add_to(app);
         style_.add_still_lines_to(app);
-        add_direction(app, "--up", picture_.up,
-                      "Up direction of pictures (default: y, or z if the file format says so)")
-            ->group("Camera");
+        add_up_or_auto(app, picture_.up, picture_.is_up_auto)->group("Camera");
         picture_.add_lights_to(app);
         picture_.add_image_to(app);
         picture_.add_machine_to(app);
@@ -63,7 +62,7 @@ public:
             "are drawn.\n\n"
             "Examples:\n"
             "  rimline views bunny.obj -k 4 -o views\n"
-            "  rimline views horse.ply --up 0,0,1 -o views --style toon --sun auto --ground\n"
+            "  rimline views horse.ply -o views --style toon --sun auto --ground\n"
             "  rimline views fandisk.obj -k 6 --no-ratio --json");
     }
 
@@ -73,6 +72,7 @@ public:
         const Mesh mesh =
             model_.load_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
         const ChosenViews chosen = about_model(model_.model, [&] {
             return choose_views(choice_, model_.model, mesh, device, 1, context);
@@ -134,6 +134,7 @@ private:
             if (style_.ground) result["views"][i]["ground_up"] = json_vector(ground_up(mesh));
         }
         result.update(device_json(device.device_or_null()));
+        result["up_from"] = up_source_name(up_.source);
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
@@ -146,6 +147,7 @@ private:
         else
             std::printf("%s\n", model_.model.c_str());
         print_views(chosen);
+        print_up(up_);
         for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
             const Scene scene = scene_of(mesh, chosen.best.views[i]);
             std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
@@ -171,6 +173,7 @@ private:
     ViewChoice choice_;
     SceneOptions style_;
     PictureOptions picture_;
+    ChosenUp up_;
     std::string output_;
     CLI::Option* output_option_ = nullptr;
     const CLI::App* app_ = nullptr;

@@ -6,6 +6,7 @@
 
 #include "tools/absent_part.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/options/view_choice.h"
 #include "tools/output/json_vector.h"
@@ -38,7 +39,7 @@ public:
             nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
             for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
                 const ViewCamera camera = camera_of_view(mesh, chosen.best.views[i].eye,
-                                                         direction_of(mesh.up()), k_aspect);
+                                                         choose_up(mesh, {}, false).up, k_aspect);
                 result["views"][i].update({{"target", json_vector(camera.target)},
                                            {"up", json_vector(camera.up)},
                                            {"fov", camera.fov_y_deg}});
@@ -70,7 +71,7 @@ public:
         const Mesh mesh = model_.load_mesh(context);
         about_model(model_.model, [&] {
             const ChosenViews chosen = choice_.choose(model_.model, mesh, {}, 2, context);
-            const PlannedPath planned = plan_.plan(chosen, direction_of(mesh.up()), context);
+            const PlannedPath planned = plan_.plan(chosen, choose_up(mesh, {}, false).up, context);
             if (context.json)
                 print_json(path_json(model_.model, mesh, chosen, planned));
             else

@@ -35,6 +35,7 @@ struct LineCameraOptions {
     std::optional<glm::vec3> eye;
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
+    bool is_up_auto = false;            ///< --up auto.
     std::optional<double> fov_degrees;  ///< Not set: 35.
     bool is_orthographic = false;
     std::optional<double>

@@ -1,6 +1,7 @@
 #include "tools/options/picture_options.h"
 
 #include "silhouette/mesh/homogeneous_point.h"
+#include "tools/options/up_option.h"
 
 namespace rimline::tools {
 
@@ -17,8 +18,7 @@ void PictureOptions::add_camera_to(CLI::App& app) {
 
 void PictureOptions::add_lens_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_direction(app, "--up", up, "Up direction (default: y, or z if the file format says so)")
-        ->group(k_group);
+    add_up_or_auto(app, up, is_up_auto)->group(k_group);
     CLI::Option* fov =
         add_number(
             app, "--fov", fov_degrees, 1.0, 170.0,

@@ -18,6 +18,7 @@ struct PictureOptions {
     std::optional<glm::vec3> eye;
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
+    bool is_up_auto = false;             ///< --up auto.
     std::optional<glm::vec3> ground_up;  ///< Not set: `up`.
     std::optional<double> fov_degrees;   ///< Vertical. Not set: fov().
     std::optional<double> ortho_height;

@@ -9,6 +9,7 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
 #include "tools/view/view_loop.h"
@@ -56,7 +57,7 @@ public:
             "viewpoints,\n"
             "and Hough space.\n\n"
             "Examples:\n"
-            "  rimline view horse.ply --up 0,0,1\n"
+            "  rimline view horse.ply\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"
             "  rimline view scan.xyz\n"
             "  rimline view --frames 1 --screenshot window.png");
@@ -97,7 +98,7 @@ public:
     }
 
 private:
-    void open(ViewSession& session, const Context& context) const {
+    void open(ViewSession& session, const Context& context) {
         CloudArgument argument = cloud_;
         argument.model = model_.model;
         argument.subdivide = model_.subdivide;
@@ -138,8 +139,9 @@ private:
         freeze(session, from);
     }
 
-    void show_model(ViewSession& session, Document document) const {
+    void show_model(ViewSession& session, Document document) {
         const ModelDocument* const model = document.model();
+        print_up(settle_up(model->mesh(), picture_.up, picture_.is_up_auto));
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.appearance = ViewAppearance(scene.style);

@@ -68,6 +68,55 @@ def test_render_says_its_camera_and_draws_the_same_picture_from_it():
             assert again.splitlines()[-1].split(" -o ")[0] == told.splitlines()[-1].split(" -o ")[0]
 
 
+def write_animal(path, up):
+    """Four legs, a body without a flat side, a neck and a head. Its up axis is y or z."""
+    with open(path, "w") as file:
+        def vertex(x, y, z):
+            file.write(f"v {x} {y} {z}\n" if up == "y" else f"v {x} {-z} {y}\n")
+
+        for low, high in [((x - 0.1, 0, z - 0.1), (x + 0.1, 1.7, z + 0.1)) for x in (-1, 1) for z in (-0.3, 0.3)] + [
+                ((1, 1.7, -0.15), (1.3, 3, 0.15)), ((1, 2.8, -0.2), (1.8, 3.1, 0.2))]:
+            for corner in range(8):
+                vertex(*(high[i] if corner >> i & 1 else low[i] for i in range(3)))
+            for quad in ((1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)):
+                file.write("f " + " ".join(str(i - 9) for i in quad) + "\n")
+        for x, y, z in ((1.7, 0, 0), (-1.7, 0, 0), (0, 0.45, 0), (0, -0.45, 0), (0, 0, 0.9), (0, 0, -0.9)):
+            vertex(x, 1.75 + y, z)
+        for x in (-6, -5):
+            for y in (-4, -3):
+                for z in (-2, -1):
+                    file.write(f"f {x} {y} {z}\n" if (x + y + z) % 2 else f"f {x} {z} {y}\n")
+    return path
+
+
+def test_up_is_chosen_where_nobody_says_it():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        lying, standing = write_animal(os.path.join(folder, "z.obj"), "z"), write_animal(os.path.join(folder, "y.obj"), "y")
+        draw = ("-o", output, "--size", "64x48")
+        for model, options, up, source in ((lying, [], [0, 0, 1], "mesh"), (standing, [], [0, 1, 0], "assumed"),
+                                           (lying, ["--up", "auto"], [0, 0, 1], "mesh"),
+                                           (lying, ["--up", "y"], [0, 1, 0], "option"),
+                                           (lying, ["--up", "-z"], [0, 0, -1], "option"),
+                                           (standing, ["--up", "1,2,3"], [1, 2, 3], "option"),
+                                           ("shape:torus:500", [], [0, 1, 0], "format")):
+            said = succeed("render", model, *draw, *options)
+            assert (said["up"], said["up_from"]) == (up, source), (model, options, said["up"])
+        assert "  up          z, " in run("render", lying, *draw).stdout and "--up y" in run("render", lying, *draw).stdout
+        assert "  up " not in run("render", standing, *draw).stdout
+        for command in ("views", "path"):
+            assert succeed(command, lying, "-k", "2", "--no-ratio")["up_from"] == "mesh"
+        # `draw` takes the same side as up.
+        drawing = os.path.join(folder, "a.json")
+        succeed("draw", lying, "-o", drawing, "--eye", "3,-4,2")
+        chosen = read_file(drawing)
+        succeed("draw", lying, "-o", drawing, "--eye", "3,-4,2", "--up", "z")
+        assert read_file(drawing) == chosen
+        for up in ("w", "+-x", "up", ""):
+            fail(2, "render", lying, *draw, "--up", up)
+
+
 def test_an_eye_alone_shows_the_whole_model():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
