@@ -264,6 +264,8 @@ bool stands(const Standing& standing, double min_contact, double min_tip_deg) {
     return standing.contact >= min_contact && glm::degrees(standing.tip_rad) >= min_tip_deg;
 }
 
+}  // namespace
+
 bool is_symmetric_across_alone(const UprightEvidence& evidence, std::size_t axis) {
     constexpr double k_symmetric = 0.7;
     constexpr double k_clearly = 0.15;
@@ -271,8 +273,6 @@ bool is_symmetric_across_alone(const UprightEvidence& evidence, std::size_t axis
     return s[axis] >= k_symmetric &&
            s[axis] >= std::max(s[(axis + 1) % 3], s[(axis + 2) % 3]) + k_clearly;
 }
-
-}  // namespace
 
 glm::dvec3 choose_upright(const UprightEvidence& evidence) {
     constexpr std::size_t k_y = 2;

@@ -20,6 +20,7 @@
 //   The mesh is not lowest along the chosen axis, unless it rests there on a flat face as large as half its footprint.
 
 #include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 
 #include "silhouette/mesh/mesh.h"
@@ -47,6 +48,9 @@ struct UprightEvidence {
 
 /// Same result on every machine. O(n log n) in the vertices and faces: 10 ms for 100,000 faces.
 UprightEvidence measure_upright(const Mesh& mesh);
+
+/// Whether the mesh is symmetric across this axis (0: x) and clearly less across the other two.
+bool is_symmetric_across_alone(const UprightEvidence& evidence, std::size_t axis);
 
 /// One of k_axis_directions. +y, unless another one is clearly better.
 glm::dvec3 choose_upright(const UprightEvidence& evidence);

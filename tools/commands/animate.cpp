@@ -126,6 +126,10 @@ public:
         const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
         up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
+        if (!picture_.eye) {
+            Progress progress(context, "choosing the first view");
+            picture_.view.choose(model_.model, mesh, up_.up, progress.call());
+        }
         const DrawingDevice device(picture_);
 
         // A deforming mesh has no octree.
@@ -190,8 +194,9 @@ private:
                       .wave = wave,
                       .wave_turns = 0.0};
         if (!picture_.eye)
-            motion.eyes = path_.points(mesh, glm::vec3(up),
-                                       mesh.radius() > 0.0 ? motion.distance / mesh.radius() : 1.0);
+            motion.eyes = path_.points(
+                mesh, glm::vec3(up), mesh.radius() > 0.0 ? motion.distance / mesh.radius() : 1.0,
+                orbit_angle_rad(picture_.view.direction(model_.model, up), up));
         if (light_follow_) motion.lights = LightMotion::with_camera;
         if (light_step_degrees_ != 0.0) motion.lights = LightMotion::turning;
         const double frames = motion.eyes.empty() ? path_.frames : double(motion.eyes.size());

@@ -21,6 +21,7 @@
 #include "tools/output/picture_file.h"
 #include "tools/output/same_picture.h"
 #include "tools/output/shown_lines.h"
+#include "tools/progress.h"
 
 namespace rimline::tools {
 
@@ -66,6 +67,7 @@ public:
         const Mesh mesh = model_.load_mesh(context, options_.textures());
         context.checkpoint();
         up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
+        choose_view(mesh, context);
         const DrawingDevice device(picture_);
         const HoughOctree octree = build_octree(model_.model, mesh, context);
         context.checkpoint();
@@ -107,6 +109,12 @@ public:
     }
 
 private:
+    void choose_view(const Mesh& mesh, const Context& context) {
+        if (picture_.eye) return;
+        Progress progress(context, "choosing the view");
+        picture_.view.choose(model_.model, mesh, up_.up, progress.call());
+    }
+
     static nlohmann::ordered_json shadows_of(const FrameReport& report) {
         nlohmann::ordered_json shadows = nlohmann::ordered_json::array();
         for (const ShadowReport& shadow : report.shadows)

@@ -7,8 +7,7 @@ namespace rimline::tools {
 
 void PictureOptions::add_camera_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_point(app, "--eye", eye, "Position of the camera (default: chosen to show the model)")
-        ->group(k_group);
+    view.add_to(app, eye);
     add_point(app, "--target", target,
               "Point that the camera looks at (default: the model's center; without --fov, where "
               "the model fills the picture)")

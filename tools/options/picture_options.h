@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "tools/options/option_types.h"
+#include "tools/options/view_option.h"
 
 namespace rimline::tools {
 
 struct PictureOptions {
     // Camera. The command chooses what is not given. --fov and --ortho exclude each other.
     std::optional<glm::vec3> eye;
+    ViewOption view;  ///< Where the camera stands without `eye`.
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
     bool is_up_auto = false;             ///< --up auto.

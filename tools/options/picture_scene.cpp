@@ -64,7 +64,9 @@ Camera make_camera(const Subject& subject, const std::string& model,
         const bool is_framed = !options.target && !options.fov_degrees && !camera.is_orthographic();
         return is_framed ? with_whole(camera, subject, aspect) : rounded_to_float(camera);
     }
-    camera = fit_camera(camera, subject, default_view_of(model, up), aspect);
+    const glm::dvec3 direction = options.view.direction(model, up);
+    camera.up = rounded_to_float(up_in_picture(direction, up));
+    camera = fit_camera(camera, subject, direction, aspect);
     if (options.target) {
         camera.eye += glm::dvec3(*options.target) - camera.target;
         camera.target = glm::dvec3(*options.target);

@@ -142,6 +142,8 @@ private:
     void show_model(ViewSession& session, Document document) {
         const ModelDocument* const model = document.model();
         print_up(settle_up(model->mesh(), picture_.up, picture_.is_up_auto));
+        if (!picture_.eye)
+            picture_.view.choose(model_.model, model->mesh(), glm::dvec3(*picture_.up));
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.appearance = ViewAppearance(scene.style);

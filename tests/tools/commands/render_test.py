@@ -68,6 +68,41 @@ def test_render_says_its_camera_and_draws_the_same_picture_from_it():
             assert again.splitlines()[-1].split(" -o ")[0] == told.splitlines()[-1].split(" -o ")[0]
 
 
+def test_views_of_the_whole_model_have_names_and_angles():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        draw = ("render", "shape:box", "-o", output, "--size", "64x64")
+
+        def view(*options):
+            said = succeed(*draw, *options)
+            back = [e - t for e, t in zip(said["eye"], said["target"])]
+            return [x / math.dist(back, (0, 0, 0)) for x in back], said["up"]
+
+        def near(a, b):
+            return math.dist(a, b) < 1e-6
+
+        for name, direction, up in (("front", (0, 0, 1), (0, 1, 0)), ("back", (0, 0, -1), (0, 1, 0)),
+                                    ("left", (-1, 0, 0), (0, 1, 0)), ("right", (1, 0, 0), (0, 1, 0)),
+                                    ("top", (0, 1, 0), (0, 0, -1)), ("bottom", (0, -1, 0), (0, 0, 1))):
+            seen = view("--eye", name)
+            assert near(seen[0], direction) and near(seen[1], up), (name, seen)
+        assert near(view("--eye", "front", "--up", "z")[0], (0, -1, 0))
+        assert near(view("--azimuth", "0", "--elevation", "0")[0], (0, 0, 1))
+        assert near(view("--azimuth", "90", "--elevation", "0")[0], (1, 0, 0))
+        assert near(view("--azimuth=-90", "--elevation", "30")[0], (-math.cos(math.pi / 6), 0.5, 0))
+        assert near(view("--azimuth", "90")[0], view("--azimuth", "90", "--elevation",
+                                                     str(math.degrees(math.asin(0.45 / math.hypot(0.55, 0.45, 1)))))[0])
+        three_quarter = view("--eye", "three-quarter")[0]
+        assert near(three_quarter, [x / math.hypot(0.55, 0.45, 1) for x in (0.55, 0.45, 1)])
+        assert view("--eye", "auto") == view() != view("--eye", "three-quarter")
+        # The built-in scene has its own view.
+        own = ("render", "shape:scene", "-o", output, "--size", "64x64")
+        assert succeed(*own)["eye"] != succeed(*own, "--eye", "auto")["eye"]
+        for options in (["--eye", "side"], ["--eye", "front", "--azimuth", "3"], ["--elevation", "91"]):
+            fail(2, *draw, *options)
+
+
 def write_animal(path, up):
     """Four legs, a body without a flat side, a neck and a head. Its up axis is y or z."""
     with open(path, "w") as file:
@@ -212,7 +247,8 @@ def test_render_chooses_lines_by_style_and_option():
             assert result["creases"] == creases
         pictures = []
         for options in (["--min-length", "0"], ["--min-length", "400"], ["--lines", "off"]):
-            succeed("render", "shape:knot:3000", "-o", output, "--size", "64x64", "--style", "toon", *options)
+            succeed("render", "shape:knot:3000", "-o", output, "--size", "64x64", "--style", "toon",
+                    "--eye", "three-quarter", *options)
             pictures.append(png_rows(output))
         # The outline stays.
         assert pictures[0] != pictures[1] != pictures[2]
