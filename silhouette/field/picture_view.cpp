@@ -150,15 +150,6 @@ std::vector<glm::dvec3> candidate_directions(const Mesh& mesh, const glm::dvec3&
     return directions;
 }
 
-// The cosine of the angle to the nearer of the two three-quarter views in front; a little more for the right one, so that
-// it wins where both are alike.
-double three_quarter_likeness(const glm::dvec3& direction, const glm::dvec3& up) {
-    const glm::dvec3 usual = three_quarter_direction(up);
-    const glm::dvec3 right = ground_axes(up).first;
-    const glm::dvec3 mirrored = usual - 2.0 * glm::dot(usual, right) * right;
-    return std::max(glm::dot(direction, usual) + 1e-3, glm::dot(direction, mirrored));
-}
-
 // Of a view 90 degrees or more from both three-quarter views.
 double least_preference(const Mesh& mesh, const glm::dvec3& up) {
     const UprightEvidence evidence = measure_upright(mesh);

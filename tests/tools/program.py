@@ -195,9 +195,10 @@ def check_views(result, count, weighted):
         assert 3 ** 0.5 - 1e-9 <= distance <= 2 + 1e-9
         if weighted:
             assert 0 <= view["visible_ratio"] <= 1
-            assert math.isclose(view["score"], view["votes"] * view["visible_ratio"])
+            assert math.isclose(view["score"], view["votes"] * view["visible_ratio"] * view["preference"])
         else:
-            assert view["visible_ratio"] is None and view["score"] == view["votes"]
+            assert view["visible_ratio"] is None and view["score"] == view["votes"] * view["preference"]
+        assert 0.5 <= view["preference"] <= 1
 
 
 def write_faces(path, *faces):

@@ -69,7 +69,7 @@ public:
                                 context);
         about_model(model_.model, [&] {
             const ChosenViews chosen =
-                choose_views(choice_, model_.model, mesh, device, 2, context);
+                choose_views(choice_, model_.model, mesh, up_.up, device, 2, context);
             const PlannedPath planned = plan_.plan(chosen, up_of(mesh, picture_), context);
             if (sequence) draw(*sequence, device, planned, context);
             if (context.json)

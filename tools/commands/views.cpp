@@ -54,8 +54,11 @@ public:
             "viewpoints that see them as a silhouette or from the front. The score of a view is "
             "its "
             "votes times\n"
-            "the visible share of its silhouette. The first view has the highest score; for each "
-            "next one only\n"
+            "the visible share of its silhouette, and less from below. The first view has the "
+            "highest "
+            "score, or\n"
+            "a score within 5% of it and is nearer to a three-quarter view; for each next one "
+            "only\n"
             "those votes count that the views before it do not have. --no-ratio needs no device. "
             "Each picture\n"
             "is taken from its view and shows the whole model. Files are written when all pictures "
@@ -75,7 +78,7 @@ public:
         up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
         const ChosenViews chosen = about_model(model_.model, [&] {
-            return choose_views(choice_, model_.model, mesh, device, 1, context);
+            return choose_views(choice_, model_.model, mesh, up_.up, device, 1, context);
         });
         if (folder) draw(*folder, device, chosen, context);
         if (context.json)

@@ -33,8 +33,10 @@ public:
     }
     ExitStatus run(const Context& context) override {
         const Mesh mesh = model_.load_mesh(context);
-        const ChosenViews chosen = about_model(
-            model_.model, [&] { return choice_.choose(model_.model, mesh, {}, 1, context); });
+        const ChosenViews chosen = about_model(model_.model, [&] {
+            return choice_.choose(model_.model, mesh, choose_up(mesh, {}, false).up, {}, 1,
+                                  context);
+        });
         if (context.json) {
             nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
             for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
@@ -70,7 +72,8 @@ public:
     ExitStatus run(const Context& context) override {
         const Mesh mesh = model_.load_mesh(context);
         about_model(model_.model, [&] {
-            const ChosenViews chosen = choice_.choose(model_.model, mesh, {}, 2, context);
+            const ChosenViews chosen =
+                choice_.choose(model_.model, mesh, choose_up(mesh, {}, false).up, {}, 2, context);
             const PlannedPath planned = plan_.plan(chosen, choose_up(mesh, {}, false).up, context);
             if (context.json)
                 print_json(path_json(model_.model, mesh, chosen, planned));

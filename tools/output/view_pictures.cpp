@@ -64,12 +64,12 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
 }
 
 ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
-                         const ViewDevice& view_device, std::uint32_t min_count,
-                         const Context& context) {
+                         const glm::dvec3& up, const ViewDevice& view_device,
+                         std::uint32_t min_count, const Context& context) {
     check_viewing_range(model, mesh);
-    if (choice.no_ratio) return choice.choose(model, mesh, {}, min_count, context);
+    if (choice.no_ratio) return choice.choose(model, mesh, up, {}, min_count, context);
     VisibleRatioPass pass(view_device.device->context(), *view_device.octree, {}, context.stop);
-    return choice.choose(model, mesh, visible_ratios_of(pass, context), min_count, context);
+    return choice.choose(model, mesh, up, visible_ratios_of(pass, context), min_count, context);
 }
 
 }  // namespace rimline::tools

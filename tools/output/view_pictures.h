@@ -41,8 +41,8 @@ struct ViewDevice {
 
 /// Chooses views. Votes are weighted by visible ratios unless choice.no_ratio.
 ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
-                         const ViewDevice& view_device, std::uint32_t min_count,
-                         const Context& context);
+                         const glm::dvec3& up, const ViewDevice& view_device,
+                         std::uint32_t min_count, const Context& context);
 
 /// The model and the options of pictures of views.
 struct ViewScene {
