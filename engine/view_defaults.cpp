@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "silhouette/lines/fitted_eye.h"
 #include "silhouette/mesh/ground_axes.h"
@@ -13,37 +14,15 @@
 namespace rimline {
 
 Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
-    // The center of what is seen depends on the direction of the camera. The iteration converges.
-    constexpr int k_turns = 8;  // Iterations.
     constexpr double k_min_fov_deg = 1.0;
     camera.ortho_height = 0.0;
     camera.target = mesh.center();
-    // Seen along the up axis, the smallest turn would rotate the picture.
-    const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
-    if (glm::length(glm::cross(back, glm::normalize(camera.up))) < 0.2) {
-        const glm::dmat3 axes = camera_from_world(camera);
-        camera.up = {axes[0][1], axes[1][1], axes[2][1]};
-    }
-    glm::dvec2 reach(0.0);
-    for (int turn = 0; turn <= k_turns; ++turn) {
-        const glm::dmat3 axes = camera_from_world(camera);
-        glm::dvec2 low(0.0), high(0.0);
-        bool is_first = true;
-        for (const glm::vec3& position : mesh.positions()) {
-            const glm::dvec3 p = axes * (glm::dvec3(position) - camera.eye);
-            const glm::dvec2 place = glm::dvec2(p) / -p.z;
-            low = is_first ? place : glm::min(low, place);
-            high = is_first ? place : glm::max(high, place);
-            is_first = false;
-        }
-        reach = glm::max(glm::abs(low), glm::abs(high));
-        if (turn == k_turns) break;
-        const glm::dvec2 center = 0.5 * (low + high);
-        const double distance = glm::distance(camera.eye, mesh.center());
-        camera.target = camera.eye + distance * (glm::dvec3(center, -1.0) * axes);
-    }
-    const double tangent = k_picture_margin * std::max(reach.y, reach.x / aspect);
-    camera.fov_y_deg = std::max(2.0 * glm::degrees(std::atan(tangent)), k_min_fov_deg);
+    const std::optional<FittedLens> lens =
+        fit_lens(mesh.positions(), mesh.center(), camera.eye, camera.up, aspect);
+    if (!lens) return camera;
+    camera.target = lens->target;
+    camera.up = lens->up;
+    camera.fov_y_deg = std::max(2.0 * glm::degrees(std::atan(lens->tangent)), k_min_fov_deg);
     return camera;
 }
 

@@ -1,8 +1,14 @@
 #include "silhouette/field/best_views.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
+#include <numbers>
 
+#include "silhouette/mesh/ground_axes.h"
+#include "silhouette/mesh/upright.h"
 #include "silhouette/mesh/winding.h"
 
 namespace rimline {
@@ -52,6 +58,24 @@ private:
 
 }  // namespace
 
+double height_preference(const glm::dvec3& direction, const glm::dvec3& up) {
+    constexpr double k_least = 0.5;
+    constexpr double k_least_from_rad = std::numbers::pi / 3.0;
+    const double height = glm::dot(glm::normalize(direction), glm::normalize(up));
+    const double below_rad = -std::asin(std::clamp(height, -1.0, 0.0));
+    return 1.0 - (1.0 - k_least) * std::min(below_rad / k_least_from_rad, 1.0);
+}
+
+std::optional<int> symmetry_axis(const Mesh& mesh) {
+    constexpr double k_symmetric = 0.9;
+    const UprightEvidence evidence = measure_upright(mesh);
+    for (int axis = 0; axis < 3; ++axis)
+        if (evidence.symmetry[std::size_t(axis)] >= k_symmetric &&
+            is_symmetric_across_alone(evidence, std::size_t(axis)))
+            return axis;
+    return std::nullopt;
+}
+
 BestViews find_best_views(const TangentialField& field, const BestViewsOptions& options,
                           const LongCall& call) {
     const UnitFrame& frame = field.frame();
@@ -59,19 +83,35 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
     InterestOptions interest;
     interest.count = options.count;
     interest.weighs_all = options.draws_all;
-    if (options.visible_ratios)
-        interest.weigh = [&](std::span<const glm::dvec3> points) { return drawn(points); };
-    interest.weighed_stride = options.stride;
+    const auto preference = [&](const glm::dvec3& point) {
+        return options.up ? height_preference(point, *options.up) : 1.0;
+    };
+    if (options.visible_ratios || options.up)
+        interest.weigh = [&](std::span<const glm::dvec3> points) {
+            std::vector<double> weights(points.size(), 1.0);
+            if (options.visible_ratios) weights = drawn(points);
+            for (std::size_t i = 0; i < points.size(); ++i) weights[i] *= preference(points[i]);
+            return weights;
+        };
+    if (options.up)
+        interest.prefer = [&](const glm::dvec3& point) {
+            return three_quarter_likeness(glm::normalize(point), *options.up);
+        };
+    interest.mirror_axis = options.mirror_axis;
+    interest.weighed_stride = options.visible_ratios ? options.stride : 1;
     const PointsOfInterest found = find_points_of_interest(field, k_view_shell, interest, call);
 
     BestViews result{.views = {},
                      .renders = drawn.count(),
-                     .candidates = found.candidates,
+                     .candidates = options.visible_ratios ? found.candidates : 0,
                      .evaluations = found.evaluations};
     for (const PointOfInterest& point : found.points)
         result.views.push_back({.eye = frame.to_model(point.point),
                                 .votes = point.votes,
-                                .visible_ratio = point.weight});
+                                .visible_ratio = options.visible_ratios
+                                                     ? drawn(std::span(&point.point, 1)).front()
+                                                     : 1.0,
+                                .preference = preference(point.point)});
     return result;
 }
 

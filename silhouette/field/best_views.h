@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct BestView {
     glm::dvec3 eye;              ///< In the mesh's coordinates.
     double votes;                ///< Votes that earlier views have not got: a sum over planes.
     double visible_ratio = 1.0;  ///< 1 if not rendered.
-    double score() const noexcept { return votes * visible_ratio; }
+    double preference = 1.0;     ///< Less below the horizon, if there is an up direction.
+    double score() const noexcept { return votes * visible_ratio * preference; }
 };
 
 struct BestViewsOptions {
@@ -50,6 +52,13 @@ struct BestViewsOptions {
     /// Candidates to render are the peaks of the votes and every `stride`-th sample of the lattice along
     /// each axis. 2 gives the same scores as 1 with a quarter of the candidates.
     std::uint32_t stride = 2;
+    /// People seldom look at things from below. With `up`, the score of a view is multiplied by 1 above the horizon, and
+    /// below it by a factor that falls linearly to 0.5 at 60 degrees. Of views whose score is within 5% of the best one,
+    /// the nearest to a three-quarter view is chosen.
+    std::optional<glm::dvec3> up;
+    /// Of the plane of symmetry across this axis, if the mesh has one: a mirror image of a chosen view counts what it
+    /// adds (symmetry_axis()).
+    std::optional<int> mirror_axis;
     bool draws_all = false;  ///< For tests: renders every candidate. The views are the same.
 };
 
@@ -59,6 +68,12 @@ struct BestViews {
     std::uint64_t candidates = 0;   ///< Number of renders with `draws_all`.
     std::uint64_t evaluations = 0;  ///< Evaluations of the field.
 };
+
+/// The factor of BestViewsOptions::up for a viewpoint in this direction from the mesh.
+double height_preference(const glm::dvec3& direction, const glm::dvec3& up);
+
+/// The axis across which alone the mesh is symmetric, but for a tenth of its area. O(faces).
+std::optional<int> symmetry_axis(const Mesh& mesh);
 
 /// `field` comes from make_view_field. Returns fewer than `count` views if no plane has votes left: none
 /// for a mesh without planes, one for a single plane. Results do not depend on the number of threads.

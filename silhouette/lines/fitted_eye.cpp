@@ -33,4 +33,40 @@ FittedEye fit_eye(std::span<const glm::vec3> positions, const glm::dvec3& center
     return {target + back_off * back, target};
 }
 
+std::optional<FittedLens> fit_lens(std::span<const glm::vec3> positions, const glm::dvec3& center,
+                                   const glm::dvec3& eye, const glm::dvec3& up, double aspect) {
+    // The center of what is seen depends on the direction of the camera. The iteration converges.
+    constexpr int k_turns = 8;
+    constexpr double k_max_tangent = 5.67;  // Of 80 degrees.
+    constexpr double k_min_sine = 0.2;      // Of the angle between the view and up.
+    if (positions.empty() || eye == center) return std::nullopt;
+    FittedLens lens{center, up, 0.0};
+    // Seen along the up axis, the smallest turn would rotate the picture.
+    const glm::dvec3 back = glm::normalize(eye - center);
+    if (glm::length(glm::cross(back, glm::normalize(up))) < k_min_sine)
+        lens.up = LineView::orthographic(eye, center, up).up();
+    const double distance = glm::distance(eye, center);
+    for (int turn = 0;; ++turn) {
+        const LineView axes = LineView::orthographic(eye, lens.target, lens.up);
+        glm::dvec2 low(std::numeric_limits<double>::max());
+        glm::dvec2 high(-std::numeric_limits<double>::max());
+        for (const glm::vec3& position : positions) {
+            const glm::dvec3 p = glm::dvec3(position) - eye;
+            const double depth = glm::dot(p, axes.forward());
+            if (!(depth > 0.0)) return std::nullopt;
+            const glm::dvec2 place =
+                glm::dvec2(glm::dot(p, axes.right()), glm::dot(p, axes.up())) / depth;
+            low = glm::min(low, place);
+            high = glm::max(high, place);
+        }
+        const glm::dvec2 reach = glm::max(glm::abs(low), glm::abs(high));
+        if (!(reach.x < k_max_tangent && reach.y < k_max_tangent)) return std::nullopt;
+        lens.tangent = k_picture_margin * std::max(reach.y, reach.x / aspect);
+        if (turn == k_turns) return lens;
+        const glm::dvec2 middle = 0.5 * (low + high);
+        lens.target =
+            eye + distance * (axes.forward() + middle.x * axes.right() + middle.y * axes.up());
+    }
+}
+
 }  // namespace rimline

@@ -3,6 +3,7 @@
 // The axes of a ground under a model, and the directions in which drawings show it. For y up, the viewer stands
 // in front at +z.
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -28,6 +29,15 @@ inline GroundAxes ground_axes(const glm::dvec3& up) {
 inline glm::dvec3 three_quarter_direction(const glm::dvec3& up) {
     const auto [first, second] = ground_axes(up);
     return glm::normalize(0.55 * first - 1.0 * second + 0.45 * glm::normalize(up));
+}
+
+/// The cosine of the angle between a direction of length 1 and the nearer of the two three-quarter views in front; a
+/// little more for the right one, so that it is the nearer one where both are alike.
+inline double three_quarter_likeness(const glm::dvec3& direction, const glm::dvec3& up) {
+    const glm::dvec3 usual = three_quarter_direction(up);
+    const glm::dvec3 right = ground_axes(up).first;
+    const glm::dvec3 mirrored = usual - 2.0 * glm::dot(usual, right) * right;
+    return std::max(glm::dot(direction, usual) + 1e-3, glm::dot(direction, mirrored));
 }
 
 }  // namespace rimline

@@ -112,7 +112,10 @@ private:
 }  // namespace
 
 Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call)
-    : welding_(welding), up_(source.up), materials_(source.materials) {
+    : welding_(welding),
+      up_(source.up),
+      is_up_known_(source.is_up_known),
+      materials_(source.materials) {
     if (source.triangles.size() > k_max_faces || source.positions.size() > 0xfffffff0u)
         throw Error(ErrorCode::too_large, "the mesh has more than 2^30 triangles or 2^32 vertices");
     RIMLINE_CHECK(are_materials_of(materials_, source.triangles.size()));

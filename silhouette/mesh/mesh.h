@@ -103,7 +103,9 @@ public:
     bool is_closed() const noexcept { return closed_; }
     /// Whether no edge is inconsistent.
     bool is_oriented() const noexcept;
+    /// The source's.
     UpAxis up() const noexcept { return up_; }
+    bool is_up_known() const noexcept { return is_up_known_; }
     /// The source's: faces keep their materials.
     const FaceMaterials& materials() const noexcept { return materials_; }
 
@@ -139,6 +141,7 @@ private:
     bool closed_ = false;
     Welding welding_;
     UpAxis up_;
+    bool is_up_known_;
     FaceMaterials materials_;
     Bounds bounds_{};
     double radius_ = 0.0;

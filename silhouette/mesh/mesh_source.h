@@ -26,13 +26,15 @@ struct MeshSource {
     /// Counter-clockwise corners as indices into `positions`, with degenerate triangles. Empty for
     /// a file that holds points only.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    /// The up axis of the file format.
+    /// The up axis of the file format, or y where it has none.
     UpAxis up = UpAxis::y;
     /// Of the faces in `triangles`. Empty if the file gives no face a color.
     FaceMaterials materials = {};
     /// What the reader could not use, one sentence each, with the file and the place. It concerns colors
     /// only: a fault of positions or faces is an Error.
     std::vector<std::string> warnings = {};
+    /// Whether the format says which axis is up: STL and glTF do. OBJ, PLY and OFF do not.
+    bool is_up_known = false;
 };
 
 }  // namespace rimline

@@ -22,6 +22,7 @@ bool is_inside_out(const Mesh& mesh) {
 
 Mesh turned_inside_out(const Mesh& mesh) {
     MeshSource source{{mesh.positions().begin(), mesh.positions().end()}, {}, mesh.up()};
+    source.is_up_known = mesh.is_up_known();
     source.triangles.reserve(mesh.face_count());
     for (const Triangle& triangle : mesh.triangles())
         source.triangles.push_back({index(triangle[0]), index(triangle[2]), index(triangle[1])});

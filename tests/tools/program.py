@@ -6,6 +6,7 @@ import json
 import math
 import os
 import resource
+import shlex
 import struct
 import subprocess
 import sys
@@ -160,6 +161,29 @@ def png_size(path):
     return tuple(int.from_bytes(header[i:i + 4], "big") for i in (16, 20))
 
 
+def camera_arguments(said):
+    """The options of `render` that give the camera and the lights of a result."""
+    text = lambda v: ",".join(f"{x:.17g}" for x in v)
+    options = [f"--{name}={text(said[name])}" for name in ("eye", "target", "up")]
+    options.append(f"--fov={said['fov']:.17g}" if said["fov"] is not None else f"--ortho={said['ortho']:.17g}")
+    if said.get("ground_up"):
+        options.append(f"--ground-up={text(said['ground_up'])}")
+    for light in said.get("lights", ()):
+        [(kind, vector)] = light.items()
+        options.append(("--sun=" if kind == "direction" else "--light=") + text(vector))
+    return options
+
+
+def drawn_again(stdout, prefix, output):
+    """Runs the command in the line of human-readable output that begins with `prefix`, with another output file."""
+    [line] = [line for line in stdout.splitlines() if line.startswith(prefix)]
+    words = shlex.split(line[len(prefix):])
+    assert words[:2] == ["rimline", "render"] and words[-2] == "-o", words
+    result = run(*words[1:-1], output)
+    assert result.returncode == 0, result.stderr
+    return result.stdout
+
+
 SMALL = ("--size", "64x48")
 
 
@@ -171,9 +195,10 @@ def check_views(result, count, weighted):
         assert 3 ** 0.5 - 1e-9 <= distance <= 2 + 1e-9
         if weighted:
             assert 0 <= view["visible_ratio"] <= 1
-            assert math.isclose(view["score"], view["votes"] * view["visible_ratio"])
+            assert math.isclose(view["score"], view["votes"] * view["visible_ratio"] * view["preference"])
         else:
-            assert view["visible_ratio"] is None and view["score"] == view["votes"]
+            assert view["visible_ratio"] is None and view["score"] == view["votes"] * view["preference"]
+        assert 0.5 <= view["preference"] <= 1
 
 
 def write_faces(path, *faces):

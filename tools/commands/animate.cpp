@@ -19,7 +19,9 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
 #include "tools/output/frame_sink.h"
+#include "tools/output/json_vector.h"
 #include "tools/progress.h"
 #include "tools/run_times.h"
 
@@ -138,6 +140,11 @@ public:
         const Mesh mesh = model_.load_mesh(context, scene_.textures());
         context.checkpoint();
         times.end("reading");
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
+        if (!picture_.eye) {
+            Progress progress(context, "choosing the first view");
+            picture_.view.choose(model_.model, mesh, up_.up, progress.call());
+        }
         const DrawingDevice device(picture_);
         times.end("device");
 
@@ -206,8 +213,9 @@ private:
                       .wave = wave,
                       .wave_turns = 0.0};
         if (!picture_.eye)
-            motion.eyes = path_.points(mesh, glm::vec3(up),
-                                       mesh.radius() > 0.0 ? motion.distance / mesh.radius() : 1.0);
+            motion.eyes = path_.points(
+                mesh, glm::vec3(up), mesh.radius() > 0.0 ? motion.distance / mesh.radius() : 1.0,
+                orbit_angle_rad(picture_.view.direction(model_.model, up), up));
         if (light_follow_) motion.lights = LightMotion::with_camera;
         if (light_step_degrees_ != 0.0) motion.lights = LightMotion::turning;
         const double frames = motion.eyes.empty() ? path_.frames : double(motion.eyes.size());
@@ -220,8 +228,7 @@ private:
     double fitting_distance(double radius) const {
         if (picture_.ortho_height) return 3.0 * radius;
         const double aspect = double(picture_.size.width) / picture_.size.height;
-        const double tangent =
-            std::tan(0.5 * glm::radians(picture_.fov_degrees)) * std::min(aspect, 1.0);
+        const double tangent = std::tan(0.5 * glm::radians(picture_.fov())) * std::min(aspect, 1.0);
         return k_view_margin * radius * std::sqrt(1.0 + tangent * tangent) / tangent;
     }
 
@@ -231,7 +238,7 @@ private:
         Camera camera{.eye = {},
                       .target = picture_.target ? glm::dvec3(*picture_.target) : mesh.center(),
                       .up = up_of(mesh, picture_),
-                      .fov_y_deg = picture_.fov_degrees,
+                      .fov_y_deg = picture_.fov(),
                       .ortho_height = picture_.ortho_height.value_or(0.0)};
         // The front view, if no eye of the path differs from the target.
         camera.eye = camera.target + glm::dvec3(0.0, 0.0, motion.distance);
@@ -263,6 +270,8 @@ private:
         sums["tracker_memory_bytes"] = result.tracker_bytes;
         nlohmann::ordered_json json{{"model", model_.model},
                                     {"path", picture_.eye ? "still" : path_.path}};
+        json["up"] = json_vector(up_.up);
+        json["up_from"] = up_source_name(up_.source);
         json.update(device_json(&device));
         json.update({{"frames", std::move(frames)},
                      {"totals", std::move(sums)},
@@ -284,6 +293,7 @@ private:
                     mean(totals.bytes_full));
         std::printf("  a frame     %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
                     totals.max_frame_ms, device.device.facts().name.c_str());
+        print_up(up_);
         std::printf("  time        %s\n", times.sentence().c_str());
         print_validation(device);
     }
@@ -292,6 +302,7 @@ private:
     PathOptions path_;
     SceneOptions scene_;
     PictureOptions picture_;
+    ChosenUp up_;
     std::string output_ = k_default_folder;
     std::uint32_t fps_ = 30;
     double light_step_degrees_ = 0.0;

@@ -20,6 +20,7 @@
 #include "tools/commands/literal_origins.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/options/up_option.h"
 #include "tools/output/canvas.h"
 #include "tools/output/group_picture.h"
 #include "tools/output/json_vector.h"
@@ -109,7 +110,7 @@ public:
         add_output(app, "-o,--output", output_, ".png", "A picture of the groups of faces");
         add_direction(app, "--direction", direction_,
                       "Of the picture: from the model towards the viewer");
-        add_direction(app, "--up", up_, "Of the picture (default: the file format's)");
+        add_up(app, up_, "Of the picture (default: the file format's)");
         app.footer(
             "An origin is good for an index when few edges are on the silhouette from there (SFO)\n"
             "and its distances from the planes spread. Each face belongs to one origin. "

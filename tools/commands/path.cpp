@@ -16,7 +16,9 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
 #include "tools/output/frame_sink.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/path_report.h"
 #include "tools/output/view_pictures.h"
 #include "tools/progress.h"
@@ -43,9 +45,7 @@ public:
         add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         style_.add_to(app);
         style_.add_palette_to(app);
-        add_direction(app, "--up", picture_.up,
-                      "Up direction of pictures (default: y, or z if the file format says so)")
-            ->group("Camera");
+        add_up_or_auto(app, picture_.up, picture_.is_up_auto)->group("Camera");
         picture_.add_lights_to(app);
         app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
             ->group("Light");
@@ -59,7 +59,7 @@ public:
             "radii. The camera moves at constant speed and looks at the center.\n\n"
             "Examples:\n"
             "  rimline path horse.ply --json\n"
-            "  rimline path horse.ply --up 0,0,1 --frames 240 -o path --style toon --ground");
+            "  rimline path horse.ply --frames 240 -o path --style toon --ground");
     }
 
     ExitStatus run(const Context& context) override {
@@ -73,16 +73,19 @@ public:
         const Mesh mesh =
             model_.load_mesh(context, sink ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sink, context);
         about_model(model_.model, [&] {
             const ChosenViews chosen =
-                choose_views(choice_, model_.model, mesh, device, 2, context);
+                choose_views(choice_, model_.model, mesh, up_.up, device, 2, context);
             const PlannedPath planned = plan_.plan(chosen, up_of(mesh, picture_), context);
             if (sink) draw(*sink, device, planned, context);
             if (context.json)
                 print_result(mesh, chosen, planned, device);
-            else
+            else {
                 print_path(sink ? output_ : model_.model, chosen, planned);
+                print_up(up_);
+            }
         });
         return ExitStatus::success;
     }
@@ -137,6 +140,8 @@ private:
                       const ViewDevice& device) const {
         nlohmann::ordered_json result = path_json(model_.model, mesh, chosen, planned);
         result.update(device_json(device.device_or_null()));
+        result["up"] = json_vector(up_.up);
+        result["up_from"] = up_source_name(up_.source);
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
@@ -147,6 +152,7 @@ private:
     PathPlan plan_;
     SceneOptions style_;
     PictureOptions picture_;
+    ChosenUp up_;
     bool light_follow_ = false;
     std::string output_;
     std::uint32_t fps_ = 30;

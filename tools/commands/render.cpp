@@ -14,8 +14,14 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
+#include "tools/options/view_camera.h"
+#include "tools/output/camera_report.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/picture_file.h"
+#include "tools/output/same_picture.h"
 #include "tools/output/shown_lines.h"
+#include "tools/progress.h"
 #include "tools/run_times.h"
 
 namespace rimline::tools {
@@ -30,6 +36,7 @@ public:
     std::string summary() const override { return "Draw one picture, as a PNG"; }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app, ModelArgument::Presence::optional);
         add_output(app, "-o,--output", output_, ".png", "PNG file to write; - is standard output")
             ->group("Output");
@@ -37,6 +44,7 @@ public:
         options_.add_palette_to(app);
         options_.add_still_lines_to(app);
         picture_.add_camera_to(app);
+        picture_.add_ground_up_to(app);
         picture_.add_lights_to(app);
         picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
@@ -54,7 +62,7 @@ public:
             "to the run; `frame_ms` is the part of drawing after everything is on the device.\n\n"
             "Examples:\n"
             "  rimline render\n"
-            "  rimline render horse.ply --up 0,0,1 -o horse.png --style toon --ground --sun auto\n"
+            "  rimline render horse.ply -o horse.png --style toon --ground --sun auto\n"
             "  rimline render shape:knot --eye 3,2,4 --light 2,5,1 --style ink -o knot.png");
     }
 
@@ -67,6 +75,9 @@ public:
         const Mesh mesh = model_.load_mesh(context, options_.textures());
         context.checkpoint();
         times.end("reading");
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
+        choose_view(mesh, context);
+        times.end("choosing the view");
         const DrawingDevice device(picture_);
         times.end("device");
         const HoughOctree octree = build_octree(model_.model, mesh, context);
@@ -78,9 +89,10 @@ public:
         check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
             {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
+        const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
         std::optional<Ground> ground;
         if (options_.ground) {
-            ground.emplace(mesh, up_of(mesh, picture_), 0.0);
+            ground.emplace(mesh, ground_up, 0.0);
             scene.instances.push_back(ground->instance(scene));
         }
         // The ground hides no line: the model stands on it, and from below it is not drawn.
@@ -106,13 +118,19 @@ public:
             report.creases = lines->crease_count();
         }
         if (context.json)
-            print_result(device, renderer, report, times);
+            print_result(device, renderer, report, scene, ground_up, times);
         else
-            print_summary(device, report, times);
+            print_summary(device, report, scene, ground_up, times);
         return ExitStatus::success;
     }
 
 private:
+    void choose_view(const Mesh& mesh, const Context& context) {
+        if (picture_.eye) return;
+        Progress progress(context, "choosing the view");
+        picture_.view.choose(model_.model, mesh, up_.up, progress.call());
+    }
+
     static nlohmann::ordered_json shadows_of(const FrameReport& report) {
         nlohmann::ordered_json shadows = nlohmann::ordered_json::array();
         for (const ShadowReport& shadow : report.shadows)
@@ -150,7 +168,8 @@ private:
     }
 
     void print_result(const DrawingDevice& device, const Renderer& renderer,
-                      const FrameReport& report, const RunTimes& times) const {
+                      const FrameReport& report, const Scene& scene, const glm::dvec3& ground_up,
+                      const RunTimes& times) const {
         nlohmann::ordered_json result{{"model", model_.model}};
         result.update(device_json(&device));
         result.update({{"silhouette", report.silhouette},
@@ -166,12 +185,17 @@ private:
                        {"frame_ms", report.frame_ms},
                        {"times_ms", times.json()},
                        {"output", output_}});
+        result.update(camera_json(scene.camera));
+        result["up_from"] = up_source_name(up_.source);
+        result.update(clip_planes_json(scene));
+        result["lights"] = lights_json(scene.lights);
+        if (options_.ground) result["ground_up"] = json_vector(ground_up);
         if (pass_times_) result["passes"] = passes_of(report);
         print_json(result);
     }
 
-    void print_summary(const DrawingDevice& device, const FrameReport& report,
-                       const RunTimes& times) const {
+    void print_summary(const DrawingDevice& device, const FrameReport& report, const Scene& scene,
+                       const glm::dvec3& ground_up, const RunTimes& times) const {
         std::printf("%s\n", output_.c_str());
         std::printf("  lines       %u silhouette and border edges, %u creases\n", report.silhouette,
                     report.creases);
@@ -184,14 +208,22 @@ private:
             std::printf("    %-28s %8.3f ms\n", pass.name.c_str(), pass.time_ms);
         if (pass_times_ && report.passes.empty())
             std::printf("    the device's queue has no timestamps\n");
+        print_up(up_);
         print_validation(device);
+        std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
+        if (options_.ground && ground_up != scene.camera.up)
+            arguments.push_back(vector_argument("--ground-up", ground_up));
+        arguments.push_back("-o " + quoted_for_shell(output_));
+        std::printf("  again       %s\n", render_command(*app_, model_.model, arguments).c_str());
     }
 
     ModelArgument model_;
     PictureOptions picture_;
+    ChosenUp up_;
     std::string output_ = k_default_output;
     SceneOptions options_;
     bool pass_times_ = false;
+    const CLI::App* app_ = nullptr;
 };
 
 }  // namespace

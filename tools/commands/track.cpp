@@ -19,6 +19,7 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/option_types.h"
 #include "tools/options/path_options.h"
+#include "tools/options/up_option.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -128,8 +129,7 @@ public:
         model_.add_to(app);
         path_.add_to(app, "2");
         up_option_ =
-            add_direction(app, "--up", up_,
-                          "Axis of the orbit (default: y, or z if the file format says so)")
+            add_up(app, up_, "Axis of the orbit (default: y, or z if the file format says so)")
                 ->group("Path");
         add_points(app, "--origin", origins_,
                    "Origin of Hough space; repeatable (default: the model's center)")

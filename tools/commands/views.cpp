@@ -8,9 +8,14 @@
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/up_option.h"
+#include "tools/options/view_camera.h"
+#include "tools/output/camera_report.h"
 #include "tools/output/contact_sheet.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/output_folder.h"
 #include "tools/output/picture_file.h"
+#include "tools/output/same_picture.h"
 #include "tools/output/view_pictures.h"
 #include "tools/run_times.h"
 
@@ -28,6 +33,7 @@ public:
     std::string summary() const override { return "Choose the views that show a model best"; }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app);
         choice_.add_to(app, 1);
         output_option_ =
@@ -39,9 +45,7 @@ public:
         style_.add_to(app);
         style_.add_palette_to(app);
         style_.add_still_lines_to(app);
-        add_direction(app, "--up", picture_.up,
-                      "Up direction of pictures (default: y, or z if the file format says so)")
-            ->group("Camera");
+        add_up_or_auto(app, picture_.up, picture_.is_up_auto)->group("Camera");
         picture_.add_lights_to(app);
         picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
@@ -52,15 +56,18 @@ public:
             "viewpoints that see them as a silhouette or from the front. The score of a view is "
             "its "
             "votes times\n"
-            "the visible share of its silhouette. The first view has the highest score; for each "
-            "next one only\n"
+            "the visible share of its silhouette, and less from below. The first view has the "
+            "highest "
+            "score, or\n"
+            "a score within 5% of it and is nearer to a three-quarter view; for each next one "
+            "only\n"
             "those votes count that the views before it do not have. --no-ratio needs no device. "
             "Each picture\n"
             "is taken from its view and shows the whole model. Files are written when all pictures "
             "are drawn.\n\n"
             "Examples:\n"
             "  rimline views bunny.obj -k 4 -o views\n"
-            "  rimline views horse.ply --up 0,0,1 -o views --style toon --sun auto --ground\n"
+            "  rimline views horse.ply -o views --style toon --sun auto --ground\n"
             "  rimline views fandisk.obj -k 6 --no-ratio --json");
     }
 
@@ -73,10 +80,11 @@ public:
             model_.load_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
         times.end("reading");
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
         times.end("device and index");
         const ChosenViews chosen = about_model(model_.model, [&] {
-            return choose_views(choice_, model_.model, mesh, device, 1, context);
+            return choose_views(choice_, model_.model, mesh, up_.up, device, 1, context);
         });
         times.end("choosing");
         if (folder) draw(*folder, device, chosen, context);
@@ -84,7 +92,7 @@ public:
         if (context.json)
             print_result(mesh, chosen, device, times);
         else
-            print_summary(chosen, times);
+            print_summary(mesh, chosen, times);
         return ExitStatus::success;
     }
 
@@ -135,14 +143,23 @@ private:
     void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device,
                       const RunTimes& times) const {
         nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
+        for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
+            const Scene scene = scene_of(mesh, chosen.best.views[i]);
+            nlohmann::ordered_json camera = camera_json(scene.camera);
+            camera.erase("eye");  // The view's own has more digits, and is rounded to this one.
+            result["views"][i].update(camera);
+            result["views"][i]["lights"] = lights_json(scene.lights);
+            if (style_.ground) result["views"][i]["ground_up"] = json_vector(ground_up(mesh));
+        }
         result.update(device_json(device.device_or_null()));
         result["times_ms"] = times.json();
+        result["up_from"] = up_source_name(up_.source);
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
     }
 
-    void print_summary(const ChosenViews& chosen, const RunTimes& times) const {
+    void print_summary(const Mesh& mesh, const ChosenViews& chosen, const RunTimes& times) const {
         if (output_option_->count() > 0)
             std::printf("%s: %zu pictures and contact_sheet.png\n", output_.c_str(),
                         chosen.best.views.size());
@@ -150,14 +167,36 @@ private:
             std::printf("%s\n", model_.model.c_str());
         print_views(chosen);
         std::printf("  in all      %s\n", times.sentence().c_str());
+        print_up(up_);
+        for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
+            const Scene scene = scene_of(mesh, chosen.best.views[i]);
+            std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
+            if (style_.ground && ground_up(mesh) != scene.camera.up)
+                arguments.push_back(vector_argument("--ground-up", ground_up(mesh)));
+            arguments.push_back("-o view_" + std::to_string(i + 1) + ".png");
+            std::printf("  draw %-2zu     %s\n", i + 1,
+                        render_command(*app_, model_.model, arguments).c_str());
+        }
+    }
+
+    glm::dvec3 ground_up(const Mesh& mesh) const {
+        return rounded_to_float(ground_up_of(mesh, picture_));
+    }
+
+    // Without instances: the camera and the lights of a view's picture.
+    Scene scene_of(const Mesh& mesh, const BestView& view) const {
+        return style_.make_scene(make_view_camera(mesh, view.eye, picture_, picture_.size), mesh,
+                                 picture_);
     }
 
     ModelArgument model_;
     ViewChoice choice_;
     SceneOptions style_;
     PictureOptions picture_;
+    ChosenUp up_;
     std::string output_;
     CLI::Option* output_option_ = nullptr;
+    const CLI::App* app_ = nullptr;
 };
 
 }  // namespace

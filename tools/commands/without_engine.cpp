@@ -6,7 +6,10 @@
 
 #include "tools/absent_part.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/up_option.h"
+#include "tools/options/view_camera.h"
 #include "tools/options/view_choice.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/path_report.h"
 #include "tools/output/points_picture.h"
 
@@ -14,6 +17,7 @@ namespace rimline::tools {
 
 namespace {
 
+constexpr double k_aspect = 4.0 / 3.0;  // Of the pictures that `render` draws.
 constexpr const char* k_votes_footer =
     "This rimline was built without the engine: it draws nothing, and views are chosen by votes "
     "alone.";
@@ -29,10 +33,20 @@ public:
     }
     ExitStatus run(const Context& context) override {
         const Mesh mesh = model_.load_mesh(context);
-        const ChosenViews chosen = about_model(
-            model_.model, [&] { return choice_.choose(model_.model, mesh, {}, 1, context); });
+        const ChosenViews chosen = about_model(model_.model, [&] {
+            return choice_.choose(model_.model, mesh, choose_up(mesh, {}, false).up, {}, 1,
+                                  context);
+        });
         if (context.json) {
-            print_json(views_json(model_.model, mesh, chosen));
+            nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
+            for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
+                const ViewCamera camera = camera_of_view(mesh, chosen.best.views[i].eye,
+                                                         choose_up(mesh, {}, false).up, k_aspect);
+                result["views"][i].update({{"target", json_vector(camera.target)},
+                                           {"up", json_vector(camera.up)},
+                                           {"fov", camera.fov_y_deg}});
+            }
+            print_json(result);
         } else {
             std::printf("%s\n", model_.model.c_str());
             print_views(chosen);
@@ -58,8 +72,9 @@ public:
     ExitStatus run(const Context& context) override {
         const Mesh mesh = model_.load_mesh(context);
         about_model(model_.model, [&] {
-            const ChosenViews chosen = choice_.choose(model_.model, mesh, {}, 2, context);
-            const PlannedPath planned = plan_.plan(chosen, direction_of(mesh.up()), context);
+            const ChosenViews chosen =
+                choice_.choose(model_.model, mesh, choose_up(mesh, {}, false).up, {}, 2, context);
+            const PlannedPath planned = plan_.plan(chosen, choose_up(mesh, {}, false).up, context);
             if (context.json)
                 print_json(path_json(model_.model, mesh, chosen, planned));
             else

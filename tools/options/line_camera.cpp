@@ -12,6 +12,7 @@
 #include "tools/command.h"
 #include "tools/options/default_view.h"
 #include "tools/options/option_types.h"
+#include "tools/options/up_option.h"
 
 namespace rimline::tools {
 
@@ -46,8 +47,7 @@ void LineCameraOptions::add_to(CLI::App& app) {
     add_point(app, "--target", target,
               "Point that the camera looks at (default: the model's center)")
         ->group(k_group);
-    add_direction(app, "--up", up, "Up direction (default: y, or z if the file format says so)")
-        ->group(k_group);
+    add_up_or_auto(app, up, is_up_auto)->group(k_group);
     CLI::Option* fov =
         add_number(app, "--fov", fov_degrees, 1.0, 170.0,
                    "Vertical field of view in degrees (default: 35). With --eye, the "
@@ -63,7 +63,7 @@ void LineCameraOptions::add_to(CLI::App& app) {
 }
 
 glm::dvec3 LineCameraOptions::up_of(const Mesh& mesh) const {
-    return up ? glm::dvec3(*up) : direction_of(mesh.up());
+    return choose_up(mesh, up, is_up_auto).up;
 }
 
 LineCamera LineCameraOptions::make_camera(const std::string& model, const Mesh& mesh) const {

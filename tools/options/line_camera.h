@@ -35,13 +35,14 @@ struct LineCameraOptions {
     std::optional<glm::vec3> eye;
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
+    bool is_up_auto = false;            ///< --up auto.
     std::optional<double> fov_degrees;  ///< Not set: 35.
     bool is_orthographic = false;
     std::optional<double>
         ortho_height;  ///< Not set in an orthographic view: it shows the whole model.
 
     void add_to(CLI::App& app);
-    /// Without an eye, the camera that `render` chooses. Throws UsageError if eye and target coincide, and
+    /// Without an eye, the three-quarter view of `render`, or its view of the built-in scene. Throws UsageError if eye and target coincide, and
     /// Error{too_large} if the eye is too far away.
     LineCamera make_camera(const std::string& model, const Mesh& mesh) const;
     glm::dvec3 up_of(const Mesh& mesh) const;

@@ -59,11 +59,11 @@ void PathOptions::read(const Context& context) {
 }
 
 std::vector<HomogeneousPoint> PathOptions::points(const Mesh& mesh, glm::vec3 up,
-                                                  double default_radius) const {
+                                                  double default_radius, double start_rad) const {
     if (is_file()) return file_points_;
     if (path == "random") return random_path(mesh, seed, frames);
     return orbit_path(mesh, up, radius.value_or(default_radius),
-                      step_degrees.value_or(360.0 / frames), frames);
+                      step_degrees.value_or(360.0 / frames), frames, start_rad);
 }
 
 }  // namespace rimline::tools

@@ -32,8 +32,9 @@ struct PathOptions {
     /// what read_path() throws.
     void read(const Context& context);
     /// The points: `frames` of them, or those of the file.
-    std::vector<HomogeneousPoint> points(const Mesh& mesh, glm::vec3 up,
-                                         double default_radius) const;
+    /// An orbit starts at `start_rad`.
+    std::vector<HomogeneousPoint> points(const Mesh& mesh, glm::vec3 up, double default_radius,
+                                         double start_rad = 0.0) const;
 
     /// Throws UsageError if `option` is given and the path is not `required_path`.
     void require_path(const CLI::Option* option, const std::string& required_path) const;

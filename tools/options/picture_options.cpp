@@ -1,30 +1,40 @@
 #include "tools/options/picture_options.h"
 
 #include "silhouette/mesh/homogeneous_point.h"
+#include "tools/options/up_option.h"
 
 namespace rimline::tools {
 
 void PictureOptions::add_camera_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_point(app, "--eye", eye, "Position of the camera (default: chosen to show the model)")
-        ->group(k_group);
+    view.add_to(app, eye);
     add_point(app, "--target", target,
-              "Point that the camera looks at (default: the model's center)")
+              "Point that the camera looks at (default: the model's center; without --fov, where "
+              "the model fills the picture)")
         ->group(k_group);
     add_lens_to(app);
 }
 
 void PictureOptions::add_lens_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_direction(app, "--up", up, "Up direction (default: y, or z if the file format says so)")
-        ->group(k_group);
+    add_up_or_auto(app, up, is_up_auto)->group(k_group);
     CLI::Option* fov =
-        add_number(app, "--fov", fov_degrees, 1.0, 170.0, "Vertical field of view in degrees")
+        add_number(
+            app, "--fov", fov_degrees, 1.0, 170.0,
+            "Vertical field of view in degrees (default: 35; with --eye alone, what shows the "
+            "whole model)")
             ->group(k_group);
     add_number(app, "--ortho", ortho_height, 0x1p-40, double{k_max_coordinate},
                "Orthographic view of this height in the model's units")
         ->excludes(fov)
         ->group(k_group);
+}
+
+void PictureOptions::add_ground_up_to(CLI::App& app) {
+    add_direction(app, "--ground-up", ground_up,
+                  "Up direction of --ground (default: --up). They differ where the camera looks "
+                  "along the up direction")
+        ->group("Camera");
 }
 
 void PictureOptions::add_lights_to(CLI::App& app) {

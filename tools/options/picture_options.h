@@ -10,15 +10,19 @@
 #include <vector>
 
 #include "tools/options/option_types.h"
+#include "tools/options/view_option.h"
 
 namespace rimline::tools {
 
 struct PictureOptions {
     // Camera. The command chooses what is not given. --fov and --ortho exclude each other.
     std::optional<glm::vec3> eye;
+    ViewOption view;  ///< Where the camera stands without `eye`.
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
-    double fov_degrees = 35.0;  ///< Vertical.
+    bool is_up_auto = false;             ///< --up auto.
+    std::optional<glm::vec3> ground_up;  ///< Not set: `up`.
+    std::optional<double> fov_degrees;   ///< Vertical. Not set: fov().
     std::optional<double> ortho_height;
 
     // Lights. The command chooses one if none is given.
@@ -36,9 +40,13 @@ struct PictureOptions {
     std::string device;  ///< gpu, cpu, an index or a name. Empty: the best device.
     bool validate = false;
 
+    /// --fov or its default. A camera with an eye and neither target nor --fov shows the whole model instead.
+    double fov() const { return fov_degrees.value_or(35.0); }
+
     void add_camera_to(CLI::App& app);
     /// The same without eye and target.
     void add_lens_to(CLI::App& app);
+    void add_ground_up_to(CLI::App& app);
     void add_lights_to(CLI::App& app);
     enum class Background { opaque, any };
     void add_image_to(CLI::App& app, Background kind = Background::opaque);

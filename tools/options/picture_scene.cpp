@@ -1,6 +1,11 @@
 #include "tools/options/picture_scene.h"
 
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "silhouette/lines/fitted_eye.h"
 #include "tools/command.h"
+#include "tools/options/view_camera.h"
 
 namespace rimline::tools {
 
@@ -14,14 +19,41 @@ glm::dvec3 up_of(const Subject& subject, const PictureOptions& options) {
     return direction_of(subject.up);
 }
 
+glm::dvec3 ground_up_of(const Subject& subject, const PictureOptions& options) {
+    return options.ground_up ? glm::dvec3(*options.ground_up) : up_of(subject, options);
+}
+
+Camera rounded_to_float(const Camera& camera) {
+    Camera rounded = camera;
+    rounded.eye = rounded_to_float(camera.eye);
+    rounded.target = rounded_to_float(camera.target);
+    rounded.up = rounded_to_float(camera.up);
+    return rounded.eye == rounded.target ? camera : rounded;
+}
+
+namespace {
+
+// A camera with an eye that shows the whole subject, where there is one.
+Camera with_whole(Camera camera, const Subject& subject, double aspect) {
+    const std::optional<FittedLens> lens =
+        fit_lens(subject.positions, subject.center, camera.eye, camera.up, aspect);
+    if (!lens) return rounded_to_float(camera);
+    camera.target = lens->target;
+    camera.up = lens->up;
+    camera.fov_y_deg = field_of_view_deg(*lens);
+    return rounded_to_float(camera);
+}
+
+}  // namespace
+
 Camera make_camera(const Subject& subject, const std::string& model,
                    const PictureOptions& options) {
-    const glm::dvec3 up = up_of(subject, options);
+    const glm::dvec3 up = rounded_to_float(up_of(subject, options));
     const double aspect = double(options.size.width) / options.size.height;
     Camera camera{.eye = {},
                   .target = {},
                   .up = up,
-                  .fov_y_deg = options.fov_degrees,
+                  .fov_y_deg = options.fov(),
                   .ortho_height = options.ortho_height.value_or(0.0)};
     if (options.eye) {
         camera.eye = glm::dvec3(*options.eye);
@@ -29,14 +61,17 @@ Camera make_camera(const Subject& subject, const std::string& model,
         if (camera.eye == camera.target)
             throw UsageError(options.target ? "--eye and --target are the same point"
                                             : "--eye is the model's center, where it looks");
-        return camera;
+        const bool is_framed = !options.target && !options.fov_degrees && !camera.is_orthographic();
+        return is_framed ? with_whole(camera, subject, aspect) : rounded_to_float(camera);
     }
-    camera = fit_camera(camera, subject, default_view_of(model, up), aspect);
+    const glm::dvec3 direction = options.view.direction(model, up);
+    camera.up = rounded_to_float(up_in_picture(direction, up));
+    camera = fit_camera(camera, subject, direction, aspect);
     if (options.target) {
         camera.eye += glm::dvec3(*options.target) - camera.target;
         camera.target = glm::dvec3(*options.target);
     }
-    return camera;
+    return rounded_to_float(camera);
 }
 
 SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree) {

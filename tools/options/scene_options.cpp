@@ -12,6 +12,7 @@
 #include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/view_camera.h"
 
 namespace rimline::tools {
 
@@ -202,13 +203,14 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
         scene.lights.push_back({.vector = glm::dvec3(sun), .directional = true});
     if (picture.has_chosen_sun)
         if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye)) {
-            const glm::dvec3 up = up_of(mesh, picture);
+            const glm::dvec3 up = ground_up_of(mesh, picture);
             const glm::dvec3 lit = ground ? above_ground(sun->direction, up) : sun->direction;
-            // Rounded to float as --sun is, so that the direction printed by `light` gives the same picture.
-            // A low sun over a ground is the exception.
-            scene.lights.push_back({.vector = glm::dvec3(glm::vec3(lit)), .directional = true});
+            // Rounded to float as --sun is, so that a direction which is printed gives the same picture.
+            scene.lights.push_back({.vector = rounded_to_float(lit), .directional = true});
         }
-    if (scene.lights.empty()) scene.lights.push_back(default_sun(scene.camera));
+    if (scene.lights.empty())
+        scene.lights.push_back(
+            {.vector = rounded_to_float(default_sun(scene.camera).vector), .directional = true});
     return scene;
 }
 

@@ -82,7 +82,8 @@ HomogeneousPoint parse_line(TextScanner& scanner) {
 }  // namespace
 
 std::vector<HomogeneousPoint> orbit_path(const Mesh& mesh, glm::vec3 up, double radius,
-                                         double step_degrees, std::uint32_t frames) {
+                                         double step_degrees, std::uint32_t frames,
+                                         double start_rad) {
     const double distance = radius * mesh.radius();
     for (int axis = 0; axis < 3; ++axis)
         if (std::abs(mesh.center()[axis]) + distance > double{k_max_coordinate})
@@ -91,7 +92,7 @@ std::vector<HomogeneousPoint> orbit_path(const Mesh& mesh, glm::vec3 up, double 
     std::vector<HomogeneousPoint> points;
     points.reserve(frames);
     for (std::uint32_t i = 0; i < frames; ++i)
-        points.push_back(orbit.viewpoint(i * step_degrees * std::numbers::pi / 180.0));
+        points.push_back(orbit.viewpoint(start_rad + i * step_degrees * std::numbers::pi / 180.0));
     return points;
 }
 

@@ -14,10 +14,11 @@
 namespace rimline::tools {
 
 /// `frames` points on the orbit around the mesh's center (silhouette/hough/orbit.h). The first is at angle
-/// 0; each next one is `step_degrees` further. `radius` is in the mesh's radii. Throws UsageError if the
+/// `start_rad`; each next one is `step_degrees` further. `radius` is in the mesh's radii. Throws UsageError if the
 /// orbit leaves the range of coordinates.
 std::vector<HomogeneousPoint> orbit_path(const Mesh& mesh, glm::vec3 up, double radius,
-                                         double step_degrees, std::uint32_t frames);
+                                         double step_degrees, std::uint32_t frames,
+                                         double start_rad = 0.0);
 
 /// A mix of hard cases for trackers: jumps within three radii, steps from a millionth to a tenth of the
 /// radius, earlier points again, vertices of the mesh, the center, directions, far points, and no motion.

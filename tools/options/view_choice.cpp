@@ -16,13 +16,20 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
     app.add_flag("--by-area", by_area,
                  "Weight votes by the areas of faces, for faces of very different sizes")
         ->group("Views");
+    app.add_option(
+           "--below", below,
+           "Views from below the horizon count less, down to a half at 60 degrees, and near "
+           "ties go to three-quarter views; full: neither")
+        ->check(CLI::IsMember({"less", "full"}))
+        ->capture_default_str()
+        ->group("Views");
     app.add_flag("--no-ratio", no_ratio,
                  "Use votes only: do not draw candidates to measure the visible share of their "
                  "silhouettes")
         ->group("Views");
 }
 
-ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
+ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh, const glm::dvec3& up,
                                const VisibleRatios& ratios, std::uint32_t min_count,
                                const Context& context) const {
     const auto start = std::chrono::steady_clock::now();
@@ -33,6 +40,8 @@ ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh,
     BestViewsOptions options;
     options.count = count;
     options.visible_ratios = ratios;
+    if (below == "less") options.up = up;
+    options.mirror_axis = symmetry_axis(mesh);
     BestViews best = find_best_views(field, options, progress.call());
     if (best.views.size() < min_count)
         throw Error(ErrorCode::bad_input,
@@ -59,7 +68,8 @@ nlohmann::ordered_json to_json(const ChosenViews& chosen) {
         views.push_back({{"eye", {view.eye.x, view.eye.y, view.eye.z}},
                          {"score", view.score()},
                          {"votes", view.votes},
-                         {"visible_ratio", std::move(ratio)}});
+                         {"visible_ratio", std::move(ratio)},
+                         {"preference", view.preference}});
     }
     return views;
 }

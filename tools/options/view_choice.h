@@ -25,19 +25,21 @@ struct ChosenViews {
 
 struct ViewChoice {
     std::uint32_t count = 4;
-    bool by_area = false;   ///< Weights the votes of planes by the areas of their faces.
-    bool no_ratio = false;  ///< Votes only, as always in a build without the engine.
+    bool by_area = false;        ///< Weights the votes of planes by the areas of their faces.
+    std::string below = "less";  ///< Views from below count less, or fully.
+    bool no_ratio = false;       ///< Votes only, as always in a build without the engine.
 
     /// `min_count` is the least value of -k.
     void add_to(CLI::App& app, std::uint32_t min_count);
 
     /// Chooses the views and shows progress. `ratios` may be empty. Throws Error{bad_input} naming the model
     /// if there are fewer than `min_count` distinct views. A model without a proper face has none.
-    ChosenViews choose(const std::string& model, const Mesh& mesh, const VisibleRatios& ratios,
-                       std::uint32_t min_count, const Context& context) const;
+    ChosenViews choose(const std::string& model, const Mesh& mesh, const glm::dvec3& up,
+                       const VisibleRatios& ratios, std::uint32_t min_count,
+                       const Context& context) const;
 };
 
-/// A list of `eye score votes visible_ratio`. The ratio is null if it was not measured.
+/// A list of `eye score votes visible_ratio preference`. The ratio is null if it was not measured.
 nlohmann::ordered_json to_json(const ChosenViews& chosen);
 /// An object of that list as `views`, and `asked center radius inside_out renders candidates ms`.
 nlohmann::ordered_json views_json(const std::string& model, const Mesh& mesh,

@@ -6,6 +6,7 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/view_camera.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -27,6 +28,14 @@ ViewDevice::ViewDevice(const std::string& model, const Mesh& mesh, const Picture
     octree.emplace(build_octree(model, mesh, context));
 }
 
+Camera make_view_camera(const Mesh& mesh, const glm::dvec3& eye, const PictureOptions& options,
+                        ImageSize size) {
+    const ViewCamera camera =
+        camera_of_view(mesh, eye, up_of(mesh, options), double(size.width) / size.height);
+    return {
+        .eye = camera.eye, .target = camera.target, .up = camera.up, .fov_y_deg = camera.fov_y_deg};
+}
+
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                 std::span<const glm::dvec3> eyes, ImageSize size,
                                 const Context& context) {
@@ -40,8 +49,7 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
     std::vector<Picture> pictures;
     for (const glm::dvec3& eye : eyes) {
         call.checkpoint(double(pictures.size()) / double(eyes.size()));
-        Camera camera{.eye = eye, .target = mesh.center(), .up = up};
-        camera = zoom_camera(camera, mesh, double(size.width) / size.height);
+        const Camera camera = make_view_camera(mesh, eye, scene.picture, size);
         Scene picture_scene = scene.style.make_scene(camera, mesh, scene.picture);
         picture_scene.instances.push_back({.octree = &scene.octree,
                                            .name = scene.model,
@@ -57,12 +65,12 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
 }
 
 ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
-                         const ViewDevice& view_device, std::uint32_t min_count,
-                         const Context& context) {
+                         const glm::dvec3& up, const ViewDevice& view_device,
+                         std::uint32_t min_count, const Context& context) {
     check_viewing_range(model, mesh);
-    if (choice.no_ratio) return choice.choose(model, mesh, {}, min_count, context);
+    if (choice.no_ratio) return choice.choose(model, mesh, up, {}, min_count, context);
     VisibleRatioPass pass(view_device.device->context(), *view_device.octree, {}, context.stop);
-    return choice.choose(model, mesh, visible_ratios_of(pass, context), min_count, context);
+    return choice.choose(model, mesh, up, visible_ratios_of(pass, context), min_count, context);
 }
 
 }  // namespace rimline::tools

@@ -41,8 +41,8 @@ struct ViewDevice {
 
 /// Chooses views. Votes are weighted by visible ratios unless choice.no_ratio.
 ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
-                         const ViewDevice& view_device, std::uint32_t min_count,
-                         const Context& context);
+                         const glm::dvec3& up, const ViewDevice& view_device,
+                         std::uint32_t min_count, const Context& context);
 
 /// The model and the options of pictures of views.
 struct ViewScene {
@@ -53,7 +53,11 @@ struct ViewScene {
     ShownLines* lines = nullptr;  ///< Null: without exact visibility.
 };
 
-/// One picture per eye. Each shows the whole model with its up axis upwards. --sun auto is computed for each
+/// The camera of a view's picture: it stands at `eye` and shows the whole model in a picture of this size.
+Camera make_view_camera(const Mesh& mesh, const glm::dvec3& eye, const PictureOptions& options,
+                        ImageSize size);
+
+/// One picture per eye, from make_view_camera(). Each shows the whole model with its up axis upwards. --sun auto is computed for each
 /// eye. Throws what Renderer throws, and Error{too_large} if the model exceeds the range of coordinates.
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                 std::span<const glm::dvec3> eyes, ImageSize size,

@@ -9,6 +9,7 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
 #include "tools/view/view_loop.h"
@@ -56,7 +57,7 @@ public:
             "viewpoints,\n"
             "and Hough space.\n\n"
             "Examples:\n"
-            "  rimline view horse.ply --up 0,0,1\n"
+            "  rimline view horse.ply\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"
             "  rimline view scan.xyz\n"
             "  rimline view --frames 1 --screenshot window.png");
@@ -98,7 +99,7 @@ public:
     }
 
 private:
-    void open(ViewSession& session, const Context& context) const {
+    void open(ViewSession& session, const Context& context) {
         CloudArgument argument = cloud_;
         argument.model = model_.model;
         argument.subdivide = model_.subdivide;
@@ -139,8 +140,11 @@ private:
         freeze(session, from);
     }
 
-    void show_model(ViewSession& session, Document document) const {
+    void show_model(ViewSession& session, Document document) {
         const ModelDocument* const model = document.model();
+        print_up(settle_up(model->mesh(), picture_.up, picture_.is_up_auto));
+        if (!picture_.eye)
+            picture_.view.choose(model_.model, model->mesh(), glm::dvec3(*picture_.up));
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.appearance = ViewAppearance(scene.style);
@@ -167,10 +171,8 @@ private:
         if (!from) return;
         const glm::dvec3 center = session.bounds().center;
         if (*from == center) throw UsageError("--silhouette-from is the model's center");
-        session.freeze_at({.eye = *from,
-                           .target = center,
-                           .up = session.camera.up,
-                           .fov_y_deg = picture_.fov_degrees});
+        session.freeze_at(
+            {.eye = *from, .target = center, .up = session.camera.up, .fov_y_deg = picture_.fov()});
     }
 
     ModelArgument model_;

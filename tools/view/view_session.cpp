@@ -8,6 +8,7 @@
 
 #include "engine/view_defaults.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/up_option.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
 
@@ -38,6 +39,11 @@ void ViewSession::show(Document document, double aspect) {
     PictureOptions defaults;
     defaults.fov_degrees = appearance.fov_y_deg;
     const Subject subject = document.subject();
+    if (document.model() != nullptr) {
+        const Mesh& mesh = document.model()->mesh();
+        const ChosenUp up = settle_up(mesh, defaults.up, false);
+        defaults.view.choose(document.name(), mesh, up.up);
+    }
     Camera fitted = make_camera(subject, document.name(), defaults);
     fitted = fit_camera(fitted, subject, fitted.eye - fitted.target, aspect);
     std::vector<Light> fitted_lights;

@@ -95,6 +95,7 @@ public:
 
     MeshSource run(const SourceFile& file, const GltfBuffers& buffers,
                    std::vector<std::string> warnings) {
+        source_.is_up_known = true;
         source_.warnings = std::move(warnings);
         add_materials(file, buffers);
         visit_all();

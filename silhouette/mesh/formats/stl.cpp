@@ -61,6 +61,7 @@ void read_facet(TextScanner& scanner, BadPoints bad, MeshSource& source) {
 MeshSource read_stl_text(const SourceFile& file, BadPoints bad, const LongCall& call) {
     MeshSource source;
     source.up = UpAxis::z;
+    source.is_up_known = true;
     TextScanner scanner(file.name, file.text());
     for (bool first = true;; first = false) {
         const std::string_view word = scanner.word();
@@ -86,6 +87,7 @@ MeshSource read_stl_text(const SourceFile& file, BadPoints bad, const LongCall& 
 MeshSource read_stl_binary(const SourceFile& file, BadPoints bad, const LongCall& call) {
     MeshSource source;
     source.up = UpAxis::z;
+    source.is_up_known = true;
     const std::size_t size = file.bytes.size();
     if (size < k_header_bytes + 4)
         bad_byte(file.name, size,

@@ -36,7 +36,9 @@ MeshSource make_built_in_shape(std::string_view name, std::uint32_t faces) {
         throw Error(ErrorCode::too_large, "shape:" + std::string(name) + ": " +
                                               std::to_string(faces) +
                                               " faces asked for; at most 268435456 are made");
-    return maker->make(faces == 0 ? maker->default_faces : faces);
+    MeshSource source = maker->make(faces == 0 ? maker->default_faces : faces);
+    source.is_up_known = true;
+    return source;
 }
 
 }  // namespace rimline

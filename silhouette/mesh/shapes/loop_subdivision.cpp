@@ -81,6 +81,7 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
 
     MeshSource refined;
     refined.up = mesh.up();
+    refined.is_up_known = mesh.is_up_known();
     // First the vertices, then one vertex per edge e: vertex_count + e.
     refined.positions.resize(std::size_t{vertex_count} + mesh.edge_count());
     std::vector<Neighborhood> around(vertex_count);

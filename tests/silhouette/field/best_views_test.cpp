@@ -5,11 +5,16 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "silhouette/field/discounted_field.h"
 #include "silhouette/field/named_functions.h"
+#include "silhouette/mesh/ground_axes.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/winding.h"
 #include "tests/silhouette/field/reference_sum.h"
@@ -153,6 +158,108 @@ TEST_CASE("a closed mesh that is wound inside out has the same views") {
     REQUIRE(found.views.size() == expected.views.size());
     for (std::size_t i = 0; i < expected.views.size(); ++i)
         CHECK(glm::distance(found.views[i].eye, expected.views[i].eye) < 1e-6 * mesh.radius());
+}
+
+BestViews preferred_views(const Mesh& mesh, std::uint32_t count, const glm::dvec3& up,
+                          const VisibleRatios& ratios = {}, bool draws_all = false) {
+    const TangentialField field = make_view_field(mesh);
+    BestViewsOptions options;
+    options.count = count;
+    options.up = up;
+    options.visible_ratios = ratios;
+    options.draws_all = draws_all;
+    return find_best_views(field, options);
+}
+
+TEST_CASE("views from below count less, down to a half at 60 degrees") {
+    const glm::dvec3 up(0, 0, 3);
+    CHECK(height_preference({1, 2, 0}, up) == 1.0);
+    CHECK(height_preference({1, 2, 5}, up) == 1.0);
+    const double below_30 = height_preference({std::sqrt(3.0), 0, -1}, up);
+    CHECK(below_30 == doctest::Approx(0.75));
+    CHECK(height_preference({1, 0, -std::sqrt(3.0)}, up) == doctest::Approx(0.5));
+    CHECK(height_preference({0, 0, -1}, up) == doctest::Approx(0.5));
+}
+
+TEST_CASE("with an up direction the scores have the preference, and drawing all changes nothing") {
+    const Mesh mesh(make_built_in_shape("knot", 3000));
+    const VisibleRatios ratios = [](std::span<const glm::dvec3> eyes) {
+        std::vector<double> values;
+        for (const glm::dvec3& eye : eyes) values.push_back(made_up_ratio(eye));
+        return values;
+    };
+    for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), {0, -1, 0}, {1, 0, 2}}) {
+        const BestViews best = preferred_views(mesh, 4, up, ratios);
+        const BestViews all = preferred_views(mesh, 4, up, ratios, true);
+        REQUIRE(best.views.size() == 4);
+        REQUIRE(all.views.size() == 4);
+        CHECK(best.renders < all.renders);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const BestView& view = best.views[i];
+            CHECK(view.eye == all.views[i].eye);
+            CHECK(in_shell(mesh, view.eye));
+            CHECK(view.visible_ratio == made_up_ratio(view.eye));
+            CHECK(view.preference ==
+                  doctest::Approx(height_preference(view.eye - mesh.center(), up)).epsilon(1e-9));
+        }
+        const BestViews by_votes = preferred_views(mesh, 2, up);
+        CHECK(by_votes.renders == 0);
+        CHECK(by_votes.candidates == 0);
+        for (const BestView& view : by_votes.views) CHECK(view.visible_ratio == 1.0);
+    }
+}
+
+TEST_CASE("of a shape without a best side, the first view is a three-quarter view from above") {
+    const Mesh sphere(make_built_in_shape("sphere", 5000));
+    for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), {0, 0, 1}, {0, -1, 0}}) {
+        const BestView first = preferred_views(sphere, 1, up).views.at(0);
+        const glm::dvec3 direction = glm::normalize(first.eye - sphere.center());
+        CHECK(glm::dot(direction, three_quarter_direction(up)) > 0.88);  // The lattice is coarse.
+    }
+}
+
+TEST_CASE("the mirror image of a chosen view has no votes left where the mirror is known") {
+    // Symmetric across x alone.
+    MeshSource source = make_built_in_shape("knot", 2000);
+    const auto count = static_cast<std::uint32_t>(source.positions.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 p = source.positions[i] + glm::vec3(3, 0, 0);
+        source.positions[i] = p;
+        source.positions.emplace_back(-p.x, p.y, p.z);
+    }
+    const std::size_t faces = source.triangles.size();
+    for (std::size_t i = 0; i < faces; ++i) {
+        const auto [a, b, c] = source.triangles[i];
+        source.triangles.push_back({a + count, c + count, b + count});
+    }
+    const Mesh mesh(source);
+    CHECK(symmetry_axis(mesh) == 0);
+    CHECK(symmetry_axis(Mesh(make_built_in_shape("sphere", 2000))) == std::nullopt);
+    CHECK(symmetry_axis(Mesh(make_built_in_shape("knot", 2000))) == std::nullopt);
+    const Mesh knot(make_built_in_shape("knot", 2000));
+    const TangentialField field = make_view_field(knot);
+    BestViewsOptions options;
+    options.count = 2;
+    const BestViews without = find_best_views(field, options);
+    int fewer = 0;
+    for (const int axis : {0, 1, 2}) {
+        options.mirror_axis = axis;
+        const BestViews with = find_best_views(field, options);
+        REQUIRE(with.views.size() == 2);
+        CHECK(with.views[0].eye == without.views[0].eye);
+        // It counts what the first view and its image leave.
+        DiscountedField left(field);
+        glm::dvec3 seen = field.frame().from_model(with.views[0].eye);
+        left.discount(seen);
+        seen[axis] = -seen[axis];
+        left.discount(seen);
+        CHECK(left.value(seen) < 1e-3 * field.value(seen));
+        const double votes = left.value(field.frame().from_model(with.views[1].eye));
+        CHECK(with.views[1].votes == doctest::Approx(votes));
+        CHECK(with.views[1].votes < 1.01 * without.views[1].votes);
+        fewer += with.views[1].votes < 0.95 * without.views[1].votes ? 1 : 0;
+    }
+    CHECK(fewer > 0);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ import tempfile
 import time
 import zlib
 
-from program import PROGRAM, fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
+from program import (PROGRAM, camera_arguments, drawn_again, fail, fail_for_memory, have_device, is_count, is_vector,
+                     png_rows, png_size, read_file, run, skip, succeed)
 
 
 def check_render(result, output, size):
@@ -48,6 +49,141 @@ def test_render_draws_every_style_camera_and_light():
             check_render(result, output, (96, 64))
             assert result["validation_messages"] is None
             assert (result["shadow_edges"] == 0) == ("--shadows" in options)
+
+
+def test_render_says_its_camera_and_draws_the_same_picture_from_it():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output, other = os.path.join(folder, "a b.png"), os.path.join(folder, "b.png")
+        for options in ([], ["--eye", "0.3,2.1,-4.7"], ["--eye", "3,2,4", "--target", "0.1,0.2,0.3"], ["--ortho", "2.7"],
+                        ["--up", "1,2,3", "--sun", "auto", "--ground"], ["--light", "1,2.3,4", "--sun", "0.1,1,0.7"]):
+            draw = ("render", "shape:knot:2000", "--size", "96x64", "--style", "toon", "--background", "#102030")
+            said = succeed(*draw, "-o", output, *options)
+            assert all(is_vector(said[name]) for name in ("eye", "target", "up"))
+            assert (said["fov"] is None) == ("--ortho" in options) != (said["ortho"] is None)
+            assert 0 < said["near"] and (said["far"] is None or said["far"] > said["near"])
+            ground = [option for option in options if option == "--ground"]
+            succeed(*draw, "-o", other, *camera_arguments(said), *ground)
+            assert read_file(output) == read_file(other), options
+            os.remove(other)
+            told = run(*draw, "-o", output, *options).stdout
+            assert "--style toon" in told.splitlines()[-1] and "'#102030'" in told.splitlines()[-1]
+            again = drawn_again(told, "  again       ", other)
+            assert read_file(output) == read_file(other), options
+            # What it draws is repeated by the same command.
+            assert again.splitlines()[-1].split(" -o ")[0] == told.splitlines()[-1].split(" -o ")[0]
+
+
+def test_views_of_the_whole_model_have_names_and_angles():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        draw = ("render", "shape:box", "-o", output, "--size", "64x64")
+
+        def view(*options):
+            said = succeed(*draw, *options)
+            back = [e - t for e, t in zip(said["eye"], said["target"])]
+            return [x / math.dist(back, (0, 0, 0)) for x in back], said["up"]
+
+        def near(a, b):
+            return math.dist(a, b) < 1e-6
+
+        for name, direction, up in (("front", (0, 0, 1), (0, 1, 0)), ("back", (0, 0, -1), (0, 1, 0)),
+                                    ("left", (-1, 0, 0), (0, 1, 0)), ("right", (1, 0, 0), (0, 1, 0)),
+                                    ("top", (0, 1, 0), (0, 0, -1)), ("bottom", (0, -1, 0), (0, 0, 1))):
+            seen = view("--eye", name)
+            assert near(seen[0], direction) and near(seen[1], up), (name, seen)
+        assert near(view("--eye", "front", "--up", "z")[0], (0, -1, 0))
+        assert near(view("--azimuth", "0", "--elevation", "0")[0], (0, 0, 1))
+        assert near(view("--azimuth", "90", "--elevation", "0")[0], (1, 0, 0))
+        assert near(view("--azimuth=-90", "--elevation", "30")[0], (-math.cos(math.pi / 6), 0.5, 0))
+        assert near(view("--azimuth", "90")[0], view("--azimuth", "90", "--elevation",
+                                                     str(math.degrees(math.asin(0.45 / math.hypot(0.55, 0.45, 1)))))[0])
+        three_quarter = view("--eye", "three-quarter")[0]
+        assert near(three_quarter, [x / math.hypot(0.55, 0.45, 1) for x in (0.55, 0.45, 1)])
+        assert view("--eye", "auto") == view() != view("--eye", "three-quarter")
+        # The built-in scene has its own view.
+        own = ("render", "shape:scene", "-o", output, "--size", "64x64")
+        assert succeed(*own)["eye"] != succeed(*own, "--eye", "auto")["eye"]
+        for options in (["--eye", "side"], ["--eye", "front", "--azimuth", "3"], ["--elevation", "91"]):
+            fail(2, *draw, *options)
+
+
+def write_animal(path, up):
+    """Four legs, a body without a flat side, a neck and a head. Its up axis is y or z."""
+    with open(path, "w") as file:
+        def vertex(x, y, z):
+            file.write(f"v {x} {y} {z}\n" if up == "y" else f"v {x} {-z} {y}\n")
+
+        for low, high in [((x - 0.1, 0, z - 0.1), (x + 0.1, 1.7, z + 0.1)) for x in (-1, 1) for z in (-0.3, 0.3)] + [
+                ((1, 1.7, -0.15), (1.3, 3, 0.15)), ((1, 2.8, -0.2), (1.8, 3.1, 0.2))]:
+            for corner in range(8):
+                vertex(*(high[i] if corner >> i & 1 else low[i] for i in range(3)))
+            for quad in ((1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)):
+                file.write("f " + " ".join(str(i - 9) for i in quad) + "\n")
+        for x, y, z in ((1.7, 0, 0), (-1.7, 0, 0), (0, 0.45, 0), (0, -0.45, 0), (0, 0, 0.9), (0, 0, -0.9)):
+            vertex(x, 1.75 + y, z)
+        for x in (-6, -5):
+            for y in (-4, -3):
+                for z in (-2, -1):
+                    file.write(f"f {x} {y} {z}\n" if (x + y + z) % 2 else f"f {x} {z} {y}\n")
+    return path
+
+
+def test_up_is_chosen_where_nobody_says_it():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        lying, standing = write_animal(os.path.join(folder, "z.obj"), "z"), write_animal(os.path.join(folder, "y.obj"), "y")
+        draw = ("-o", output, "--size", "64x48")
+        for model, options, up, source in ((lying, [], [0, 0, 1], "mesh"), (standing, [], [0, 1, 0], "assumed"),
+                                           (lying, ["--up", "auto"], [0, 0, 1], "mesh"),
+                                           (lying, ["--up", "y"], [0, 1, 0], "option"),
+                                           (lying, ["--up", "-z"], [0, 0, -1], "option"),
+                                           (standing, ["--up", "1,2,3"], [1, 2, 3], "option"),
+                                           ("shape:torus:500", [], [0, 1, 0], "format")):
+            said = succeed("render", model, *draw, *options)
+            assert (said["up"], said["up_from"]) == (up, source), (model, options, said["up"])
+        assert "  up          z, " in run("render", lying, *draw).stdout and "--up y" in run("render", lying, *draw).stdout
+        assert "  up " not in run("render", standing, *draw).stdout
+        for command in ("views", "path"):
+            assert succeed(command, lying, "-k", "2", "--no-ratio")["up_from"] == "mesh"
+        # `draw` takes the same side as up.
+        drawing = os.path.join(folder, "a.json")
+        succeed("draw", lying, "-o", drawing, "--eye", "3,-4,2")
+        chosen = read_file(drawing)
+        succeed("draw", lying, "-o", drawing, "--eye", "3,-4,2", "--up", "z")
+        assert read_file(drawing) == chosen
+        for up in ("w", "+-x", "up", ""):
+            fail(2, "render", lying, *draw, "--up", up)
+
+
+def test_an_eye_alone_shows_the_whole_model():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        draw = ("render", "shape:knot:2000", "-o", output, "--size", "96x72", "--style", "mask", "--lines", "off",
+                "--shadows", "off", "--background", "black")
+
+        def bounds():
+            rows = png_rows(output)
+            lit = [(x, y) for y, row in enumerate(rows) for x, pixel in enumerate(row) if sum(pixel[:3]) > 300]
+            return [f(p[i] for p in lit) for f in (min, max) for i in (0, 1)]
+
+        for eye in ("3,2,4", "0,5,0", "-4,0.3,0.1", "30,1,2"):
+            said = succeed(*draw, f"--eye={eye}")
+            left, top, right, bottom = bounds()
+            assert 0 < left and 0 < top and right < 95 and bottom < 71, (eye, bounds())
+            # It fills the picture and lies in its middle.
+            assert right - left > 80 or bottom - top > 60
+            assert abs(left - (95 - right)) <= 2 and abs(top - (71 - bottom)) <= 2
+            assert said["eye"] == [float(x) for x in struct.unpack("3f", struct.pack("3f", *map(float, eye.split(","))))]
+        # With a target or a field of view, the user says what is shown.
+        assert succeed(*draw, "--eye", "3,2,4", "--target", "0,0,0")["fov"] == 35
+        said = succeed(*draw, "--eye", "3,2,4", "--fov", "10")
+        assert said["fov"] == 10 and bounds() == [0, 0, 95, 71]
+        # No picture from inside shows all.
+        assert succeed(*draw, "--eye", "0.1,0.2,0.3")["fov"] == 35
 
 
 def test_render_casts_the_same_shadows_by_every_method():
@@ -117,7 +253,8 @@ def test_render_chooses_lines_by_style_and_option():
             assert result["creases"] == creases
         pictures = []
         for options in (["--min-length", "0"], ["--min-length", "400"], ["--lines", "off"]):
-            succeed("render", "shape:knot:3000", "-o", output, "--size", "64x64", "--style", "toon", *options)
+            succeed("render", "shape:knot:3000", "-o", output, "--size", "64x64", "--style", "toon",
+                    "--eye", "three-quarter", *options)
             pictures.append(png_rows(output))
         # The outline stays.
         assert pictures[0] != pictures[1] != pictures[2]

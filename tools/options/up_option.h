@@ -1,0 +1,41 @@
+#pragma once
+
+// --up: which way is up. Where neither the user nor the file format says it, the mesh does (silhouette/mesh/upright.h):
+// it is y unless the mesh clearly stands along another axis.
+
+#include <CLI/App.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline::tools {
+
+/// A direction, or an axis: x, y, z, -x, -y, -z.
+CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, const std::string& description);
+/// The same, but the word `auto` sets `is_auto`.
+CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto);
+
+struct ChosenUp {
+    enum class Source {
+        option,
+        format,   ///< The file format, or the built-in shape.
+        mesh,     ///< The mesh stands along another axis than y.
+        assumed,  ///< y.
+    };
+    glm::dvec3 up{0, 1, 0};
+    Source source = Source::assumed;
+};
+
+/// What add_up_or_auto() and the mesh say.
+ChosenUp choose_up(const Mesh& mesh, const std::optional<glm::vec3>& up, bool is_auto);
+/// The same, and stores it in `up`.
+ChosenUp settle_up(const Mesh& mesh, std::optional<glm::vec3>& up, bool is_auto);
+
+/// "option", "format", "mesh" or "assumed".
+const char* up_source_name(ChosenUp::Source source);
+/// One line that says how to overrule a choice by the mesh. Prints nothing for other choices.
+void print_up(const ChosenUp& chosen);
+
+}  // namespace rimline::tools

@@ -1,0 +1,29 @@
+#pragma once
+
+// What a picture was drawn with, in JSON and as the options of `render`. Both give the numbers completely: `render`
+// with these draws the same picture, byte for byte.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/scene.h"
+
+namespace rimline::tools {
+
+/// `eye target up`, `fov` in degrees or `ortho`, the height of an orthographic picture; the other one is null.
+nlohmann::ordered_json camera_json(const Camera& camera);
+/// `near far`: the distances from the eye of the planes between which the scene is drawn. Far is null in a perspective
+/// picture, which has none. They follow from the scene, and near may be negative in an orthographic picture.
+nlohmann::ordered_json clip_planes_json(const Scene& scene);
+/// A list of objects with `position` or `direction`, from the scene towards the light.
+nlohmann::ordered_json lights_json(const std::vector<Light>& lights);
+
+/// An option and its value. `v` must be rounded to float.
+std::string vector_argument(const std::string& option, const glm::dvec3& v);
+
+/// The options --eye, --target, --up, --fov or --ortho, and --light or --sun for each light. Camera and lights must be
+/// rounded to float (picture_scene.h).
+std::vector<std::string> camera_arguments(const Camera& camera, const std::vector<Light>& lights);
+
+}  // namespace rimline::tools
