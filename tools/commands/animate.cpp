@@ -19,6 +19,7 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/output/frame_output.h"
 #include "tools/output/frame_sink.h"
 #include "tools/progress.h"
 #include "tools/run_times.h"

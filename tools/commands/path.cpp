@@ -16,6 +16,7 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/output/frame_output.h"
 #include "tools/output/frame_sink.h"
 #include "tools/output/path_report.h"
 #include "tools/output/view_pictures.h"
