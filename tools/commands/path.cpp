@@ -17,6 +17,7 @@
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/up_option.h"
+#include "tools/output/frame_output.h"
 #include "tools/output/frame_sink.h"
 #include "tools/output/json_vector.h"
 #include "tools/output/path_report.h"

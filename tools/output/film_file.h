@@ -22,7 +22,7 @@ bool is_film_ending(std::string_view ending) noexcept;
 
 class FilmFile final : public FrameSink {
 public:
-    /// Starts ffmpeg. Throws as make_frame_sink() says.
+    /// Starts ffmpeg. Throws as make_frame_sink() (frame_output.h) says.
     FilmFile(const std::filesystem::path& path, const std::string& ending,
              const FrameSinkOptions& options);
     /// Ends ffmpeg, if it still runs.

@@ -5,9 +5,7 @@
 // Each picture is encoded and written on another thread while the next one is drawn.
 
 #include <cstdint>
-#include <filesystem>
 #include <future>
-#include <memory>
 #include <vector>
 
 #include "engine/renderer.h"
@@ -52,12 +50,6 @@ struct FrameSinkOptions {
     ImageSize size;
     PictureFinish finish{};
 };
-
-/// By the ending of the name: .apng, or .mp4, .gif or .webm, which need ffmpeg; else a folder. Create it before the
-/// work, so that a bad name is reported at once. Throws UsageError for the ending of another kind of file, and for
-/// transparent pictures in .mp4; Error{io} if the output cannot be written, or if ffmpeg is not installed.
-std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& output,
-                                           const FrameSinkOptions& options);
 
 /// Draws and writes all frames of an animation. Each frame is submitted before the frame before it is read
 /// back, and written while the next one is drawn. Returns one report per frame, whose `frame_ms` is the time by the

@@ -1,0 +1,53 @@
+#include "tools/output/frame_output.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "tools/command.h"
+#include "tools/output/apng_file.h"
+#include "tools/output/film_file.h"
+#include "tools/output/frame_sequence.h"
+
+namespace rimline::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Endings that nobody gives a folder.
+constexpr std::array<std::string_view, 14> k_other_files{".png",  ".jpg", ".jpeg", ".mov",  ".avi",
+                                                         ".mkv",  ".mpg", ".ogv",  ".webp", ".tif",
+                                                         ".tiff", ".bmp", ".svg",  ".pdf"};
+
+std::string lower_ending(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return ending;
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSink> make_frame_sink(const fs::path& output,
+                                           const FrameSinkOptions& options) {
+    const std::string ending = lower_ending(output);
+    std::error_code ignored;
+    const bool is_folder = fs::is_directory(output, ignored);
+    if (!is_folder && ending == ".apng") return std::make_unique<ApngFile>(output, options);
+    if (!is_folder && is_film_ending(ending))
+        return std::make_unique<FilmFile>(output, ending, options);
+    if (!is_folder && (output == k_standard_output ||
+                       std::ranges::find(k_other_files, ending) != k_other_files.end()))
+        throw UsageError(
+            "-o: expected a folder, or a name that ends in .apng, .mp4, .gif or "
+            ".webm, not '" +
+            output.string() + "'");
+    return std::make_unique<FrameSequence>(output, options.frame_count, options.finish);
+}
+
+}  // namespace rimline::tools
