@@ -19,314 +19,307 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
-<<<<<<< HEAD
 #include "tools/options/up_option.h"
-    =======
 #include "tools/output/frame_output.h"
-    >>>>>>> colors
 #include "tools/output/frame_sink.h"
 #include "tools/output/json_vector.h"
 #include "tools/progress.h"
 #include "tools/run_times.h"
 
-    namespace rimline::tools {
+namespace rimline::tools {
 
-    namespace {
+namespace {
 
-    constexpr const char* k_default_folder = "frames";
+constexpr const char* k_default_folder = "frames";
 
-    struct Totals {
-        SilhouetteChanges changes;
-        std::uint64_t shadow_edges = 0;
-        std::uint64_t bytes_streamed = 0, bytes_full = 0;
-        double frame_ms = 0.0;
-        double max_us = 0.0, max_frame_ms = 0.0;
+struct Totals {
+    SilhouetteChanges changes;
+    std::uint64_t shadow_edges = 0;
+    std::uint64_t bytes_streamed = 0, bytes_full = 0;
+    double frame_ms = 0.0;
+    double max_us = 0.0, max_frame_ms = 0.0;
 
-        void add(const FrameReport& frame) {
-            changes.edges += frame.camera.edges;
-            changes.flips += frame.camera.flips;
-            changes.added += frame.camera.added;
-            changes.removed += frame.camera.removed;
-            changes.counters += frame.camera.counters;
-            changes.update_us += frame.camera.update_us;
-            shadow_edges += frame.shadow_edges;
-            bytes_streamed += frame.bytes_streamed;
-            bytes_full += frame.bytes_full;
-            frame_ms += frame.frame_ms;
-            max_us = std::max(max_us, frame.camera.update_us);
-            max_frame_ms = std::max(max_frame_ms, frame.frame_ms);
-        }
-    };
+    void add(const FrameReport& frame) {
+        changes.edges += frame.camera.edges;
+        changes.flips += frame.camera.flips;
+        changes.added += frame.camera.added;
+        changes.removed += frame.camera.removed;
+        changes.counters += frame.camera.counters;
+        changes.update_us += frame.camera.update_us;
+        shadow_edges += frame.shadow_edges;
+        bytes_streamed += frame.bytes_streamed;
+        bytes_full += frame.bytes_full;
+        frame_ms += frame.frame_ms;
+        max_us = std::max(max_us, frame.camera.update_us);
+        max_frame_ms = std::max(max_frame_ms, frame.frame_ms);
+    }
+};
 
-    nlohmann::ordered_json to_json(const SilhouetteChanges& changes, std::uint64_t shadow_edges,
-                                   std::uint64_t bytes_streamed, std::uint64_t bytes_full,
-                                   double frame_ms) {
-        return {{"flips", changes.flips},
-                {"added", changes.added},
-                {"removed", changes.removed},
-                {"silhouette", changes.edges},
-                {"box_checks", changes.counters.box_checks},
-                {"face_checks", changes.counters.face_checks},
-                {"edge_checks", changes.counters.edge_checks},
-                {"shadow_edges", shadow_edges},
-                {"bytes_streamed", bytes_streamed},
-                {"bytes_full", bytes_full},
-                {"us", changes.update_us},
-                {"frame_ms", frame_ms}};
+nlohmann::ordered_json to_json(const SilhouetteChanges& changes, std::uint64_t shadow_edges,
+                               std::uint64_t bytes_streamed, std::uint64_t bytes_full,
+                               double frame_ms) {
+    return {{"flips", changes.flips},
+            {"added", changes.added},
+            {"removed", changes.removed},
+            {"silhouette", changes.edges},
+            {"box_checks", changes.counters.box_checks},
+            {"face_checks", changes.counters.face_checks},
+            {"edge_checks", changes.counters.edge_checks},
+            {"shadow_edges", shadow_edges},
+            {"bytes_streamed", bytes_streamed},
+            {"bytes_full", bytes_full},
+            {"us", changes.update_us},
+            {"frame_ms", frame_ms}};
+}
+
+class AnimateCommand final : public Command {
+public:
+    std::string name() const override { return "animate"; }
+    std::string summary() const override {
+        return "Draw a sequence of pictures, as PNGs or a film";
     }
 
-    class AnimateCommand final : public Command {
-    public:
-        std::string name() const override { return "animate"; }
-        std::string summary() const override {
-            return "Draw a sequence of pictures, as PNGs or a film";
+    void add_options(CLI::App& app) override {
+        model_.add_to(app, ModelArgument::Presence::optional);
+        app.add_option("-o,--output", output_,
+                       "Folder for the pictures frame_0000.png ..., or a film: a name that ends in "
+                       ".apng, or, with ffmpeg, in .mp4, .gif or .webm")
+            ->type_name("FOLDER|FILE")
+            ->capture_default_str()
+            ->group("Output");
+        add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
+        path_.frames = 120;
+        path_.add_to(app, "chosen to show the whole model");
+        constexpr const char* k_group = "Motion";
+        light_step_option_ = add_number(app, "--light-step", light_step_degrees_, -360.0, 360.0,
+                                        "Turn the lights around the model by this angle per frame, "
+                                        "in degrees")
+                                 ->group(k_group);
+        app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
+            ->excludes(light_step_option_)
+            ->group(k_group);
+        app.add_option("--deform", deform_, "Deform the model: a wave travels through it")
+            ->check(CLI::IsMember({"wave"}))
+            ->group(k_group);
+        wave_step_option_ = add_number(app, "--wave-step", wave_step_degrees_, -360.0, 360.0,
+                                       "Motion of the wave per frame in degrees; 360 is one "
+                                       "wavelength (default: 360 in all frames together)")
+                                ->default_str("")
+                                ->group(k_group);
+        scene_.add_to(app);
+        scene_.add_palette_to(app);
+        picture_.add_camera_to(app);
+        picture_.add_lights_to(app);
+        picture_.add_image_to(app, PictureOptions::Background::any);
+        picture_.add_machine_to(app);
+        app.footer(
+            "The camera moves along the path and looks at the model's center, or at --target. "
+            "With "
+            "--eye it\n"
+            "does not move. For a direction in the path, the camera stands in that direction, "
+            "at "
+            "the distance of\n"
+            "an orbit. An interrupt leaves complete files of the frames before it. Counts are "
+            "those "
+            "of the\n"
+            "camera's silhouettes. Silhouettes of a model that deforms are computed on the "
+            "GPU.\n\n"
+            "Examples:\n"
+            "  rimline animate igea.ply --frames 120 --step 0.5 -o frames\n"
+            "  rimline animate shape:scene --eye 2,4,8 --light 3,4,2 --light-step 3 --style "
+            "toon\n"
+            "  rimline animate shape:spring --deform wave --frames 60 --ground -o wave\n"
+            "  rimline animate ogre.obj --frames 48 -o ogre.mp4");
+    }
+
+    ExitStatus run(const Context& context) override {
+        check_usage();
+        RunTimes times(context.started);
+        if (!picture_.eye) path_.read(context);
+        const std::unique_ptr<FrameSink> sink =
+            make_frame_sink(output_, {.frame_count = path_.frames,
+                                      .fps = fps_,
+                                      .size = picture_.size,
+                                      .finish = scene_.finish(picture_)});
+        if (model_.model.empty()) model_.model = k_default_model;
+        const Mesh mesh = model_.load_mesh(context, scene_.textures());
+        context.checkpoint();
+        times.end("reading");
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
+        if (!picture_.eye) {
+            Progress progress(context, "choosing the first view");
+            picture_.view.choose(model_.model, mesh, up_.up, progress.call());
+        }
+        const DrawingDevice device(picture_);
+        times.end("device");
+
+        // A deforming mesh has no octree.
+        std::optional<HoughOctree> octree;
+        if (deform_.empty()) octree.emplace(build_octree(model_.model, mesh, context));
+        const glm::dvec3 up = up_of(mesh, picture_);
+        const std::optional<Wave> wave =
+            deform_.empty() ? std::nullopt : std::optional(default_wave(mesh, up, 0.0));
+        const double reach = mesh.radius() + (wave ? wave->amplitude : 0.0);
+        const Motion motion = make_motion(mesh, up, reach, wave);
+        Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
+        check_scene_reach(model_.model, mesh, {&first.camera.eye, 1}, scene_.ground);
+        first.instances.push_back({.octree = octree ? &*octree : nullptr,
+                                   .name = model_.model,
+                                   .material = scene_.material(picture_),
+                                   .is_solid = octree && check_solid(mesh, context)});
+        std::optional<Ground> ground;
+        if (scene_.ground) {
+            ground.emplace(mesh, up, wave ? wave->amplitude : 0.0);
+            first.instances.push_back(ground->instance(first));
         }
 
-        void add_options(CLI::App& app) override {
-            model_.add_to(app, ModelArgument::Presence::optional);
-            app.add_option(
-                   "-o,--output", output_,
-                   "Folder for the pictures frame_0000.png ..., or a film: a name that ends in "
-                   ".apng, or, with ffmpeg, in .mp4, .gif or .webm")
-                ->type_name("FOLDER|FILE")
-                ->capture_default_str()
-                ->group("Output");
-            add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
-            path_.frames = 120;
-            path_.add_to(app, "chosen to show the whole model");
-            constexpr const char* k_group = "Motion";
-            light_step_option_ =
-                add_number(app, "--light-step", light_step_degrees_, -360.0, 360.0,
-                           "Turn the lights around the model by this angle per frame, "
-                           "in degrees")
-                    ->group(k_group);
-            app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
-                ->excludes(light_step_option_)
-                ->group(k_group);
-            app.add_option("--deform", deform_, "Deform the model: a wave travels through it")
-                ->check(CLI::IsMember({"wave"}))
-                ->group(k_group);
-            wave_step_option_ = add_number(app, "--wave-step", wave_step_degrees_, -360.0, 360.0,
-                                           "Motion of the wave per frame in degrees; 360 is one "
-                                           "wavelength (default: 360 in all frames together)")
-                                    ->default_str("")
-                                    ->group(k_group);
-            scene_.add_to(app);
-            scene_.add_palette_to(app);
-            picture_.add_camera_to(app);
-            picture_.add_lights_to(app);
-            picture_.add_image_to(app, PictureOptions::Background::any);
-            picture_.add_machine_to(app);
-            app.footer(
-                "The camera moves along the path and looks at the model's center, or at --target. "
-                "With "
-                "--eye it\n"
-                "does not move. For a direction in the path, the camera stands in that direction, "
-                "at "
-                "the distance of\n"
-                "an orbit. An interrupt leaves complete files of the frames before it. Counts are "
-                "those "
-                "of the\n"
-                "camera's silhouettes. Silhouettes of a model that deforms are computed on the "
-                "GPU.\n\n"
-                "Examples:\n"
-                "  rimline animate igea.ply --frames 120 --step 0.5 -o frames\n"
-                "  rimline animate shape:scene --eye 2,4,8 --light 3,4,2 --light-step 3 --style "
-                "toon\n"
-                "  rimline animate shape:spring --deform wave --frames 60 --ground -o wave\n"
-                "  rimline animate ogre.obj --frames 48 -o ogre.mp4");
-        }
+        Animation animation(std::move(first), mesh, motion);
+        times.end("index");
+        const std::uint32_t frame_count =
+            motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
+        const Result result = about_model(model_.model, [&] {
+            Renderer renderer(device.context());
+            Progress progress(context, "drawing frames");
+            return Result{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
+                                                *sink, progress.call()),
+                          .stream_bytes = renderer.stream_bytes(),
+                          .tracker_bytes = renderer.tracker_bytes()};
+        });
+        times.end("drawing");
+        if (context.json)
+            print_result(device, result, times);
+        else
+            print_summary(device, result.frames, times);
+        return ExitStatus::success;
+    }
 
-        ExitStatus run(const Context& context) override {
-            check_usage();
-            RunTimes times(context.started);
-            if (!picture_.eye) path_.read(context);
-            const std::unique_ptr<FrameSink> sink =
-                make_frame_sink(output_, {.frame_count = path_.frames,
-                                          .fps = fps_,
-                                          .size = picture_.size,
-                                          .finish = scene_.finish(picture_)});
-            if (model_.model.empty()) model_.model = k_default_model;
-            const Mesh mesh = model_.load_mesh(context, scene_.textures());
-            context.checkpoint();
-            times.end("reading");
-            up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
-            if (!picture_.eye) {
-                Progress progress(context, "choosing the first view");
-                picture_.view.choose(model_.model, mesh, up_.up, progress.call());
-            }
-            const DrawingDevice device(picture_);
-            times.end("device");
-
-            // A deforming mesh has no octree.
-            std::optional<HoughOctree> octree;
-            if (deform_.empty()) octree.emplace(build_octree(model_.model, mesh, context));
-            const glm::dvec3 up = up_of(mesh, picture_);
-            const std::optional<Wave> wave =
-                deform_.empty() ? std::nullopt : std::optional(default_wave(mesh, up, 0.0));
-            const double reach = mesh.radius() + (wave ? wave->amplitude : 0.0);
-            const Motion motion = make_motion(mesh, up, reach, wave);
-            Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
-            check_scene_reach(model_.model, mesh, {&first.camera.eye, 1}, scene_.ground);
-            first.instances.push_back({.octree = octree ? &*octree : nullptr,
-                                       .name = model_.model,
-                                       .material = scene_.material(picture_),
-                                       .is_solid = octree && check_solid(mesh, context)});
-            std::optional<Ground> ground;
-            if (scene_.ground) {
-                ground.emplace(mesh, up, wave ? wave->amplitude : 0.0);
-                first.instances.push_back(ground->instance(first));
-            }
-
-            Animation animation(std::move(first), mesh, motion);
-            times.end("index");
-            const std::uint32_t frame_count =
-                motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
-            const Result result = about_model(model_.model, [&] {
-                Renderer renderer(device.context());
-                Progress progress(context, "drawing frames");
-                return Result{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
-                                                    *sink, progress.call()),
-                              .stream_bytes = renderer.stream_bytes(),
-                              .tracker_bytes = renderer.tracker_bytes()};
-            });
-            times.end("drawing");
-            if (context.json)
-                print_result(device, result, times);
-            else
-                print_summary(device, result.frames, times);
-            return ExitStatus::success;
-        }
-
-    private:
-        struct Result {
-            std::vector<FrameReport> frames;
-            // GPU memory of silhouettes, and CPU memory of trackers.
-            std::uint64_t stream_bytes = 0, tracker_bytes = 0;
-        };
-
-        void check_usage() const {
-            scene_.check_usage(picture_);
-            if (picture_.eye && path_.is_moving())
-                throw UsageError(
-                    "--eye: the camera stands there; leave out --path, --radius and --step");
-            if (wave_step_option_->count() > 0 && deform_.empty())
-                throw UsageError("--wave-step: belongs to --deform wave");
-        }
-
-        Motion make_motion(const Mesh& mesh, const glm::dvec3& up, double reach,
-                           const std::optional<Wave>& wave) const {
-            Motion motion{.eyes = {},
-                          .distance = fitting_distance(reach > 0.0 ? reach : 1.0),
-                          .lights = LightMotion::still,
-                          .light_step_degrees = light_step_degrees_,
-                          .wave = wave,
-                          .wave_turns = 0.0};
-            if (!picture_.eye)
-                motion.eyes =
-                    path_.points(mesh, glm::vec3(up),
-                                 mesh.radius() > 0.0 ? motion.distance / mesh.radius() : 1.0,
-                                 orbit_angle_rad(picture_.view.direction(model_.model, up), up));
-            if (light_follow_) motion.lights = LightMotion::with_camera;
-            if (light_step_degrees_ != 0.0) motion.lights = LightMotion::turning;
-            const double frames = motion.eyes.empty() ? path_.frames : double(motion.eyes.size());
-            motion.wave_turns =
-                wave_step_option_->count() > 0 ? wave_step_degrees_ / 360.0 : 1.0 / frames;
-            return motion;
-        }
-
-        // The distance at which a sphere of this radius fills the picture.
-        double fitting_distance(double radius) const {
-            if (picture_.ortho_height) return 3.0 * radius;
-            const double aspect = double(picture_.size.width) / picture_.size.height;
-            const double tangent =
-                std::tan(0.5 * glm::radians(picture_.fov())) * std::min(aspect, 1.0);
-            return k_view_margin * radius * std::sqrt(1.0 + tangent * tangent) / tangent;
-        }
-
-        // The camera that `render` would choose, at the first eye of the path.
-        Camera first_camera(const Mesh& mesh, const Motion& motion) const {
-            if (picture_.eye) return make_camera(mesh, model_.model, picture_);
-            Camera camera{.eye = {},
-                          .target = picture_.target ? glm::dvec3(*picture_.target) : mesh.center(),
-                          .up = up_of(mesh, picture_),
-                          .fov_y_deg = picture_.fov(),
-                          .ortho_height = picture_.ortho_height.value_or(0.0)};
-            // The front view, if no eye of the path differs from the target.
-            camera.eye = camera.target + glm::dvec3(0.0, 0.0, motion.distance);
-            for (const HomogeneousPoint& point : motion.eyes) {
-                if (point.is_direction()) continue;
-                const glm::dvec3 eye(point.xyz());
-                if (glm::distance(eye, camera.target) <= 1e-9 * motion.distance) continue;
-                camera.eye = eye;
-                break;
-            }
-            return camera;
-        }
-
-        void print_result(const DrawingDevice& device, const Result& result,
-                          const RunTimes& times) const {
-            nlohmann::ordered_json frames = nlohmann::ordered_json::array();
-            Totals totals;
-            for (const FrameReport& report : result.frames) {
-                frames.push_back(to_json(report.camera, report.shadow_edges, report.bytes_streamed,
-                                         report.bytes_full, report.frame_ms));
-                totals.add(report);
-            }
-            nlohmann::ordered_json sums =
-                to_json(totals.changes, totals.shadow_edges, totals.bytes_streamed,
-                        totals.bytes_full, totals.frame_ms);
-            sums["max_us"] = totals.max_us;
-            sums["max_frame_ms"] = totals.max_frame_ms;
-            sums["stream_memory_bytes"] = result.stream_bytes;
-            sums["tracker_memory_bytes"] = result.tracker_bytes;
-            nlohmann::ordered_json json{{"model", model_.model},
-                                        {"path", picture_.eye ? "still" : path_.path}};
-            json["up"] = json_vector(up_.up);
-            json["up_from"] = up_source_name(up_.source);
-            json.update(device_json(&device));
-            json.update({{"frames", std::move(frames)},
-                         {"totals", std::move(sums)},
-                         {"times_ms", times.json()},
-                         {"output", output_}});
-            print_json(json);
-        }
-
-        void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports,
-                           const RunTimes& times) const {
-            Totals totals;
-            for (const FrameReport& report : reports) totals.add(report);
-            const auto mean = [n = double(reports.size())](auto sum) { return double(sum) / n; };
-            std::printf("%s: %zu frames\n", output_.c_str(), reports.size());
-            std::printf("  a frame     %.1f faces turn, %.1f edges join, %.1f leave, of %.1f\n",
-                        mean(totals.changes.flips), mean(totals.changes.added),
-                        mean(totals.changes.removed), mean(totals.changes.edges));
-            std::printf("  streamed    %.1f bytes, of %.1f for all\n", mean(totals.bytes_streamed),
-                        mean(totals.bytes_full));
-            std::printf("  a frame     %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
-                        totals.max_frame_ms, device.device.facts().name.c_str());
-            print_up(up_);
-            std::printf("  time        %s\n", times.sentence().c_str());
-            print_validation(device);
-        }
-
-        ModelArgument model_;
-        PathOptions path_;
-        SceneOptions scene_;
-        PictureOptions picture_;
-        ChosenUp up_;
-        std::string output_ = k_default_folder;
-        std::uint32_t fps_ = 30;
-        double light_step_degrees_ = 0.0;
-        CLI::Option* light_step_option_ = nullptr;
-        bool light_follow_ = false;
-        std::string deform_;
-        double wave_step_degrees_ = 6.0;
-        CLI::Option* wave_step_option_ = nullptr;
+private:
+    struct Result {
+        std::vector<FrameReport> frames;
+        // GPU memory of silhouettes, and CPU memory of trackers.
+        std::uint64_t stream_bytes = 0, tracker_bytes = 0;
     };
 
-    }  // namespace
+    void check_usage() const {
+        scene_.check_usage(picture_);
+        if (picture_.eye && path_.is_moving())
+            throw UsageError(
+                "--eye: the camera stands there; leave out --path, --radius and --step");
+        if (wave_step_option_->count() > 0 && deform_.empty())
+            throw UsageError("--wave-step: belongs to --deform wave");
+    }
 
-    std::unique_ptr<Command> make_animate_command() { return std::make_unique<AnimateCommand>(); }
+    Motion make_motion(const Mesh& mesh, const glm::dvec3& up, double reach,
+                       const std::optional<Wave>& wave) const {
+        Motion motion{.eyes = {},
+                      .distance = fitting_distance(reach > 0.0 ? reach : 1.0),
+                      .lights = LightMotion::still,
+                      .light_step_degrees = light_step_degrees_,
+                      .wave = wave,
+                      .wave_turns = 0.0};
+        if (!picture_.eye)
+            motion.eyes = path_.points(
+                mesh, glm::vec3(up), mesh.radius() > 0.0 ? motion.distance / mesh.radius() : 1.0,
+                orbit_angle_rad(picture_.view.direction(model_.model, up), up));
+        if (light_follow_) motion.lights = LightMotion::with_camera;
+        if (light_step_degrees_ != 0.0) motion.lights = LightMotion::turning;
+        const double frames = motion.eyes.empty() ? path_.frames : double(motion.eyes.size());
+        motion.wave_turns =
+            wave_step_option_->count() > 0 ? wave_step_degrees_ / 360.0 : 1.0 / frames;
+        return motion;
+    }
+
+    // The distance at which a sphere of this radius fills the picture.
+    double fitting_distance(double radius) const {
+        if (picture_.ortho_height) return 3.0 * radius;
+        const double aspect = double(picture_.size.width) / picture_.size.height;
+        const double tangent = std::tan(0.5 * glm::radians(picture_.fov())) * std::min(aspect, 1.0);
+        return k_view_margin * radius * std::sqrt(1.0 + tangent * tangent) / tangent;
+    }
+
+    // The camera that `render` would choose, at the first eye of the path.
+    Camera first_camera(const Mesh& mesh, const Motion& motion) const {
+        if (picture_.eye) return make_camera(mesh, model_.model, picture_);
+        Camera camera{.eye = {},
+                      .target = picture_.target ? glm::dvec3(*picture_.target) : mesh.center(),
+                      .up = up_of(mesh, picture_),
+                      .fov_y_deg = picture_.fov(),
+                      .ortho_height = picture_.ortho_height.value_or(0.0)};
+        // The front view, if no eye of the path differs from the target.
+        camera.eye = camera.target + glm::dvec3(0.0, 0.0, motion.distance);
+        for (const HomogeneousPoint& point : motion.eyes) {
+            if (point.is_direction()) continue;
+            const glm::dvec3 eye(point.xyz());
+            if (glm::distance(eye, camera.target) <= 1e-9 * motion.distance) continue;
+            camera.eye = eye;
+            break;
+        }
+        return camera;
+    }
+
+    void print_result(const DrawingDevice& device, const Result& result,
+                      const RunTimes& times) const {
+        nlohmann::ordered_json frames = nlohmann::ordered_json::array();
+        Totals totals;
+        for (const FrameReport& report : result.frames) {
+            frames.push_back(to_json(report.camera, report.shadow_edges, report.bytes_streamed,
+                                     report.bytes_full, report.frame_ms));
+            totals.add(report);
+        }
+        nlohmann::ordered_json sums =
+            to_json(totals.changes, totals.shadow_edges, totals.bytes_streamed, totals.bytes_full,
+                    totals.frame_ms);
+        sums["max_us"] = totals.max_us;
+        sums["max_frame_ms"] = totals.max_frame_ms;
+        sums["stream_memory_bytes"] = result.stream_bytes;
+        sums["tracker_memory_bytes"] = result.tracker_bytes;
+        nlohmann::ordered_json json{{"model", model_.model},
+                                    {"path", picture_.eye ? "still" : path_.path}};
+        json["up"] = json_vector(up_.up);
+        json["up_from"] = up_source_name(up_.source);
+        json.update(device_json(&device));
+        json.update({{"frames", std::move(frames)},
+                     {"totals", std::move(sums)},
+                     {"times_ms", times.json()},
+                     {"output", output_}});
+        print_json(json);
+    }
+
+    void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports,
+                       const RunTimes& times) const {
+        Totals totals;
+        for (const FrameReport& report : reports) totals.add(report);
+        const auto mean = [n = double(reports.size())](auto sum) { return double(sum) / n; };
+        std::printf("%s: %zu frames\n", output_.c_str(), reports.size());
+        std::printf("  a frame     %.1f faces turn, %.1f edges join, %.1f leave, of %.1f\n",
+                    mean(totals.changes.flips), mean(totals.changes.added),
+                    mean(totals.changes.removed), mean(totals.changes.edges));
+        std::printf("  streamed    %.1f bytes, of %.1f for all\n", mean(totals.bytes_streamed),
+                    mean(totals.bytes_full));
+        std::printf("  a frame     %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
+                    totals.max_frame_ms, device.device.facts().name.c_str());
+        print_up(up_);
+        std::printf("  time        %s\n", times.sentence().c_str());
+        print_validation(device);
+    }
+
+    ModelArgument model_;
+    PathOptions path_;
+    SceneOptions scene_;
+    PictureOptions picture_;
+    ChosenUp up_;
+    std::string output_ = k_default_folder;
+    std::uint32_t fps_ = 30;
+    double light_step_degrees_ = 0.0;
+    CLI::Option* light_step_option_ = nullptr;
+    bool light_follow_ = false;
+    std::string deform_;
+    double wave_step_degrees_ = 6.0;
+    CLI::Option* wave_step_option_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_animate_command() { return std::make_unique<AnimateCommand>(); }
 
 }  // namespace rimline::tools
