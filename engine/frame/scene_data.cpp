@@ -6,6 +6,7 @@
 
 #include "engine/frame/silhouette_points.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/mesh/rounded_to_float.h"
 
 namespace rimline {
 
@@ -58,7 +59,7 @@ ShadowView shadow_view(const FrameView& view, const SceneInstance& instance) {
     const glm::dvec3 back = glm::normalize(scene.camera.eye - scene.camera.target);
     ShadowView shadow{.orthographic = scene.camera.is_orthographic(),
                       // As instance_data() has it.
-                      .eye = glm::dvec3(glm::vec3(point_in_object(instance, scene.camera.eye))),
+                      .eye = rounded_to_float(point_in_object(instance, scene.camera.eye)),
                       .back = direction_in_object(instance, back)};
     if (!shadow.orthographic) {
         // The near plane is where clip.z is clip.w; at its corners clip.x and clip.y are too.

@@ -16,6 +16,7 @@
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/image_barrier.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/mesh/rounded_to_float.h"
 
 namespace rimline::tools {
 
@@ -56,7 +57,7 @@ public:
         const Mesh& mesh = instance.mesh();
         reach_ = shadow.reach;
         point_ = view_.instances[shadow.instance].lights[shadow.light].point;
-        camera_ = glm::dvec3(glm::vec3(point_in_object(instance, view_.scene.camera.eye)));
+        camera_ = rounded_to_float(point_in_object(instance, view_.scene.camera.eye));
         eye_from_object_ = glm::dmat3(glm::mat3(view_.eye_from_world * instance.rotation));
         extrusion_ =
             view_.projection.is_orthographic()

@@ -10,10 +10,11 @@
 
 #include "silhouette/lines/fitted_eye.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/mesh/rounded_to_float.h"
 
 namespace rimline::tools {
 
-inline glm::dvec3 rounded_to_float(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
+using rimline::rounded_to_float;
 
 struct ViewCamera {
     glm::dvec3 eye, target, up;

@@ -62,14 +62,14 @@ def test_views_say_their_cameras_and_render_draws_the_same_pictures():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
         output, other = os.path.join(folder, "views"), os.path.join(folder, "b.png")
-        command = ("views", "shape:knot:2000", "-k", "2", "--no-ratio", "-o", output, *SMALL, "--style", "toon", "--ground")
+        command = ("views", "shape:knot:2000", "-k", "2", "--no-ratio", "-o", output, *SMALL, "--style", "hatch", "--ground")
         for options in ([], ["--sun", "auto", "--up", "0,0,1"]):
             result = succeed(*command, *options)
             told = run(*command, *options).stdout
             for i, view in enumerate(result["views"], 1):
                 assert all(is_vector(view[name]) for name in ("eye", "target", "up")) and view["lights"]
                 drawn = read_file(os.path.join(output, f"view_{i}.png"))
-                succeed("render", "shape:knot:2000", *SMALL, "--style", "toon", "--ground", "-o", other,
+                succeed("render", "shape:knot:2000", *SMALL, "--style", "hatch", "--ground", "-o", other,
                         *camera_arguments({**view, "ortho": None}))
                 assert read_file(other) == drawn
                 drawn_again(told, f"  draw {i}      ", other)
