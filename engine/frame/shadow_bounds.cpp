@@ -13,6 +13,7 @@
 
 #include "engine/frame/scene_data.h"
 #include "engine/frame/silhouette_points.h"
+#include "silhouette/mesh/rounded_to_float.h"
 
 namespace rimline {
 
@@ -268,8 +269,8 @@ ShadowBounds::Box ShadowBounds::box_of(std::size_t instance) const {
     const SceneInstance& placed = view_.scene.instances[instance];
     const CasterBox box = caster_box(placed);
     // As instance_data() has them.
-    const glm::dvec3 camera(glm::vec3(point_in_object(placed, view_.scene.camera.eye)));
-    const glm::dmat3 axes(glm::mat3(view_.eye_from_world * placed.rotation));
+    const glm::dvec3 camera = rounded_to_float(point_in_object(placed, view_.scene.camera.eye));
+    const glm::dmat3 axes = rounded_to_float(view_.eye_from_world * placed.rotation);
     const glm::dvec3 low = box.low - camera;
     const glm::dvec3 high = box.high - camera;
     return {axes, low, high, glm::length(glm::max(glm::abs(low), glm::abs(high)))};
@@ -319,8 +320,8 @@ ShadowBounds::ShadowBounds(const FrameView& view, bool has_backdrop)
 ShadowReach ShadowBounds::reach_of(std::size_t instance, std::size_t light, float extrusion) const {
     const Box caster = box_of(instance);
     const HomogeneousPoint& point = view_.instances[instance].lights[light].point;
-    const glm::dvec3 camera(
-        glm::vec3(point_in_object(view_.scene.instances[instance], view_.scene.camera.eye)));
+    const glm::dvec3 camera =
+        rounded_to_float(point_in_object(view_.scene.instances[instance], view_.scene.camera.eye));
     const glm::dvec4 from = point.is_direction()
                                 ? glm::dvec4(glm::dvec3(point.xyz()), 0.0)
                                 : glm::dvec4(glm::dvec3(point.xyz()) - camera, 1.0);
