@@ -67,7 +67,7 @@ double height_preference(const glm::dvec3& direction, const glm::dvec3& up) {
 }
 
 std::optional<int> symmetry_axis(const Mesh& mesh) {
-    constexpr double k_symmetric = 0.9;
+    constexpr double k_symmetric = 0.9;  // Nefertiti has 0.93.
     const UprightEvidence evidence = measure_upright(mesh);
     for (int axis = 0; axis < 3; ++axis)
         if (evidence.symmetry[std::size_t(axis)] >= k_symmetric &&
