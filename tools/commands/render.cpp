@@ -14,6 +14,7 @@
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/shadow_framing.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
@@ -56,7 +57,8 @@ public:
             "not given.\n"
             "All lights have the same intensity. A chosen camera need not look at the model's "
             "center exactly:\n"
-            "it is placed so that the model fills the picture.\n"
+            "it is placed so that the model fills the picture, and with --ground its shadow is in "
+            "it, too.\n"
             "Lines are visible exactly where no face of the model hides them. Times are by the "
             "clock and add up\n"
             "to the run; `frame_ms` is the part of drawing after everything is on the device.\n\n"
@@ -86,10 +88,13 @@ public:
 
         Scene scene =
             options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
+        const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
+        if (frames_shadows(scene))
+            scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights, ground_up,
+                                              double(picture_.size.width) / picture_.size.height);
         check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
             {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
-        const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
         std::optional<Ground> ground;
         if (options_.ground) {
             ground.emplace(mesh, ground_up, 0.0);
@@ -125,6 +130,12 @@ public:
     }
 
 private:
+    // Only a camera that the command has placed moves away.
+    bool frames_shadows(const Scene& scene) const {
+        return options_.ground && scene.shadows && !picture_.eye && !picture_.target &&
+               !scene.camera.is_orthographic();
+    }
+
     void choose_view(const Mesh& mesh, const Context& context) {
         if (picture_.eye) return;
         Progress progress(context, "choosing the view");
