@@ -52,9 +52,9 @@ struct BestViewsOptions {
     /// Candidates to render are the peaks of the votes and every `stride`-th sample of the lattice along
     /// each axis. 2 gives the same scores as 1 with a quarter of the candidates.
     std::uint32_t stride = 2;
-    /// People seldom look at things from below. With `up`, the score of a view is multiplied by 1 above the horizon, and
-    /// below it by a factor that falls linearly to 0.5 at 60 degrees. Of views whose score is within 5% of the best one,
-    /// the nearest to a three-quarter view is chosen.
+    /// People seldom look at things from below. With `up`, the score of a view is multiplied by 1 above the
+    /// horizon, and below it by a factor that falls linearly to 0.5 at 60 degrees. Of views whose score is
+    /// within 5% of the best one, the nearest to a three-quarter view is chosen.
     std::optional<glm::dvec3> up;
     /// Of the plane of symmetry across this axis, if the mesh has one: a mirror image of a chosen view counts what it
     /// adds (symmetry_axis()).

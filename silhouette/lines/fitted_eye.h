@@ -35,7 +35,8 @@ struct FittedLens {
 
 /// Turns a camera that stays at `eye`, and chooses its field of view so that the picture, `aspect` times as wide as
 /// high, holds all positions with a margin of 6%, in its middle. Returns nothing if there is no position, or if one
-/// lies behind the eye or more than 80 degrees aside: then no picture can hold all. `up` must not be zero. O(positions).
+/// lies behind the eye or more than 80 degrees aside: then no picture can hold all. `up` must not be zero.
+/// O(positions).
 std::optional<FittedLens> fit_lens(std::span<const glm::vec3> positions, const glm::dvec3& center,
                                    const glm::dvec3& eye, const glm::dvec3& up, double aspect);
 

@@ -19,8 +19,8 @@
 //   The mesh is not symmetric across the chosen axis alone.
 //   The mesh is not lowest along the chosen axis, unless it rests there on a flat face as large as half its footprint.
 //
-// The limits were chosen on the meshes of this project and 139 of CGAL's. Of these, 11 are turned, none wrongly as far as
-// pictures tell, and three lie that should stand. They were judged on no others.
+// The limits were chosen on the meshes of this project and 139 of CGAL's. Of these, 11 are turned, none wrongly
+// as far as pictures tell, and three lie that should stand. They were judged on no others.
 
 #include <array>
 #include <cstddef>

@@ -42,8 +42,8 @@ struct LineCameraOptions {
         ortho_height;  ///< Not set in an orthographic view: it shows the whole model.
 
     void add_to(CLI::App& app);
-    /// Without an eye, the three-quarter view of `render`, or its view of the built-in scene. Throws UsageError if eye and target coincide, and
-    /// Error{too_large} if the eye is too far away.
+    /// Without an eye, the three-quarter view of `render`, or its view of the built-in scene. Throws UsageError
+    /// if eye and target coincide, and Error{too_large} if the eye is too far away.
     LineCamera make_camera(const std::string& model, const Mesh& mesh) const;
     glm::dvec3 up_of(const Mesh& mesh) const;
 };

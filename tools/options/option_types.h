@@ -54,7 +54,8 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& va
                        std::uint32_t low, std::uint32_t high, const std::string& description);
 
 /// The name of an output file. It must end in `ending`, for example ".png", in upper or lower case. Devices,
-/// pipes and links in /dev (/dev/stdout) may have any name, and - is standard output. `value` holds the default; empty: no default.
+/// pipes and links in /dev (/dev/stdout) may have any name, and - is standard output. `value` holds the
+/// default; empty: no default.
 CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& value,
                         const std::string& ending, const std::string& description);
 

@@ -33,7 +33,8 @@ Camera rounded_to_float(const Camera& camera);
 
 /// The camera of the options, rounded_to_float(). Without --eye, one that shows the whole model; with --eye and without
 /// --target and --fov too, unless the model reaches beside or behind the eye. `model` is the model's name: the
-/// built-in scene has its own view direction. ViewOption::choose() comes before, or a chosen view is the default one. Throws UsageError if eye and target coincide.
+/// built-in scene has its own view direction. ViewOption::choose() comes before, or a chosen view is the
+/// default one. Throws UsageError if eye and target coincide.
 Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
 
 /// An instance of the mesh make_ground(mesh, up, k_ground_end * radius), of which `octree` is the octree. It

@@ -1,8 +1,8 @@
 #pragma once
 
 // Where a camera stands that is not given as a point: a named view, an azimuth and an elevation, or auto, the direction
-// that shows the model best (silhouette/field/picture_view.h). Directions are those of ground_axes.h: the front is at +z
-// if y is up, and at -y if z is up.
+// that shows the model best (silhouette/field/picture_view.h). Directions are those of ground_axes.h: the front
+// is at +z if y is up, and at -y if z is up.
 
 #include <CLI/App.hpp>
 #include <cstdint>

@@ -22,9 +22,9 @@ class OutputFile {
 public:
     /// Create it before the work, so that a bad path is reported at once. Follows symbolic links, also to
     /// files that do not exist. Writes to a device or pipe directly, and to standard output for k_standard_output;
-    /// summaries go to standard error then (summary_stream.h). Throws UsageError if that is a terminal. Throws Error{io} naming `path` if its
-    /// folder is missing, if it is a folder, or if it cannot be written. Throws UsageError if it is the file
-    /// `model`, which is an input.
+    /// summaries go to standard error then (summary_stream.h). Throws UsageError if that is a terminal. Throws
+    /// Error{io} naming `path` if its folder is missing, if it is a folder, or if it cannot be written. Throws
+    /// UsageError if it is the file `model`, which is an input.
     explicit OutputFile(std::filesystem::path path, const std::filesystem::path& model = {});
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;

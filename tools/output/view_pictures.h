@@ -57,8 +57,9 @@ struct ViewScene {
 Camera make_view_camera(const Mesh& mesh, const glm::dvec3& eye, const PictureOptions& options,
                         ImageSize size);
 
-/// One picture per eye, from make_view_camera(). Each shows the whole model with its up axis upwards. --sun auto is computed for each
-/// eye. Throws what Renderer throws, and Error{too_large} if the model exceeds the range of coordinates.
+/// One picture per eye, from make_view_camera(). Each shows the whole model with its up axis upwards. --sun
+/// auto is computed for each eye. Throws what Renderer throws, and Error{too_large} if the model exceeds the
+/// range of coordinates.
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                 std::span<const glm::dvec3> eyes, ImageSize size,
                                 const Context& context);
