@@ -5,12 +5,14 @@
 layout(location = 0) in vec2 place;
 layout(location = 1) flat in vec3 color;
 layout(location = 2) flat in vec4 cuts;
-layout(location = 3) flat in float fall;
+layout(location = 3) flat in vec3 rest;
 
 layout(location = 0) out vec4 result;
 
 void main() {
-    if (dot(place, place) > 1.0 || dot(place, cuts.xy) < 0.0 || dot(place, cuts.zw) < 0.0) discard;
+    if (dot(place, place) > 1.0 || dot(place, cuts.xy) < 0.0 || dot(place, cuts.zw) < 0.0 ||
+        dot(place, rest.xy) < 0.0)
+        discard;
     result = vec4(color, 0.0);
-    gl_FragDepth = gl_FragCoord.z - fall * length(place);
+    gl_FragDepth = gl_FragCoord.z - rest.z * length(place);
 }

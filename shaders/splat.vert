@@ -7,7 +7,7 @@
 layout(location = 0) out vec2 place;
 layout(location = 1) flat out vec3 color;
 layout(location = 2) flat out vec4 cuts;  // In the axes of `place`.
-layout(location = 3) flat out float fall;  // Depth difference from center to edge.
+layout(location = 3) flat out vec3 rest;  // The third cut, and the depth difference from center to edge.
 
 // The share of a disc's color when it is seen edge-on. The light is at the camera.
 const float k_ambient = 0.35;
@@ -23,13 +23,14 @@ void main() {
     const vec3 aside = abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     const vec3 u = normalize(cross(normal, aside));
     const vec3 v = cross(normal, u);
+    rest.xy = vec2(dot(splat.cuts[2], u), dot(splat.cuts[2], v));
     cuts = vec4(dot(splat.cuts[0], u), dot(splat.cuts[0], v), dot(splat.cuts[1], u),
                 dot(splat.cuts[1], v));
     place = corner_of(gl_VertexIndex);
     gl_Position = clip_from_world(splat.position + splat.radius * (place.x * u + place.y * v));
     const vec4 center = clip_from_world(splat.position);
     const vec4 behind = clip_from_world(splat.position - k_slope * splat.radius * towards);
-    fall = center.z / center.w - behind.z / behind.w;
+    rest.z = center.z / center.w - behind.z / behind.w;
     const vec4 given = unpackUnorm4x8(splat.color);
     const float light = given.a > 0.5 ? 1.0 : mix(k_ambient, 1.0, abs(dot(normal, towards)));
     color = light * linear_from_srgb(given.rgb);

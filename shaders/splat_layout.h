@@ -28,7 +28,7 @@ struct SplatRecord {
     float radius;
     vec3 normal;   // Unit vector in either orientation, or zero.
     uint color;    // sRGB, one byte each, red in the lowest. Highest byte 255: not shaded.
-    vec3 cuts[2];  // Zero for no cut.
+    vec3 cuts[3];  // Zero for no cut.
 };
 
 // A line with round ends. Its width on the screen is constant. Its ends lie on the surface, which discs
@@ -66,7 +66,7 @@ struct SplatConstants {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SplatRecord) == 56 && sizeof(StrokeRecord) == 40);
+static_assert(sizeof(SplatRecord) == 68 && sizeof(StrokeRecord) == 40);
 static_assert(sizeof(SplatConstants) == 112);
 }  // namespace rimline::gpu
 #endif

@@ -1,9 +1,12 @@
 #include "engine/clouds/disc_pieces.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <ranges>
+#include <span>
 
 #include "silhouette/points/umbrella_triangles.h"
 
@@ -11,7 +14,7 @@ namespace rimline {
 
 namespace {
 
-// Faces at a point: a corner of a box has three, and a piece has two cuts.
+// Faces at a point: a corner of a box has three. A piece ends at the two others, or at one and at a border.
 constexpr std::size_t k_max_faces = 3;
 // Triangles whose normals differ by less than 25 degrees are of one face.
 const double k_flat_cosine = std::cos(25.0 * std::numbers::pi / 180.0);
@@ -43,6 +46,49 @@ std::vector<PieceTriangle> triangles_of(const PointSurface& surface, PointId poi
             triangles.push_back({cross / sine, a + b, std::atan2(sine, glm::dot(a, b))});
     });
     return triangles;
+}
+
+// Where the surface of a border point ends, on one side of a gap.
+struct BorderSide {
+    glm::dvec3 normal;  // Of the triangle beside the gap, of length 1.
+    glm::dvec3 inward;  // In its plane, away from the gap, of length 1.
+};
+
+// A gap's side at which another umbrella of the point goes on is no border.
+std::vector<BorderSide> border_sides(const PointSurface& surface, PointId point) {
+    if (surface.label(point) != PointLabel::border) return {};
+    struct End {
+        PointId at,
+            inside;     // The ring point at the gap's side, and the next one away from the gap.
+        bool is_first;  // Of the triangles between two gaps.
+    };
+    std::vector<End> ends;
+    const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
+    for (std::uint32_t u = range.first; u < range.last; ++u) {
+        const Umbrella umbrella = surface.umbrella(UmbrellaId{u});
+        const std::size_t size = umbrella.ring.size();
+        for (std::size_t j = 0; j < size; ++j) {
+            if (!umbrella.is_gap(j)) continue;
+            const std::size_t before = (j + size - 1) % size, after = (j + 1) % size;
+            if (!umbrella.is_gap(before))
+                ends.push_back({umbrella.ring[j], umbrella.ring[before], false});
+            if (!umbrella.is_gap(after))
+                ends.push_back({umbrella.ring[after], umbrella.ring[(j + 2) % size], true});
+        }
+    }
+    std::vector<BorderSide> sides;
+    const std::span<const glm::dvec3> positions = surface.positions();
+    for (const End& end : ends) {
+        if (std::ranges::count(ends, end.at, &End::at) > 1) continue;
+        const glm::dvec3 along = positions[index(end.at)] - positions[index(point)];
+        const glm::dvec3 inside = positions[index(end.inside)] - positions[index(point)];
+        const glm::dvec3 cross =
+            end.is_first ? glm::cross(along, inside) : glm::cross(inside, along);
+        const glm::dvec3 inward = inside - glm::dot(inside, along) / glm::dot(along, along) * along;
+        if (glm::length(cross) <= 1e-9 * glm::length(along) * glm::length(inside)) continue;
+        sides.push_back({glm::normalize(cross), glm::normalize(inward)});
+    }
+    return sides;
 }
 
 // The triangles grouped into faces by their normals. The normals of faces have length 1.
@@ -82,7 +128,7 @@ std::vector<Face> faces_of(const PointSurface& surface, PointId point) {
 
 // The cuts along the two sides of a border's gap, if it has exactly one gap: vectors into the piece, in the
 // umbrella's plane.
-std::array<glm::dvec3, 2> border_cuts(const PointSurface& surface, PointId point) {
+std::array<glm::dvec3, 3> border_cuts(const PointSurface& surface, PointId point) {
     if (surface.label(point) != PointLabel::border) return {};
     const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
     const Umbrella umbrella = surface.umbrella(UmbrellaId{range.first});
@@ -113,13 +159,23 @@ std::vector<DiscPiece> disc_pieces(const PointSurface& surface, PointId point) {
         if (faces.empty()) return {{surface.normal(point), {}}};
         return {{surface.normal(point), border_cuts(surface, point)}};
     }
+    const std::vector<BorderSide> sides = border_sides(surface, point);
     std::vector<DiscPiece> pieces;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         DiscPiece piece{faces[f].normal, {}};
-        for (std::size_t other = 0, cut = 0; other < faces.size(); ++other) {
+        std::size_t cut = 0;
+        for (std::size_t other = 0; other < faces.size(); ++other) {
             if (other == f) continue;
             const double side = glm::dot(faces[f].inward, faces[other].normal);
             piece.cuts[cut++] = faces[other].normal * (side < 0.0 ? -1.0 : 1.0);
+        }
+        for (const BorderSide& side : sides) {
+            const auto likeness = [&](const Face& face) {
+                return glm::dot(face.normal, side.normal);
+            };
+            if (cut < piece.cuts.size() &&
+                likeness(faces[f]) >= std::ranges::max(faces | std::views::transform(likeness)))
+                piece.cuts[cut++] = side.inward;
         }
         pieces.push_back(piece);
     }

@@ -14,12 +14,13 @@ namespace rimline {
 struct DiscPiece {
     glm::dvec3 normal;  ///< Of length 1, or zero without an umbrella.
     /// Vectors into the piece: the half of the plane opposite to each is cut away. Zero: no cut.
-    std::array<glm::dvec3, 2> cuts{};
+    std::array<glm::dvec3, 3> cuts{};
 };
 
 /// One piece if the normals of the point's triangles differ by less than about 25 degrees, else two, or three
 /// if two pieces leave a triangle that differs from both by more. A corner of more than three faces is drawn
-/// with three. If a border point has a single gap of more than 135 degrees, its piece ends at the gap.
+/// with three. The pieces of a border point end at its gaps, as far as they have cuts left; a single piece with one gap
+/// if that is of more than 135 degrees.
 std::vector<DiscPiece> disc_pieces(const PointSurface& surface, PointId point);
 
 }  // namespace rimline

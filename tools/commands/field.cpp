@@ -18,18 +18,15 @@
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
-#include "tools/output/canvas.h"
 #include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
+#include "tools/output/plot_scale.h"
+#include "tools/output/slice_picture.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
 
 namespace {
-
-constexpr Color k_white{255, 255, 255};
-constexpr Color k_black{30, 30, 30};
-constexpr Color k_outside{225, 225, 225};
 
 struct Slice {
     int axis;      // 0, 1 or 2.
@@ -47,65 +44,6 @@ Slice parse_slice(const std::string& option, const std::string& text) {
     if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) <= 1e6))
         throw wrong();
     return {text[0] - 'x', value};
-}
-
-// The points of a slice. The two other axes point right and up.
-struct SliceGrid {
-    int side;
-    double extent;
-    std::vector<glm::dvec3> points;  // Row by row from the top.
-    std::vector<bool> is_inside;     // Inside the domain of the function.
-};
-
-SliceGrid make_grid(const Slice& slice, const NamedFunction& function, int side) {
-    SliceGrid grid{side, function.max_radius, {}, {}};
-    const int right = slice.axis == 0 ? 1 : 0;
-    const int up = slice.axis == 2 ? 1 : 2;
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            glm::dvec3 p(0.0);
-            p[slice.axis] = slice.value;
-            p[right] = grid.extent * (2.0 * (column + 0.5) / side - 1.0);
-            p[up] = grid.extent * (1.0 - 2.0 * (row + 0.5) / side);
-            const double radius = glm::length(p);
-            grid.points.push_back(p);
-            grid.is_inside.push_back(radius >= function.min_radius &&
-                                     radius <= function.max_radius);
-        }
-    return grid;
-}
-
-// The slice, and beside it the color scale from the minimum to the maximum in the domain.
-Canvas draw(const SliceGrid& grid, const std::vector<double>& values, double minimum,
-            double maximum) {
-    const int scale = std::max(1, grid.side / 256);
-    const int margin = 12 * scale;
-    const int bar = 16 * scale;
-    const int numbers = 9 * 6 * scale;
-    Canvas canvas(static_cast<std::uint32_t>(grid.side + 3 * margin + bar + numbers),
-                  static_cast<std::uint32_t>(grid.side + 2 * margin), k_white);
-    const double range = maximum > minimum ? maximum - minimum : 1.0;
-    for (int row = 0; row < grid.side; ++row)
-        for (int column = 0; column < grid.side; ++column) {
-            const auto i = static_cast<std::size_t>(row * grid.side + column);
-            canvas.set(
-                margin + column, margin + row,
-                grid.is_inside[i] ? viridis_color((values[i] - minimum) / range) : k_outside);
-        }
-    const int left = 2 * margin + grid.side;
-    for (int row = 0; row < grid.side; ++row)
-        canvas.fill(left, margin + row, bar, 1, viridis_color(1.0 - (row + 0.5) / grid.side));
-    constexpr int k_steps = 5;
-    for (int step = 0; step <= k_steps; ++step) {
-        const double value = minimum + range * step / k_steps;
-        const int y = margin + (grid.side - 1) * (k_steps - step) / k_steps;
-        canvas.fill(left + bar, y - scale / 2, 3 * scale, scale, k_black);
-        const int top = std::clamp(y - Canvas::text_height(scale) / 2, margin,
-                                   margin + grid.side - Canvas::text_height(scale));
-        canvas.write(left + bar + 6 * scale, top, short_number(value, range / k_steps), k_black,
-                     scale);
-    }
-    return canvas;
 }
 
 class FieldCommand final : public Command {
@@ -150,7 +88,9 @@ public:
             "a\n"
             "function of the point's signed distance from it. Distances are in the model's radii;\n"
             "--at and --discount are in the model's own coordinates. A slice shows the ball or\n"
-            "shell in which the function is defined; the two other axes point right and up.\n\n"
+            "shell in which the function is defined; the two other axes point right and up, in\n"
+            "the model's own units. The model is drawn as seen along the axis, and where the\n"
+            "slice cuts it.\n\n"
             "Functions:\n" +
             names +
             "\nExamples:\n"
@@ -188,7 +128,7 @@ public:
             {"error_bound", votes.error_bound()},
         };
         add_values(field.frame(), votes, object);
-        if (slice_) draw_slice(function, votes, *file, object, context);
+        if (slice_) draw(mesh, function, votes, *file, object, context);
         if (context.json)
             print_json(object);
         else
@@ -221,34 +161,40 @@ private:
                     at[2]);
     }
 
-    void draw_slice(const NamedFunction& function, const DiscountedField& votes, OutputFile& file,
-                    nlohmann::ordered_json& object, const Context& context) const {
-        const SliceGrid grid = make_grid(*slice_, function, static_cast<int>(resolution_));
-        std::vector<double> values(grid.points.size());
-        Progress progress(context, "summing votes");
-        votes.values(grid.points, values, progress.call());
-        double minimum = INFINITY;
-        double maximum = -INFINITY;
-        std::size_t best = 0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!grid.is_inside[i]) continue;
-            minimum = std::min(minimum, values[i]);
-            if (values[i] > maximum) best = i;
-            maximum = std::max(maximum, values[i]);
-        }
-        if (!(minimum <= maximum))
+    void draw(const Mesh& mesh, const NamedFunction& function, const DiscountedField& votes,
+              OutputFile& file, nlohmann::ordered_json& object, const Context& context) const {
+        const SliceGrid grid(slice_->axis, slice_->value, function.min_radius, function.max_radius,
+                             static_cast<int>(resolution_));
+        if (grid.points().empty())
             throw Error(ErrorCode::bad_input,
                         "--slice: that plane does not meet the function's domain, which ends " +
                             short_number(function.max_radius, 0.1) + " from the center");
-        write_picture(file, draw(grid, values, minimum, maximum));
-        const glm::dvec3 at = votes.field().frame().to_model(grid.points[best]);
-        object["slice"] = {{"axis", std::string(1, static_cast<char>('x' + slice_->axis))},
-                           {"value", slice_->value},
-                           {"least", minimum},
-                           {"greatest", maximum},
-                           {"greatest_at", json_vector(at)},
+        std::vector<double> values(grid.points().size());
+        {
+            Progress progress(context, "summing votes");
+            votes.values(grid.points(), values, progress.call());
+        }
+        const auto [least, greatest] = std::ranges::minmax_element(values);
+        const UnitFrame& frame = votes.field().frame();
+        const glm::dvec3 at =
+            frame.to_model(grid.points()[static_cast<std::size_t>(greatest - values.begin())]);
+        const double coordinate = frame.center[slice_->axis] + slice_->value * frame.radius;
+        Progress progress(context, "drawing the slice");
+        write_picture(file, draw_slice({.mesh = mesh,
+                                        .frame = frame,
+                                        .grid = grid,
+                                        .values = values,
+                                        .title = function_ + ", " + axis_name() + " = " +
+                                                 short_number(coordinate, 0.01 * frame.radius),
+                                        .unit = weight_ == "area" ? "votes x area" : "votes"},
+                                       progress.call()));
+        object["slice"] = {{"axis", axis_name()},      {"value", slice_->value},
+                           {"coordinate", coordinate}, {"least", *least},
+                           {"greatest", *greatest},    {"greatest_at", json_vector(at)},
                            {"output", output_}};
     }
+
+    std::string axis_name() const { return std::string(1, static_cast<char>('x' + slice_->axis)); }
 
     ModelArgument model_;
     std::string function_ = "origins";

@@ -75,6 +75,15 @@ public:
             ->type_name("NAME")
             ->default_str("drawn")
             ->group("Output");
+        app.add_option_function<std::string>(
+               "--look",
+               [this](const std::string& text) {
+                   look_ = text == "dots" ? CloudLook::dots : CloudLook::discs;
+               },
+               "discs, or dots with lines (default: dots if there are fewer than 5,000 points)")
+            ->check(CLI::IsMember({"discs", "dots"}))
+            ->type_name("NAME")
+            ->group("Output");
         add_output(app, "--export", export_, ".ply",
                    "Write the points with normals, labels, weights and colors to this PLY file")
             ->group("Output");
@@ -100,9 +109,11 @@ public:
             "ends. With --as-points, missed and extra border points are counted against the "
             "borders "
             "of the model.\n\n"
-            "A picture has a disc for each point, darker where the surface bends more sharply. "
-            "Borders are\n"
-            "orange, undecided points red, consensus edges ink. --mode compare shows six pictures "
+            "A picture has a disc for each point, or a dot if they are few, darker where the "
+            "surface "
+            "bends more\n"
+            "sharply. Borders are orange, undecided points red, consensus edges ink. --mode "
+            "compare shows six pictures "
             "row by row:\n"
             "points that a convex hull classifies as visible (Katz et al.), and the picture as "
             "drawn; as many\n"
@@ -166,6 +177,8 @@ private:
             [&] { return PointSurface(cloud.positions(), options, surface_progress.call()); });
         CloudAnalysis analysis(std::move(cloud), std::move(surface));
         analysis.umbrellas_ms = ms_since(start);
+        if (options.method == PointSurfaceOptions::Method::robust)
+            analysis.hole_limit = hole_limit(analysis.surface, options.gap_ratio);
         start = Clock::now();
         Progress feature_progress(context, "weighing features of " + cloud_.model);
         analysis.weights = feature_weights(analysis.surface, feature_progress.call());
@@ -187,18 +200,20 @@ private:
         if (from_) point = umbrellas.viewpoint(*from_);
         if (drawing) {
             context.checkpoint();
-            analysis.picture = draw_points({.name = cloud_.model,
-                                            .cloud = analysis.cloud,
-                                            .surface = analysis.surface,
-                                            .umbrellas = umbrellas,
-                                            .weights = analysis.weights,
-                                            .k = surface_.options().k,
-                                            .mode = mode_,
-                                            .eye = eye_,
-                                            .target = target_,
-                                            .silhouette_point = point,
-                                            .options = picture_},
-                                           *drawing);
+            analysis.picture =
+                draw_points({.name = cloud_.model,
+                             .cloud = analysis.cloud,
+                             .surface = analysis.surface,
+                             .umbrellas = umbrellas,
+                             .weights = analysis.weights,
+                             .k = surface_.options().k,
+                             .mode = mode_,
+                             .look = look_.value_or(usual_look(analysis.surface.size())),
+                             .eye = eye_,
+                             .target = target_,
+                             .silhouette_point = point,
+                             .options = picture_},
+                            *drawing);
             point = analysis.picture->silhouette_point;
         }
         if (turn_frames_ > 0) analysis.turn = turn(context, analysis, umbrellas);
@@ -232,6 +247,7 @@ private:
     SurfaceOptions surface_;
     PictureOptions picture_;
     PointsMode mode_ = PointsMode::drawn;
+    std::optional<CloudLook> look_;
     std::string output_;
     std::string export_;
     bool without_lists_ = false;

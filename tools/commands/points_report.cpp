@@ -34,6 +34,16 @@ BorderTruth compare_borders(const CloudAnalysis& analysis) {
     return truth;
 }
 
+std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_ratio) {
+    std::vector<double> scales;
+    for (std::uint32_t p = 0; p < surface.size(); ++p)
+        if (const double scale = surface.scale(PointId{p}); scale > 0.0) scales.push_back(scale);
+    if (scales.empty()) return std::nullopt;
+    const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+    std::ranges::nth_element(scales, middle);
+    return HoleLimit{gap_ratio * *middle, gap_ratio * std::ranges::max(scales)};
+}
+
 void print_object(const PointsReport& report) {
     const CloudAnalysis& analysis = report.analysis;
     const PointCloud& cloud = analysis.cloud;
@@ -55,6 +65,7 @@ void print_object(const PointsReport& report) {
           {"feature", count(PointLabel::feature)},
           {"undecided", count(PointLabel::undecided)}}},
         {"reasons", std::move(reasons)},
+        {"smallest_hole", nullptr},
         {"inconsistent_edges", analysis.surface.inconsistent_edge_count()},
         {"silhouette_points", analysis.silhouette.size()},
         {"consensus_edge_count", analysis.consensus.size()},
@@ -64,6 +75,9 @@ void print_object(const PointsReport& report) {
         {"features_ms", analysis.features_ms},
         {"index_ms", analysis.index_ms},
         {"silhouette_ms", analysis.silhouette_ms}};
+    if (analysis.hole_limit)
+        result["smallest_hole"] = {{"median", analysis.hole_limit->median},
+                                   {"largest", analysis.hole_limit->largest}};
     if (const std::optional<BorderTruth>& truth = analysis.truth) {
         const auto percent = [&](std::size_t part) -> nlohmann::ordered_json {
             if (const auto value = truth->percent(part)) return *value;
@@ -112,6 +126,12 @@ void print_summary(const PointsReport& report) {
                 count(PointLabel::undecided));
     for (const auto& [reason, points] : analysis.reasons())
         std::printf("              %u undecided: %s\n", points, reason);
+    if (analysis.hole_limit)
+        std::printf(
+            "  holes       of a radius under %.3g (where points are sparsest, %.3g) cannot be told "
+            "from "
+            "the points' spacing\n",
+            analysis.hole_limit->median, analysis.hole_limit->largest);
     if (const std::optional<BorderTruth>& truth = analysis.truth) {
         std::printf("  borders     %zu true, %zu missed, %zu extra", truth->border, truth->missed,
                     truth->extra);

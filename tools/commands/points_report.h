@@ -28,6 +28,14 @@ struct BorderTruth {
     }
 };
 
+/// The radius of the smallest hole that can be found, in the cloud's units.
+struct HoleLimit {
+    double median;   ///< Over the points.
+    double largest;  ///< Where the points are sparsest.
+};
+/// gap_ratio times the points' scales (PointSurface::scale()).
+std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_ratio);
+
 struct CloudAnalysis {
     explicit CloudAnalysis(PointCloud points, PointSurface umbrellas)
         : cloud(std::move(points)), surface(std::move(umbrellas)) {}
@@ -41,6 +49,9 @@ struct CloudAnalysis {
     std::optional<BorderTruth> truth;
     std::optional<PointsPictureReport> picture;
     std::optional<PointTurn> turn;
+    /// Smaller holes are not told from the spacing of the points. Not set: the method has no such limit, or no point
+    /// has an umbrella.
+    std::optional<HoleLimit> hole_limit;
     bool has_silhouette = false;  ///< The silhouette of one viewpoint was requested.
     bool is_verified = false;     ///< Every frame of the turn was compared.
     double umbrellas_ms = 0.0;

@@ -3,33 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#include <stb/stb_easy_font.h>
+#pragma GCC diagnostic pop
 
 namespace rimline::tools {
 
 namespace {
-
-// Rows of five dots from the top. The leftmost dot is the highest bit.
-struct Glyph {
-    char name;
-    std::array<std::uint8_t, 7> rows;
-};
-constexpr std::array k_glyphs = {
-    Glyph{'0', {0x0e, 0x11, 0x13, 0x15, 0x19, 0x11, 0x0e}},
-    Glyph{'1', {0x04, 0x0c, 0x04, 0x04, 0x04, 0x04, 0x0e}},
-    Glyph{'2', {0x0e, 0x11, 0x01, 0x02, 0x04, 0x08, 0x1f}},
-    Glyph{'3', {0x1f, 0x02, 0x04, 0x02, 0x01, 0x11, 0x0e}},
-    Glyph{'4', {0x02, 0x06, 0x0a, 0x12, 0x1f, 0x02, 0x02}},
-    Glyph{'5', {0x1f, 0x10, 0x1e, 0x01, 0x01, 0x11, 0x0e}},
-    Glyph{'6', {0x06, 0x08, 0x10, 0x1e, 0x11, 0x11, 0x0e}},
-    Glyph{'7', {0x1f, 0x01, 0x02, 0x04, 0x08, 0x08, 0x08}},
-    Glyph{'8', {0x0e, 0x11, 0x11, 0x0e, 0x11, 0x11, 0x0e}},
-    Glyph{'9', {0x0e, 0x11, 0x11, 0x0f, 0x01, 0x02, 0x0c}},
-    Glyph{'.', {0x00, 0x00, 0x00, 0x00, 0x00, 0x0c, 0x0c}},
-    Glyph{'-', {0x00, 0x00, 0x00, 0x0e, 0x00, 0x00, 0x00}},
-    Glyph{'+', {0x00, 0x04, 0x04, 0x1f, 0x04, 0x04, 0x00}},
-    Glyph{'e', {0x00, 0x00, 0x0e, 0x11, 0x1f, 0x10, 0x0e}},
-};
 
 // Viridis, by Smith and van der Walt (CC0), at multiples of 1/16.
 constexpr std::array<std::array<std::uint8_t, 3>, 17> k_viridis = {{{68, 1, 84},
@@ -78,16 +64,60 @@ void Canvas::disc(double x, double y, double radius, Color color) {
             if (std::hypot(i + 0.5 - x, j + 0.5 - y) <= radius) set(i, j, color);
 }
 
-void Canvas::write(int left, int top, std::string_view text, Color color, int scale) {
-    for (const char name : text) {
-        const auto glyph = std::ranges::find(k_glyphs, name, &Glyph::name);
-        if (glyph != k_glyphs.end())
-            for (int row = 0; row < 7; ++row)
-                for (int dot = 0; dot < 5; ++dot)
-                    if (glyph->rows[static_cast<std::size_t>(row)] >> (4 - dot) & 1)
-                        fill(left + dot * scale, top + row * scale, scale, scale, color);
-        left += 6 * scale;
+void Canvas::line(const glm::dvec2& from, const glm::dvec2& to, double width, Color color,
+                  double opacity) {
+    const glm::dvec2 along = to - from;
+    const double squared = glm::dot(along, along);
+    const double reach = 0.5 * width + 0.5;
+    const auto first = [&](double a, double b) {
+        return static_cast<int>(std::floor(std::max(0.0, std::min(a, b) - reach)));
+    };
+    const auto last = [&](double a, double b, int size) {
+        return static_cast<int>(std::min(size - 1.0, std::max(a, b) + reach));
+    };
+    for (int y = first(from.y, to.y); y <= last(from.y, to.y, height()); ++y)
+        for (int x = first(from.x, to.x); x <= last(from.x, to.x, this->width()); ++x) {
+            const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) - from;
+            const double at =
+                squared > 0.0 ? std::clamp(glm::dot(p, along) / squared, 0.0, 1.0) : 0.0;
+            const double covered = std::clamp(reach - glm::distance(p, at * along), 0.0, 1.0);
+            blend(x, y, color, opacity * covered * std::min(1.0, width));
+        }
+}
+
+void Canvas::blend(int x, int y, Color color, double opacity) {
+    if (opacity <= 0.0) return;
+    std::uint8_t* const pixel =
+        &picture_
+             .rgba[(static_cast<std::size_t>(y) * picture_.width + static_cast<std::size_t>(x)) *
+                   4];
+    const std::array<std::uint8_t, 3> channels{color.red, color.green, color.blue};
+    for (std::size_t c = 0; c < 3; ++c)
+        pixel[c] = static_cast<std::uint8_t>(
+            std::lround((1.0 - opacity) * pixel[c] + opacity * channels[c]));
+}
+
+void Canvas::write(int left, int top, const std::string& text, Color color, int scale) {
+    struct Vertex {
+        float x, y, z;
+        std::uint32_t color;
+    };
+    // The font is of rectangles of whole dots, fewer than 30 for a character.
+    std::vector<Vertex> corners(4 * (30 * text.size() + 1));
+    const int boxes =
+        stb_easy_font_print(0.0f, 0.0f, const_cast<char*>(text.c_str()), nullptr, corners.data(),
+                            static_cast<int>(corners.size() * sizeof(Vertex)));
+    for (int box = 0; box < boxes; ++box) {
+        const Vertex& low = corners[static_cast<std::size_t>(4 * box)];
+        const Vertex& high = corners[static_cast<std::size_t>(4 * box + 2)];
+        fill(left + static_cast<int>(low.x) * scale, top + static_cast<int>(low.y) * scale,
+             static_cast<int>(high.x - low.x) * scale, static_cast<int>(high.y - low.y) * scale,
+             color);
     }
+}
+
+int Canvas::text_width(const std::string& text, int scale) {
+    return stb_easy_font_width(const_cast<char*>(text.c_str())) * scale;
 }
 
 Color viridis_color(double share) {
@@ -99,18 +129,6 @@ Color viridis_color(double share) {
             std::lround((1.0 - t) * k_viridis[i][c] + t * k_viridis[i + 1][c]));
     };
     return {channel(0), channel(1), channel(2)};
-}
-
-std::string short_number(double value, double step) {
-    char text[32];
-    if (step >= 1e5 || (step > 0.0 && step < 1e-4)) {
-        std::snprintf(text, sizeof text, "%.2e", value);
-    } else {
-        const int digits =
-            step > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 0, 6) : 2;
-        std::snprintf(text, sizeof text, "%.*f", digits, value);
-    }
-    return text;
 }
 
 void write_picture(OutputFile& file, const Canvas& canvas) {

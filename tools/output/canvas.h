@@ -1,10 +1,10 @@
 #pragma once
 
-// A picture for plots, drawn on the CPU: rectangles, discs and numbers.
+// A picture for plots, drawn on the CPU: rectangles, discs, lines and text.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <string>
-#include <string_view>
 
 #include "silhouette/picture.h"
 #include "tools/options/option_types.h"
@@ -23,24 +23,25 @@ public:
     void set(int x, int y, Color color);
     void fill(int left, int top, int width, int height, Color color);
     void disc(double x, double y, double radius, Color color);
-    /// Characters of 5x7 dots; a dot is `scale` pixels wide. Digits, + - . and e; all others are blank.
-    void write(int left, int top, std::string_view text, Color color, int scale);
-    static int text_width(std::string_view text, int scale) noexcept {
-        return static_cast<int>(text.size()) * 6 * scale - scale;
-    }
+    /// With round ends and smooth edges. `opacity` is in [0, 1].
+    void line(const glm::dvec2& from, const glm::dvec2& to, double width, Color color,
+              double opacity = 1.0);
+    /// One line of ASCII. A dot of the font is `scale` pixels wide.
+    void write(int left, int top, const std::string& text, Color color, int scale);
+    static int text_width(const std::string& text, int scale);
+    /// Of digits and capitals. Some letters go below by two dots.
     static int text_height(int scale) noexcept { return 7 * scale; }
 
     const Picture& picture() const noexcept { return picture_; }
 
 private:
+    void blend(int x, int y, Color color, double opacity);
+
     Picture picture_;
 };
 
 /// The viridis color of a number in [0, 1]; its lightness increases evenly. NaN counts as 0.
 Color viridis_color(double share);
-
-/// A number with as many digits as distinguish steps of `step`.
-std::string short_number(double value, double step);
 
 /// Writes and commits a PNG. Throws Error{io}.
 void write_picture(OutputFile& file, const Canvas& canvas);

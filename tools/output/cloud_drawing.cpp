@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "engine/clouds/disc_pieces.h"
 #include "engine/clouds/disc_radii.h"
+#include "silhouette/mesh/any_perpendicular.h"
 #include "silhouette/points/border_edges.h"
 #include "tools/output/label_output.h"
 
@@ -13,6 +15,13 @@ namespace rimline::tools {
 namespace {
 
 constexpr PointColor k_feature{44, 62, 112};
+// Dots, without and with a feature. Without colors of their own they must stand out from the paper.
+constexpr PointColor k_dot{150, 150, 152};
+constexpr PointColor k_feature_dot{24, 38, 96};
+// The width of a dot, in widths of lines.
+constexpr float k_dot_width = 1.6f;
+// Dots are moved towards the camera by this many radii of their discs: between lines, which are before them, and discs.
+constexpr double k_dot_lift = 0.5;
 // Lines are moved towards the camera by this many radii of the discs at their ends.
 constexpr double k_lift = 1.5;
 
@@ -31,22 +40,6 @@ std::uint32_t packed(const PointColor& color, bool is_shaded) {
            (is_shaded ? 0u : 0xff000000u);
 }
 
-Subject subject_of(const UmbrellaIndex& umbrellas, UpAxis up) {
-    return {umbrellas.positions(), umbrellas.center(), umbrellas.radius(), up};
-}
-
-Camera make_cloud_camera(const UmbrellaIndex& umbrellas, UpAxis up, const std::string& name,
-                         const std::optional<glm::dvec3>& eye,
-                         const std::optional<glm::dvec3>& target, PictureOptions options) {
-    if (umbrellas.positions().empty())
-        throw Error(ErrorCode::bad_input,
-                    name + ": no point has an umbrella; there is nothing to draw");
-    if (eye) options.eye = umbrellas.to_index(*eye);
-    if (target) options.target = umbrellas.to_index(*target);
-    if (options.ortho_height) *options.ortho_height *= umbrellas.scale();
-    return make_camera(subject_of(umbrellas, up), name, options);
-}
-
 HomogeneousPoint silhouette_point_of(const Camera& camera) {
     return camera.is_orthographic()
                ? HomogeneousPoint::direction(glm::vec3(glm::normalize(camera.eye - camera.target)))
@@ -54,13 +47,40 @@ HomogeneousPoint silhouette_point_of(const Camera& camera) {
 }
 
 CloudDrawing::CloudDrawing(const PointCloud& cloud, const PointSurface& surface,
-                           const UmbrellaIndex& umbrellas, std::span<const float> weights)
+                           const UmbrellaIndex& umbrellas, std::span<const float> weights,
+                           CloudLook look)
     : cloud_(&cloud),
       surface_(&surface),
       umbrellas_(&umbrellas),
       weights_(weights),
+      look_(look),
       radii_(disc_radii(surface)) {
     for (double& radius : radii_) radius *= umbrellas.scale();
+    add_extents();
+}
+
+void CloudDrawing::add_extents() {
+    for (std::uint32_t p = 0; p < surface_->size(); ++p) {
+        if (look_ == CloudLook::dots) {
+            extents_.push_back(glm::vec3(position(p)));
+            continue;
+        }
+        max_radius_ = std::max(max_radius_, radii_[p]);
+        for (const DiscPiece& piece : disc_pieces(*surface_, PointId{p})) {
+            // A disc without a normal faces the camera, wherever that is.
+            const bool has_normal = piece.normal != glm::dvec3(0.0);
+            const glm::dvec3 u =
+                has_normal ? any_perpendicular(piece.normal) : glm::dvec3(1.0, 0.0, 0.0);
+            const glm::dvec3 v =
+                has_normal ? glm::cross(piece.normal, u) : glm::dvec3(0.0, 1.0, 0.0);
+            for (const double depth : has_normal ? std::vector{0.0} : std::vector{-1.0, 1.0})
+                for (const auto& [a, b] : {std::pair(-1, -1), {-1, 1}, {1, -1}, {1, 1}}) {
+                    const glm::dvec3 w(0.0, 0.0, depth);
+                    extents_.push_back(
+                        glm::vec3(position(p) + radii_[p] * (double(a) * u + double(b) * v + w)));
+                }
+        }
+    }
 }
 
 double CloudDrawing::lift(std::uint32_t point) const { return k_lift * radii_[point]; }
@@ -82,14 +102,23 @@ void CloudDrawing::add_discs(std::uint32_t point, const PointColor& color,
                              std::vector<gpu::SplatRecord>& splats) const {
     for (const DiscPiece& piece : disc_pieces(*surface_, PointId{point})) {
         gpu::SplatRecord record = disc(point, piece.normal, color);
-        for (std::size_t c = 0; c < 2; ++c)
+        for (std::size_t c = 0; c < piece.cuts.size(); ++c)
             if (piece.cuts[c] != glm::dvec3(0.0))
                 record.cuts[c] = glm::vec3(glm::normalize(piece.cuts[c]));
         splats.push_back(record);
     }
 }
 
-SplatCloud CloudDrawing::drawn(const std::optional<PointColor>& clay, float line_width_px) const {
+SplatCloud CloudDrawing::drawn(const PointColor& paper, const std::optional<PointColor>& clay,
+                               float line_width_px) const {
+    SplatCloud drawn = look_ == CloudLook::dots ? dots(paper, clay, line_width_px) : discs(clay);
+    const std::vector<gpu::StrokeRecord> borders =
+        strokes(border_edges(*surface_), label_color(PointLabel::border), line_width_px);
+    drawn.strokes.insert(drawn.strokes.end(), borders.begin(), borders.end());
+    return drawn;
+}
+
+SplatCloud CloudDrawing::discs(const std::optional<PointColor>& clay) const {
     SplatCloud drawn;
     drawn.splats.reserve(surface_->size());
     for (std::uint32_t p = 0; p < surface_->size(); ++p) {
@@ -100,9 +129,34 @@ SplatCloud CloudDrawing::drawn(const std::optional<PointColor>& clay, float line
                                                  : mixed(own, k_feature, weights_[p]),
                   drawn.splats);
     }
-    drawn.strokes =
-        strokes(border_edges(*surface_), label_color(PointLabel::border), line_width_px);
     return drawn;
+}
+
+SplatCloud CloudDrawing::dots(const PointColor& paper, const std::optional<PointColor>& clay,
+                              float line_width_px) const {
+    SplatCloud drawn;
+    for (std::uint32_t p = 0; p < surface_->size(); ++p) {
+        add_discs(p, paper, drawn.splats);
+        // Discs of points without a surface hide nothing.
+        if (surface_->normal(PointId{p}) == glm::dvec3(0.0)) drawn.splats.pop_back();
+        const double dot_lift = k_dot_lift * radii_[p];
+        drawn.strokes.push_back({.from = glm::vec3(position(p)),
+                                 .radius = 0.5f * k_dot_width * line_width_px,
+                                 .to = glm::vec3(position(p)),
+                                 .color = packed(dot_color(p, clay)),
+                                 .lifts = glm::vec2(dot_lift, dot_lift)});
+    }
+    for (gpu::SplatRecord& splat : drawn.splats) splat.color = packed(paper, false);
+    return drawn;
+}
+
+PointColor CloudDrawing::dot_color(std::uint32_t point,
+                                   const std::optional<PointColor>& clay) const {
+    const PointLabel label = surface_->label(PointId{point});
+    if (label == PointLabel::undecided || label == PointLabel::border) return label_color(label);
+    if (clay) return mixed(*clay, k_feature_dot, weights_[point]);
+    if (!cloud_->colors().empty()) return own_color(point);
+    return mixed(k_dot, k_feature_dot, weights_[point]);
 }
 
 std::vector<gpu::StrokeRecord> CloudDrawing::strokes(std::span<const PointEdge> edges,
@@ -117,6 +171,18 @@ std::vector<gpu::StrokeRecord> CloudDrawing::strokes(std::span<const PointEdge> 
                            .color = packed(color),
                            .lifts = glm::vec2(lift(index(a)), lift(index(b)))});
     return strokes;
+}
+
+Camera make_cloud_camera(const CloudDrawing& drawing, const UmbrellaIndex& umbrellas,
+                         const std::string& name, const std::optional<glm::dvec3>& eye,
+                         const std::optional<glm::dvec3>& target, PictureOptions options) {
+    if (umbrellas.positions().empty())
+        throw Error(ErrorCode::bad_input,
+                    name + ": no point has an umbrella; there is nothing to draw");
+    if (eye) options.eye = umbrellas.to_index(*eye);
+    if (target) options.target = umbrellas.to_index(*target);
+    if (options.ortho_height) *options.ortho_height *= umbrellas.scale();
+    return make_camera(drawing.subject(), name, options);
 }
 
 }  // namespace rimline::tools

@@ -1,8 +1,8 @@
 #pragma once
 
-// The picture of a point cloud with its umbrellas: opaque discs, darker with a higher feature weight;
-// borders in their own color; edges as ink lines. All is in the coordinates of the UmbrellaIndex and
-// independent of the camera.
+// The picture of a point cloud with its umbrellas: opaque discs, darker with a higher feature weight; or, of a coarse
+// cloud, dots, and discs in the color of the paper that hide what lies behind them. Borders in their own color; edges
+// as ink lines. All is in the coordinates of the UmbrellaIndex and independent of the camera.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -30,15 +30,14 @@ constexpr Color k_cloud_paper{248, 244, 236};
 /// The color of a disc or a line as in its GPU record. `is_shaded`: the disc is lit from the camera.
 std::uint32_t packed(const PointColor& color, bool is_shaded = false);
 
-/// The points that have umbrellas, as the subject of a camera.
-Subject subject_of(const UmbrellaIndex& umbrellas, UpAxis up);
-
-/// The camera of the options, converted from the cloud's coordinates to those of `umbrellas`. `eye` and
-/// `target` replace those of the options. Throws Error if no point has an umbrella, and UsageError as
-/// make_camera().
-Camera make_cloud_camera(const UmbrellaIndex& umbrellas, UpAxis up, const std::string& name,
-                         const std::optional<glm::dvec3>& eye,
-                         const std::optional<glm::dvec3>& target, PictureOptions options);
+enum class CloudLook {
+    discs,  ///< A surface.
+    dots,   ///< Discs of few points would be plates.
+};
+constexpr std::uint32_t k_min_disc_points = 5000;
+constexpr CloudLook usual_look(std::uint32_t points) {
+    return points < k_min_disc_points ? CloudLook::dots : CloudLook::discs;
+}
 
 /// The eye of `camera`, or its direction if it is orthographic.
 HomogeneousPoint silhouette_point_of(const Camera& camera);
@@ -47,11 +46,17 @@ class CloudDrawing {
 public:
     /// All arguments must outlive this object. O(points).
     CloudDrawing(const PointCloud& cloud, const PointSurface& surface,
-                 const UmbrellaIndex& umbrellas, std::span<const float> weights);
+                 const UmbrellaIndex& umbrellas, std::span<const float> weights, CloudLook look);
 
-    /// The discs of all points and the lines of the borders. Features and undecided points have their own
-    /// colors. `clay` replaces the colors of the points. O(points).
-    SplatCloud drawn(const std::optional<PointColor>& clay = {},
+    CloudLook look() const noexcept { return look_; }
+    /// What a camera shows: all that is drawn, except the widths of dots and lines. This object must outlive it.
+    Subject subject() const {
+        return {extents_, umbrellas_->center(), umbrellas_->radius() + max_radius_, cloud_->up()};
+    }
+
+    /// The points and the lines of the borders. Features and undecided points have their own colors. `clay`
+    /// replaces the colors of the points, `paper` is the background of dots. O(points).
+    SplatCloud drawn(const PointColor& paper, const std::optional<PointColor>& clay = {},
                      float line_width_px = k_cloud_line_width_px) const;
     /// Lines along edges between points.
     std::vector<gpu::StrokeRecord> strokes(std::span<const PointEdge> edges,
@@ -73,11 +78,28 @@ public:
                    std::vector<gpu::SplatRecord>& splats) const;
 
 private:
+    void add_extents();
+    PointColor dot_color(std::uint32_t point, const std::optional<PointColor>& clay) const;
+    SplatCloud discs(const std::optional<PointColor>& clay) const;
+    SplatCloud dots(const PointColor& paper, const std::optional<PointColor>& clay,
+                    float line_width_px) const;
+
     const PointCloud* cloud_;
     const PointSurface* surface_;
     const UmbrellaIndex* umbrellas_;
     std::span<const float> weights_;
+    CloudLook look_;
     std::vector<double> radii_;  // Of discs, in units of the index.
+    // Of dots the points, of discs the corners of squares around them.
+    std::vector<glm::vec3> extents_;
+    double max_radius_ = 0.0;  // By which a drawing exceeds the points.
 };
+
+/// The camera of the options, converted from the cloud's coordinates to those of `umbrellas`. `eye` and
+/// `target` replace those of the options. Throws Error if no point has an umbrella, and UsageError as
+/// make_camera().
+Camera make_cloud_camera(const CloudDrawing& drawing, const UmbrellaIndex& umbrellas,
+                         const std::string& name, const std::optional<glm::dvec3>& eye,
+                         const std::optional<glm::dvec3>& target, PictureOptions options);
 
 }  // namespace rimline::tools

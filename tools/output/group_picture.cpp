@@ -5,10 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "silhouette/error.h"
 #include "silhouette/hough/hough_point.h"
+#include "tools/output/plot_scale.h"
 
 namespace rimline::tools {
 
@@ -77,13 +79,29 @@ public:
     }
 
     // Ignores the depth buffer.
-    void marker(const glm::dvec3& at, Color color) {
+    void marker(const glm::dvec3& at, Color color, const std::string& name) {
         const glm::dvec3 p = to_pixels(at);
         canvas_.disc(left_ + p.x, p.y, 0.018 * side_, k_black);
         canvas_.disc(left_ + p.x, p.y, 0.013 * side_, color);
+        const int size = text_scale();
+        canvas_.write(left_ + static_cast<int>(p.x + 0.018 * side_) + 2 * size,
+                      static_cast<int>(p.y) - 4 * size, name, k_black, size);
+    }
+
+    // A title, the axes of the view, and a bar in the model's units, of which `radius` are one of the panel's.
+    void annotate(const std::string& title, const View& view, double radius) {
+        const int size = text_scale();
+        const int gap = 8 * size;
+        canvas_.write(left_ + gap, gap, title, k_black, size);
+        draw_scale_bar(canvas_, left_ + gap, side_ - gap, side_ / 5, scale_ / radius, "", k_black,
+                       size);
+        draw_axis_cross(canvas_, left_ + side_ - 30 * size, side_ - 30 * size,
+                        {view({1, 0, 0}), view({0, 1, 0}), view({0, 0, 1})}, 16.0 * size, k_black,
+                        size);
     }
 
 private:
+    int text_scale() const { return std::max(1, side_ / 350); }
     glm::dvec3 to_pixels(const glm::dvec3& p) const {
         return {0.5 * side_ + scale_ * p.x, 0.5 * side_ - scale_ * p.y, p.z};
     }
@@ -164,8 +182,10 @@ Canvas draw_groups(const HoughOctree& octree, const glm::dvec3& towards_viewer,
         hough.dot(at, shaded(group_color(group), 0.55 + 0.45 * nearness));
     }
     for (std::size_t i = 0; i < octree.origins().size(); ++i)
-        model.marker(view(to_unit(octree.origins()[i])), group_color(i));
-    hough.marker(glm::dvec3(0.0), k_white);
+        model.marker(view(to_unit(octree.origins()[i])), group_color(i), std::to_string(i + 1));
+    hough.marker(glm::dvec3(0.0), k_white, "0");
+    model.annotate("faces, by their origin", view, radius);
+    hough.annotate("Hough points, from their origin", view, radius);
     canvas.fill(side, 0, 1, side, {200, 200, 200});
     return canvas;
 }

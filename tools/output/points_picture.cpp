@@ -21,16 +21,19 @@ namespace {
 constexpr float k_dot_radius = 0.35f;
 constexpr float k_mark_radius = 0.5f;
 
+PointColor bytes_of(const Color& color) { return {color.red, color.green, color.blue}; }
+
 class PointsDrawing {
 public:
     explicit PointsDrawing(const PointsPicture& picture)
         : picture_(picture),
-          drawing_(picture.cloud, picture.surface, picture.umbrellas, picture.weights) {
-        scene_.camera = make_cloud_camera(picture.umbrellas, picture.cloud.up(), picture.name,
-                                          picture.eye, picture.target, picture.options);
+          drawing_(picture.cloud, picture.surface, picture.umbrellas, picture.weights,
+                   picture.look) {
+        scene_.camera = make_cloud_camera(drawing_, picture.umbrellas, picture.name, picture.eye,
+                                          picture.target, picture.options);
         scene_.background = linear_from_srgb(picture.options.background.value_or(k_cloud_paper));
-        scene_.center = picture.umbrellas.center();
-        scene_.radius = picture.umbrellas.radius();
+        scene_.center = drawing_.subject().center;
+        scene_.radius = drawing_.subject().radius;
         point_ = picture.silhouette_point.value_or(silhouette_point_of(scene_.camera));
         const PointSilhouette silhouette(picture.umbrellas, point_);
         silhouette_ = silhouette.points();
@@ -46,7 +49,8 @@ public:
     }
 
     SplatCloud drawn() const {
-        SplatCloud cloud = drawing_.drawn();
+        SplatCloud cloud =
+            drawing_.drawn(bytes_of(picture_.options.background.value_or(k_cloud_paper)));
         const std::vector<gpu::StrokeRecord> ink = drawing_.strokes(consensus_, k_cloud_ink);
         cloud.strokes.insert(cloud.strokes.end(), ink.begin(), ink.end());
         return cloud;

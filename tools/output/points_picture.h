@@ -2,8 +2,8 @@
 
 // Pictures of a point cloud and its results.
 //
-//   drawn     discs, darker with a higher feature weight; borders in their own color; consensus edges of the
-//             silhouette as ink
+//   drawn     discs or dots, darker with a higher feature weight; borders in their own color; consensus edges of
+//             the silhouette as ink
 //   compare   six pictures: visible points only, and the picture `drawn`; silhouette points by thresholding
 //             normals (Zakaria and Seidel 2004), as many as ours, and ours; discs with normals of principal
 //             components, and with ours
@@ -16,6 +16,7 @@
 #include "silhouette/points/point_surface.h"
 #include "silhouette/points/umbrella_index.h"
 #include "tools/options/picture_options.h"
+#include "tools/output/cloud_drawing.h"
 #include "tools/output/output_file.h"
 
 namespace rimline::tools {
@@ -30,6 +31,7 @@ struct PointsPicture {
     std::span<const float> weights;
     std::uint32_t k;  ///< Number of neighbors for normals of principal components.
     PointsMode mode;
+    CloudLook look;
     /// Of the camera, in the cloud's coordinates. Not set: chosen.
     std::optional<glm::dvec3> eye, target;
     /// In the coordinates of `umbrellas`. Not set: that of the camera.

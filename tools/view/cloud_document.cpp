@@ -29,20 +29,23 @@ CloudDocument::CloudDocument(const CloudArgument& argument, const BeginCall& beg
       weights_(feature_weights(surface_, begin("weighing features"))),
       umbrellas_(make_part(begin, "indexing umbrellas",
                            [&](const LongCall& call) { return UmbrellaIndex(surface_, call); })),
-      drawing_(cloud_, surface_, umbrellas_, weights_) {
+      drawing_(cloud_, surface_, umbrellas_, weights_, usual_look(surface_.size())) {
     if (umbrellas_.positions().empty())
         throw Error(ErrorCode::bad_input,
                     name() + ": no point has an umbrella; there is nothing to draw");
 }
 
-const SplatCloud& CloudDocument::splats(const std::optional<glm::vec3>& color,
+const SplatCloud& CloudDocument::splats(const glm::vec3& paper,
+                                        const std::optional<glm::vec3>& color,
                                         float line_width_px) {
-    if (splat_line_width_px_ == line_width_px && splat_color_ == color) return splats_;
+    if (splat_line_width_px_ == line_width_px && splat_color_ == color && splat_paper_ == paper)
+        return splats_;
     const std::uint64_t revision = splats_.revision + 1;
     std::optional<PointColor> surface_color;
     if (color) surface_color = srgb_bytes(*color);
-    splats_ = drawing_.drawn(surface_color, line_width_px);
+    splats_ = drawing_.drawn(srgb_bytes(paper), surface_color, line_width_px);
     splats_.revision = revision;
+    splat_paper_ = paper;
     splat_color_ = color;
     splat_line_width_px_ = line_width_px;
     return splats_;

@@ -30,15 +30,19 @@ public:
     /// the work (progress.h). Throws Error naming the cloud, also if no point has an umbrella.
     CloudDocument(const CloudArgument& argument, const BeginCall& begin);
 
-    Subject subject() const override { return subject_of(umbrellas_, cloud_.up()); }
+    Subject subject() const override { return drawing_.subject(); }
     const PointCloud& cloud() const noexcept { return cloud_; }
     const PointSurface& surface() const noexcept { return surface_; }
     /// Everything that is shown is in its coordinates.
     const UmbrellaIndex& umbrellas() const noexcept { return umbrellas_; }
 
-    /// The discs and border lines, which do not depend on the viewer. `color` is linear; without it the
-    /// points keep their own colors. Rebuilt if an argument differs from the last call: O(points).
-    const SplatCloud& splats(const std::optional<glm::vec3>& color, float line_width_px);
+    const CloudDrawing& drawing() const noexcept { return drawing_; }
+
+    /// The points and border lines, which do not depend on the viewer. Colors are linear; without `color` the
+    /// points keep their own, and `paper` is the background. Rebuilt if an argument differs from the last call:
+    /// O(points).
+    const SplatCloud& splats(const glm::vec3& paper, const std::optional<glm::vec3>& color,
+                             float line_width_px);
     /// Moves the silhouette to `point`. Returns its consensus edges as lines; `ink` is linear.
     std::vector<gpu::StrokeRecord> silhouette_strokes(const HomogeneousPoint& point,
                                                       const std::optional<glm::vec3>& ink,
@@ -52,6 +56,7 @@ private:
     UmbrellaIndex umbrellas_;
     CloudDrawing drawing_;
     SplatCloud splats_;
+    glm::vec3 splat_paper_{0.0f};
     std::optional<glm::vec3> splat_color_;
     float splat_line_width_px_ = 0.0f;  // 0 until splats_ is built.
     std::optional<PointSilhouette> silhouette_;

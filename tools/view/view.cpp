@@ -124,8 +124,8 @@ private:
             return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
         };
         const Camera camera =
-            make_cloud_camera(cloud.umbrellas(), cloud.cloud().up(), model_.model,
-                              exact(picture_.eye), exact(picture_.target), picture_);
+            make_cloud_camera(cloud.drawing(), cloud.umbrellas(), model_.model, exact(picture_.eye),
+                              exact(picture_.target), picture_);
         session.appearance = ViewAppearance(Style::ink);
         if (picture_.background)
             session.appearance.background = linear_from_srgb(*picture_.background);

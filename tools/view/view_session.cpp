@@ -128,13 +128,14 @@ ViewPicture ViewSession::picture(std::optional<ImageSize> exact_size) const {
 SplatScene ViewSession::cloud_scene() const {
     CloudDocument& cloud = *document_.cloud();
     const SceneBounds sphere = bounds();
-    SplatScene scene{.cloud = &cloud.splats(appearance.color, appearance.line_width_px),
-                     .strokes = cloud.silhouette_strokes(silhouette_point(), appearance.line_color,
-                                                         appearance.line_width_px),
-                     .background = appearance.background,
-                     .camera = camera,
-                     .center = sphere.center,
-                     .radius = sphere.radius};
+    SplatScene scene{
+        .cloud = &cloud.splats(appearance.background, appearance.color, appearance.line_width_px),
+        .strokes = cloud.silhouette_strokes(silhouette_point(), appearance.line_color,
+                                            appearance.line_width_px),
+        .background = appearance.background,
+        .camera = camera,
+        .center = sphere.center,
+        .radius = sphere.radius};
     if (!appearance.lines) scene.strokes.clear();
     return scene;
 }

@@ -5,7 +5,7 @@ import os
 import struct
 import tempfile
 
-from program import fail, have_device, png_size, run, skip, succeed
+from program import fail, have_device, png_rows, png_size, run, skip, succeed
 
 
 def check_points(found):
@@ -174,3 +174,48 @@ def test_points_draw_silently_under_validation():
             skip(result.stderr.strip())
         assert result.returncode == 0, result.stderr
         assert json.loads(result.stdout)["validation_messages"] == 0
+
+
+def test_points_tell_how_small_a_hole_they_can_find():
+    # A lattice of squares of side 0.1: the circle around a square has a radius of 0.0707.
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "lattice.xyz")
+
+        def holes(radius):
+            kept = [(x, y) for x in range(30) for y in range(30)
+                    if math.hypot(x - 14.5, y - 14.5) * 0.1 >= radius]
+            with open(path, "w", encoding="utf-8") as file:
+                file.writelines(f"{0.1 * x} {0.1 * y} 0\n" for x, y in kept)
+            found = succeed("points", path)
+            inside = [p for p in found["border"] if 5 < kept[p][0] < 24 and 5 < kept[p][1] < 24]
+            return found["smallest_hole"]["median"], len(inside)
+
+        limit, none = holes(0.0)
+        assert none == 0 and abs(limit - 2.75 * 0.0707) < 0.01
+        assert holes(0.6 * limit)[1] == 0
+        assert holes(1.5 * limit)[1] > 8
+        assert succeed("points", path, "--method", "thesis")["smallest_hole"] is None
+        assert "cannot be told from the points' spacing" in run("points", path).stdout
+
+
+def test_points_of_a_coarse_cloud_are_dots_and_of_a_dense_one_discs():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "points.png")
+
+        def drawn(*options):
+            """The pixels, of which none on the picture's rim is inked."""
+            succeed("points", *options, "--as-points", "-o", output, "--size", "160x120", "--no-lists")
+            rows = png_rows(output)
+            rim = rows[0] + rows[-1] + [row[0] for row in rows] + [row[-1] for row in rows]
+            assert all(pixel == rows[0][0] for pixel in rim), options
+            return [pixel for row in rows for pixel in row]
+
+        def inked(pixels):
+            return sum(pixel != pixels[0] for pixel in pixels)
+
+        coarse, dense = drawn("shape:torus:1000"), drawn("shape:torus:12000")
+        discs = drawn("shape:torus:1000", "--look", "discs")
+        assert coarse == drawn("shape:torus:1000", "--look", "dots") and inked(coarse) < 0.5 * inked(discs)
+        assert dense == drawn("shape:torus:12000", "--look", "discs")
+    fail(2, "points", "shape:torus:1000", "--as-points", "--look", "plates")

@@ -9,7 +9,11 @@
 
 #include "engine/clouds/disc_pieces.h"
 #include "engine/clouds/disc_radii.h"
+#include "silhouette/mesh/any_perpendicular.h"
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/points/feature_weights.h"
 #include "tests/silhouette/points/sample_clouds.h"
+#include "tools/output/cloud_drawing.h"
 #include "tools/output/hidden_points.h"
 
 using namespace rimline;
@@ -123,6 +127,69 @@ TEST_CASE("a flat point has one disc and a fold's edge two, each cut where the o
             CHECK(std::abs(is_flat ? piece.normal.z : piece.normal.x) > 1.0 - 1e-9);
             CHECK((is_flat ? -piece.cuts[0].x : piece.cuts[0].z) > 1.0 - 1e-9);
             CHECK(piece.cuts[1] == glm::dvec3(0.0));
+        }
+    }
+}
+
+TEST_CASE("where a crease ends at a border, its discs do too") {
+    const int n = 6;
+    const std::vector<glm::dvec3> points = make_fold(n);
+    const PointSurface surface(points);
+    std::size_t ends = 0;
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+        const glm::dvec3& at = points[p];
+        if (at.x != 0.0 || at.z != 0.0 || (at.y > 0.0 && at.y < 2 * n)) continue;
+        if (surface.label(PointId{p}) != PointLabel::border) continue;
+        const std::vector<DiscPiece> pieces = disc_pieces(surface, PointId{p});
+        if (pieces.size() < 2) continue;  // Of one side of the fold alone.
+        ++ends;
+        const glm::dvec3 outward(0.0, at.y == 0.0 ? -1.0 : 1.0, 0.0);
+        for (const DiscPiece& piece : pieces)
+            CHECK(std::ranges::any_of(
+                piece.cuts, [&](const glm::dvec3& cut) { return glm::dot(cut, outward) < -0.99; }));
+    }
+    CHECK(ends > 0);
+}
+
+TEST_CASE("the camera's frame holds every disc, and a coarse cloud has dots for discs") {
+    const PointCloud cloud(points_of(make_built_in_shape("terrain", 2'000)));
+    const PointSurface surface(cloud.positions());
+    const UmbrellaIndex umbrellas(surface);
+    const std::vector<float> weights = feature_weights(surface);
+    const PointColor paper{248, 244, 236};
+    CHECK(usual_look(surface.size()) == CloudLook::dots);
+    CHECK(usual_look(5000) == CloudLook::discs);
+
+    const CloudDrawing dots(cloud, surface, umbrellas, weights, CloudLook::dots);
+    const SplatCloud dotted = dots.drawn(paper);
+    std::size_t round = 0;
+    for (const gpu::StrokeRecord& stroke : dotted.strokes) round += stroke.from == stroke.to;
+    CHECK(round == surface.size());
+    // Discs only hide.
+    for (const gpu::SplatRecord& splat : dotted.splats) CHECK(splat.color == packed(paper, false));
+
+    const CloudDrawing drawing(cloud, surface, umbrellas, weights, CloudLook::discs);
+    PictureOptions options;
+    options.size = {800, 600};
+    for (const glm::dvec3& eye : {glm::dvec3(2, 1, 2), glm::dvec3(-1, 3, 0.5)}) {
+        const Camera camera =
+            make_cloud_camera(drawing, umbrellas, "terrain", eye, std::nullopt, options);
+        const glm::dmat3 axes = camera_from_world(camera);
+        const Projection projection = make_projection(
+            camera, 800.0 / 600.0, drawing.subject().center, drawing.subject().radius);
+        for (const gpu::SplatRecord& splat : drawing.drawn(paper).splats) {
+            const glm::dvec3 normal(splat.normal);
+            if (normal == glm::dvec3(0.0)) continue;
+            const glm::dvec3 u = any_perpendicular(normal), v = glm::cross(normal, u);
+            for (int turn = 0; turn < 16; ++turn) {
+                const double angle = turn * std::numbers::pi / 8.0;
+                const glm::dvec3 rim =
+                    glm::dvec3(splat.position) +
+                    double(splat.radius) * (std::cos(angle) * u + std::sin(angle) * v);
+                const glm::dvec3 at = axes * (rim - camera.eye);
+                CHECK(std::abs(projection.scale.x * at.x / -at.z) <= 1.0);
+                CHECK(std::abs(projection.scale.y * at.y / -at.z) <= 1.0);
+            }
         }
     }
 }

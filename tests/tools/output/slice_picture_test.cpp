@@ -1,0 +1,75 @@
+#include "tools/output/slice_picture.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tools/output/canvas.h"
+
+using namespace rimline;
+using namespace rimline::tools;
+
+TEST_CASE("a cut of a sphere is a circle around the axis") {
+    const Mesh mesh(make_built_in_shape("sphere", 20'000));
+    for (const int axis : {0, 1, 2}) {
+        CAPTURE(axis);
+        const double value = mesh.center()[axis] + 0.3 * mesh.radius();
+        double length = 0.0;
+        for (const auto& [from, to] : cut_segments(mesh, axis, value)) {
+            length += glm::distance(from, to);
+            for (const glm::dvec3& p : {from, to}) {
+                CHECK(std::abs(p[axis] - value) < 1e-9);
+                CHECK(glm::distance(p, mesh.center()) / mesh.radius() ==
+                      doctest::Approx(1.0).epsilon(0.002));
+            }
+        }
+        const double circle = 2.0 * 3.141592653589793 * std::sqrt(1.0 - 0.09) * mesh.radius();
+        CHECK(length == doctest::Approx(circle).epsilon(0.005));
+    }
+    CHECK(cut_segments(mesh, 0, mesh.center().x + 1.01 * mesh.radius()).empty());
+}
+
+TEST_CASE("the squares of a slice are those of the ball or shell, and each has its point") {
+    const SliceGrid grid(1, 0.5, 1.0, 2.0, 64);
+    CHECK(grid.squares().size() == grid.points().size());
+    std::size_t expected = 0;
+    for (int row = 0; row < 64; ++row)
+        for (int column = 0; column < 64; ++column) {
+            const double x = 2.0 * (2.0 * (column + 0.5) / 64 - 1.0);
+            const double z = 2.0 * (1.0 - 2.0 * (row + 0.5) / 64);
+            const double squared = x * x + 0.25 + z * z;
+            if (squared < 1.0 || squared > 4.0) continue;
+            CHECK(grid.squares()[expected] == std::uint32_t(64 * row + column));
+            CHECK(glm::distance(grid.points()[expected], glm::dvec3(x, 0.5, z)) < 1e-12);
+            ++expected;
+        }
+    CHECK(expected == grid.squares().size());
+    CHECK(SliceGrid(1, 2.5, 1.0, 2.0, 64).points().empty());
+}
+
+TEST_CASE("the model is where the axes say, and its values are under it") {
+    // Of a sphere around (5, 0, 0), seen along z, the outline is a circle around the plot's middle.
+    MeshSource source = make_built_in_shape("sphere", 2'000);
+    for (glm::vec3& p : source.positions) p.x += 5.0f;
+    const Mesh mesh(source);
+    const int side = 200;
+    const SliceGrid grid(2, 0.0, 0.0, 3.0, side);
+    const std::vector<double> values(grid.points().size(), 1.0);
+    const Canvas canvas = draw_slice({mesh, unit_frame(mesh), grid, values, "a title", "votes"});
+    // Its horizontal diameter is a third of the plot's. Rows of the plot's middle begin at `left`.
+    const int row = 20 + side / 2;
+    const auto is_dark = [&](int x) {
+        return canvas.picture().rgba[4 * (std::size_t(row) * canvas.width() + std::size_t(x)) + 2] <
+               60;
+    };
+    const int left = 44;
+    std::vector<int> dark;
+    for (int x = left; x < left + side; ++x)
+        if (is_dark(x)) dark.push_back(x - left);
+    REQUIRE(dark.size() >= 2);
+    CHECK(std::abs(dark.front() - side / 3) <= 2);
+    CHECK(std::abs(dark.back() - 2 * side / 3) <= 2);
+}

@@ -1,0 +1,253 @@
+#include "tools/output/slice_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "silhouette/lines/line_drawer.h"
+#include "silhouette/mesh/brute_force.h"
+#include "tools/output/plot_scale.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr Color k_slice_paper{255, 255, 255};
+constexpr Color k_slice_ink{30, 30, 30};
+constexpr Color k_slice_outside{232, 232, 232};
+
+// The places of a plot's parts, in pixels.
+struct SliceLayout {
+    int scale, left, top, side;
+
+    explicit SliceLayout(int resolution)
+        : scale(std::max(1, resolution / 256)),
+          left(44 * scale),
+          top(20 * scale),
+          side(resolution) {}
+    int bar_left() const { return left + side + 14 * scale; }
+    int bar_width() const { return 14 * scale; }
+    int width() const { return bar_left() + bar_width() + 60 * scale; }
+    int height() const { return top + side + 26 * scale; }
+};
+
+// The plot of a slice: model coordinates to pixels.
+class SlicePlot {
+public:
+    SlicePlot(Canvas& canvas, const SlicePicture& slice, const SliceLayout& layout)
+        : canvas_(canvas), slice_(slice), layout_(layout) {}
+
+    double pixels_per_unit() const {
+        return layout_.side / (2.0 * slice_.grid.extent() * slice_.frame.radius);
+    }
+    glm::dvec2 to_pixels(const glm::dvec3& p) const {
+        const glm::dvec3 from_center = pixels_per_unit() * (p - slice_.frame.center);
+        return {layout_.left + 0.5 * layout_.side + from_center[slice_.grid.right()],
+                layout_.top + 0.5 * layout_.side - from_center[slice_.grid.up()]};
+    }
+
+    void draw_values(double least, double range) {
+        canvas_.fill(layout_.left, layout_.top, layout_.side, layout_.side, k_slice_outside);
+        for (std::size_t i = 0; i < slice_.values.size(); ++i) {
+            const int square = static_cast<int>(slice_.grid.squares()[i]);
+            canvas_.set(layout_.left + square % layout_.side, layout_.top + square / layout_.side,
+                        viridis_color((slice_.values[i] - least) / range));
+        }
+    }
+
+    void draw_color_bar(double least, double greatest) {
+        const int scale = layout_.scale;
+        const int left = layout_.bar_left();
+        const int bar = layout_.bar_width();
+        for (int row = 0; row < layout_.side; ++row)
+            canvas_.fill(left, layout_.top + row, bar, 1,
+                         viridis_color(1.0 - (row + 0.5) / layout_.side));
+        canvas_.write(left, layout_.top - 12 * scale, slice_.unit, k_slice_ink, scale);
+        if (!(greatest > least)) return;
+        const double step = round_step(greatest - least, 6);
+        for (const double value : round_ticks(least, greatest, 6)) {
+            const double share = (value - least) / (greatest - least);
+            const int y =
+                layout_.top + static_cast<int>(std::lround((1.0 - share) * (layout_.side - scale)));
+            canvas_.fill(left + bar, y, 3 * scale, scale, k_slice_ink);
+            canvas_.write(left + bar + 5 * scale, y - 3 * scale, short_number(value, step),
+                          k_slice_ink, scale);
+        }
+    }
+
+    void draw_axes() {
+        const int scale = layout_.scale;
+        const int bottom = layout_.top + layout_.side;
+        const double reach = slice_.grid.extent() * slice_.frame.radius;
+        const double step = round_step(2.0 * reach, 6);
+        const glm::dvec3& center = slice_.frame.center;
+        for (const int axis : {slice_.grid.right(), slice_.grid.up()})
+            for (const double tick : round_ticks(center[axis] - reach, center[axis] + reach, 6)) {
+                glm::dvec3 at = center;
+                at[axis] = tick;
+                const glm::dvec2 p = to_pixels(at);
+                const std::string number = short_number(tick, step);
+                const int width = Canvas::text_width(number, scale);
+                if (axis == slice_.grid.right()) {
+                    const int x = static_cast<int>(p.x);
+                    canvas_.fill(x, bottom, scale, 3 * scale, k_slice_ink);
+                    // The axis's name is at the end.
+                    if (x + width / 2 < layout_.left + layout_.side - 8 * scale)
+                        canvas_.write(x - width / 2, bottom + 6 * scale, number, k_slice_ink,
+                                      scale);
+                } else {
+                    const int y = static_cast<int>(p.y);
+                    canvas_.fill(layout_.left - 3 * scale, y, 3 * scale, scale, k_slice_ink);
+                    if (y > layout_.top + 12 * scale)
+                        canvas_.write(layout_.left - 5 * scale - width, y - 3 * scale, number,
+                                      k_slice_ink, scale);
+                }
+            }
+        canvas_.write(layout_.left + layout_.side - 5 * scale, bottom + 6 * scale,
+                      axis_name(slice_.grid.right()), k_slice_ink, scale);
+        canvas_.write(layout_.left - 11 * scale, layout_.top, axis_name(slice_.grid.up()),
+                      k_slice_ink, scale);
+        canvas_.fill(layout_.left - scale, layout_.top, scale, layout_.side + scale, k_slice_ink);
+        canvas_.fill(layout_.left - scale, bottom, layout_.side + scale, scale, k_slice_ink);
+        draw_scale_bar(canvas_, layout_.left + 5 * scale, bottom - 5 * scale, layout_.side / 5,
+                       pixels_per_unit(), "", k_slice_ink, scale);
+    }
+
+    // The lines that a viewer on the axis sees.
+    void draw_model_lines(const LongCall& call) {
+        if (!slice_.mesh.is_welded()) return;
+        glm::dvec3 right(0.0), up(0.0);
+        right[slice_.grid.right()] = 1.0;
+        up[slice_.grid.up()] = 1.0;
+        const glm::dvec3 eye =
+            slice_.frame.center + 3.0 * slice_.frame.radius * glm::cross(right, up);
+        const LineView view = LineView::orthographic(eye, slice_.frame.center, up);
+        const LineSurface surface(slice_.mesh, LineSurface::Contacts::found, call);
+        LineDrawer drawer(surface);
+        LineOptions options;
+        const double pixel = 1.0 / pixels_per_unit();
+        options.min_length = 4.0 * layout_.scale * pixel;
+        options.gap = pixel;
+        options.stubble = 4.0 * layout_.scale * pixel;
+        const LineDrawing& lines =
+            drawer.draw(view, brute_force_silhouette(slice_.mesh, view.point()), options, call);
+        const glm::dvec2 center = to_pixels(slice_.frame.center);
+        const auto place = [&](const LinePoint& p) {
+            return center + pixels_per_unit() * glm::dvec2(p.position.x, -p.position.y);
+        };
+        std::vector<std::array<glm::dvec2, 2>> segments;
+        for (const LineStroke& stroke : lines.strokes)
+            for (const StrokePart& part : lines.parts_of(stroke)) {
+                const auto points = lines.points_of(lines.runs[part.run]);
+                for (std::size_t i = 0; i + 1 < points.size(); ++i)
+                    segments.push_back({place(points[i]), place(points[i + 1])});
+            }
+        draw_with_halo(segments, 0.5 * layout_.scale, 0.6);
+    }
+
+    void draw_cut() {
+        const double value =
+            slice_.frame.center[slice_.grid.axis()] + slice_.grid.value() * slice_.frame.radius;
+        std::vector<std::array<glm::dvec2, 2>> segments;
+        for (const auto& [from, to] : cut_segments(slice_.mesh, slice_.grid.axis(), value))
+            segments.push_back({to_pixels(from), to_pixels(to)});
+        draw_with_halo(segments, 0.9 * layout_.scale, 1.0);
+    }
+
+    // The greatest value: in the plot, and its name beside the title.
+    void mark_greatest() {
+        const auto best = static_cast<std::size_t>(std::ranges::max_element(slice_.values) -
+                                                   slice_.values.begin());
+        const glm::dvec2 p = to_pixels(slice_.frame.to_model(slice_.grid.points()[best]));
+        draw_mark(p);
+        const int scale = layout_.scale;
+        const std::string words = "greatest";
+        const int right = layout_.left + layout_.side;
+        const int left = right - Canvas::text_width(words, scale);
+        draw_mark({left - 8.0 * scale, layout_.top - 8.5 * scale});
+        canvas_.write(left, layout_.top - 12 * scale, words, k_slice_ink, scale);
+    }
+
+private:
+    static std::string axis_name(int axis) { return std::string(1, static_cast<char>('x' + axis)); }
+
+    // Lines are dark, and so are low values.
+    void draw_with_halo(std::span<const std::array<glm::dvec2, 2>> segments, double width,
+                        double opacity) {
+        for (const auto& [from, to] : segments)
+            canvas_.line(from, to, width + 1.5 * layout_.scale, k_slice_paper, 0.25);
+        for (const auto& [from, to] : segments) canvas_.line(from, to, width, k_slice_ink, opacity);
+    }
+
+    void draw_mark(const glm::dvec2& at) {
+        canvas_.disc(at.x, at.y, 3.5 * layout_.scale, k_slice_ink);
+        canvas_.disc(at.x, at.y, 2.5 * layout_.scale, k_slice_paper);
+    }
+
+    Canvas& canvas_;
+    const SlicePicture& slice_;
+    const SliceLayout& layout_;
+};
+
+}  // namespace
+
+SliceGrid::SliceGrid(int axis, double value, double min_radius, double extent, int side)
+    : axis_(axis), side_(side), value_(value), extent_(extent) {
+    RIMLINE_CHECK(axis >= 0 && axis < 3 && side > 0 && extent > 0.0);
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            glm::dvec3 p(0.0);
+            p[axis] = value;
+            p[right()] = extent * (2.0 * (column + 0.5) / side - 1.0);
+            p[up()] = extent * (1.0 - 2.0 * (row + 0.5) / side);
+            const double radius = glm::length(p);
+            if (radius < min_radius || radius > extent) continue;
+            squares_.push_back(static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(side) +
+                               static_cast<std::uint32_t>(column));
+            points_.push_back(p);
+        }
+}
+
+std::vector<std::array<glm::dvec3, 2>> cut_segments(const Mesh& mesh, int axis, double value) {
+    std::vector<std::array<glm::dvec3, 2>> segments;
+    for (const Triangle& triangle : mesh.triangles()) {
+        std::array<glm::dvec3, 3> p;
+        std::array<bool, 3> is_above;
+        for (std::size_t i = 0; i < 3; ++i) {
+            p[i] = glm::dvec3(mesh.positions()[index(triangle[i])]);
+            is_above[i] = p[i][axis] >= value;
+        }
+        std::array<glm::dvec3, 2> segment;
+        std::size_t ends = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3;
+            if (is_above[i] == is_above[j]) continue;
+            const double share = (value - p[i][axis]) / (p[j][axis] - p[i][axis]);
+            segment[ends++] = p[i] + share * (p[j] - p[i]);
+        }
+        if (ends == 2) segments.push_back(segment);
+    }
+    return segments;
+}
+
+Canvas draw_slice(const SlicePicture& slice, const LongCall& call) {
+    RIMLINE_CHECK(!slice.values.empty() && slice.values.size() == slice.grid.points().size());
+    const SliceLayout layout(slice.grid.side());
+    Canvas canvas(static_cast<std::uint32_t>(layout.width()),
+                  static_cast<std::uint32_t>(layout.height()), k_slice_paper);
+    const auto [least, greatest] = std::ranges::minmax(slice.values);
+    SlicePlot plot(canvas, slice, layout);
+    plot.draw_values(least, greatest > least ? greatest - least : 1.0);
+    plot.draw_model_lines(call);
+    plot.draw_cut();
+    plot.draw_axes();
+    plot.draw_color_bar(least, greatest);
+    plot.mark_greatest();
+    canvas.write(layout.left, layout.top - 12 * layout.scale, slice.title, k_slice_ink,
+                 layout.scale);
+    return canvas;
+}
+
+}  // namespace rimline::tools
