@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -38,6 +39,7 @@ std::string vector_text(const glm::vec3& v) {
 }
 
 void append_positions(MeshSource& all, const PlacedSource& placed) {
+    glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
     all.positions.reserve(all.positions.size() + placed.source->positions.size());
     for (const glm::vec3& position : placed.source->positions) {
         const glm::dvec3 there = placed.at + placed.matrix * glm::dvec3(position);
@@ -46,7 +48,16 @@ void append_positions(MeshSource& all, const PlacedSource& placed) {
             throw Error(ErrorCode::too_large,
                         placed.name + ": its place is outside of the range of coordinates, 2^60");
         all.positions.emplace_back(there);
+        low = glm::min(low, there);
+        high = glm::max(high, there);
     }
+    // Floats have 24 bits: fewer than 8 of them are left for the shape.
+    const double extent = glm::length(high - low), distance = glm::length(placed.at);
+    if (!placed.source->positions.empty() && extent * 0x1p16 < distance)
+        all.warnings.push_back(placed.name +
+                               ": lies so far from the origin of the scene that "
+                               "single precision loses its shape; place the models "
+                               "nearer to the origin");
 }
 
 // The materials of all sources that are joined. Lists are filled up where sources without an entry follow each other.
@@ -134,10 +145,11 @@ Turn parse_turn(const std::string& option, const std::string& text) {
         throw CLI::ValidationError(
             option, "expected at most 360 degrees, not '" + text.substr(begin) + "'");
     if (comma == std::string::npos) return turn;
-    const UpChoice axis = parse_up_choice(option, text.substr(0, comma));
-    if (!axis.direction)
+    const std::string name = text.substr(0, comma);
+    const auto commas = std::ranges::count(name, ',');
+    if (name == "auto" || (commas != 0 && commas != 2))
         throw CLI::ValidationError(option, "expected " + expected + ", not '" + text + "'");
-    turn.axis = axis.direction;
+    turn.axis = parse_up(option, name);
     return turn;
 }
 

@@ -77,7 +77,7 @@ struct PlacedSource {
 };
 
 /// All sources as one, in their order: positions, triangles, materials and warnings; the up axis is that of the first.
-/// Positions are rounded to float. A source that occurs several times has its materials once. Throws Error{too_large}
+/// Positions are rounded to float; a model whose shape is lost by that is a warning. A source that occurs several times has its materials once. Throws Error{too_large}
 /// where positions leave the range of coordinates, or if there are more than 2^30 triangles.
 MeshSource join_sources(std::span<const PlacedSource> sources);
 

@@ -1,10 +1,9 @@
 """Several models in one picture, and scene files."""
 import json
 import os
-import subprocess
 import tempfile
 
-from program import PROGRAM, drawn_again, fail, have_device, png_rows, read_file, run, succeed, write_faces
+from program import drawn_again, fail, have_device, png_rows, read_file, run, succeed, write_faces
 
 SIZE = ("--size", "160x120")
 BOX = "shape:box"
@@ -100,12 +99,11 @@ def test_the_up_direction_belongs_to_each_model():
 def test_the_same_file_twice_is_read_once():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
-        pipe = os.path.join(folder, "a.obj")
-        os.mkfifo(pipe)  # It can be read only once.
-        writer = subprocess.Popen(["sh", "-c", f"printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n' > {pipe}"])
-        result = run("render", pipe, pipe, "--at", "2,0,0", *SIZE, "-o", os.path.join(folder, "a.png"))
-        writer.wait()
-        assert result.returncode == 0, result.stderr
+        path = os.path.join(folder, "a.obj")
+        with open(path, "w") as file:
+            file.write("mtllib missing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        result = run("render", path, path, "--at", "2,0,0", *SIZE, "-o", os.path.join(folder, "a.png"))
+        assert result.returncode == 0 and result.stderr.count("missing.mtl") == 1, result.stderr
         triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         result = run("render", "-", BOX, "--at", "2,0,0", "--format", "obj", *SIZE, "-o", os.path.join(folder, "b.png"),
                      input=triangle)
@@ -113,6 +111,7 @@ def test_the_same_file_twice_is_read_once():
 
 
 def test_places_without_a_model_and_bad_places_are_usage_errors():
+    have_device()
     assert "--at: name a MODEL before it" in fail(2, "render", "--at", "1,2,3", BOX)
     assert "--scale: name a MODEL" in fail(2, "render", "--scale", "2")
     assert "--at: give it only once for each MODEL" in fail(2, "render", BOX, "--at", "1,2,3", "--at", "1,2,3", BOX)
@@ -125,7 +124,9 @@ def test_places_without_a_model_and_bad_places_are_usage_errors():
     assert "--camera: belongs to a scene file" in fail(2, "render", BOX, "--camera", "a")
     assert "standard input can be read only once" in fail(2, "render", "-", "-", "--format", "obj")
     assert "missing.obj" in fail(1, "render", BOX, "missing.obj")
-    assert "too large" in fail(1, "render", BOX, "--at", "1e18,0,0") or True
+    assert "too large to stand before" in run("render", BOX, BOX, "--at", "1.1e18,0,0").stderr
+    far = run("render", BOX, "--at", "1e6,0,0", "-o", "/dev/null", *SIZE)
+    assert "shape:box: lies so far from the origin" in far.stderr, far.stderr
 
 
 def test_a_picture_of_several_models_can_be_drawn_again():
@@ -147,7 +148,7 @@ def test_a_saved_scene_draws_the_same_picture_in_every_style():
         output, other, scene = (os.path.join(folder, name) for name in ("a.png", "b.png", "scene.json"))
         models = (BOX, "--paint", "#c04020", "shape:knot:2000", "--at=-2.5,0.1,0.3", "--turn", "1,2,3,30", "--up", "z")
         cases = ([], ["--style", "toon", "--ground", "--sun", "auto"], ["--style", "hatch", "--light", "3,4.1,5"],
-                 ["--style", "blueprint", "--hidden", "--palette", "ozalid"] if False else ["--style", "blueprint", "--hidden"],
+                 ["--style", "blueprint", "--hidden", "--palette", "sepia"],
                  ["--style", "mask", "--lines", "on"], ["--background", "none", "--ground"], ["--eye", "top", "--ground"],
                  ["--ortho", "8.3", "--crease", "40.5", "--line-width", "3.3", "--line-color", "navy", "--materials", "off",
                   "--intersections", "off", "--min-length", "2.5", "--shadows", "fail", "--color", "#abc"])

@@ -122,6 +122,17 @@ TEST_CASE("a model that would leave the range of coordinates is an error that na
     }
 }
 
+TEST_CASE("a model that loses its shape far from the origin is a warning") {
+    const MeshSource source = triangle();
+    const auto warnings = [&](double at) {
+        const std::array<PlacedSource, 1> placed{
+            {{.source = &source, .at = {at, 0, 0}, .name = "a.obj"}}};
+        return join_sources(placed).warnings.size();
+    };
+    CHECK(warnings(10000.0) == 0);
+    CHECK(warnings(1e6) == 1);
+}
+
 TEST_CASE("two boxes that touch become one mesh in which they hide each other") {
     const MeshSource box = make_built_in_shape("box", 0);
     const Mesh apart(join_sources(
