@@ -13,13 +13,14 @@
 #include "tools/command.h"
 #include "tools/options/animation.h"
 #include "tools/options/drawing_device.h"
-#include "tools/options/model_argument.h"
+#include "tools/options/model_list.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/path_options.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/up_option.h"
+#include "tools/options/view_camera.h"
 #include "tools/output/frame_output.h"
 #include "tools/output/frame_sink.h"
 #include "tools/output/json_vector.h"
@@ -80,7 +81,7 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        model_.add_to(app, ModelArgument::Presence::optional);
+        models_.add_to(app);
         app.add_option("-o,--output", output_,
                        "Folder for the pictures frame_0000.png ..., or a film: a name that ends in "
                        ".apng, or, with ffmpeg, in .mp4, .gif or .webm")
@@ -109,6 +110,7 @@ public:
         scene_.add_to(app);
         scene_.add_palette_to(app);
         picture_.add_camera_to(app);
+        models_.add_to_camera(app);
         picture_.add_lights_to(app);
         picture_.add_image_to(app, PictureOptions::Background::any);
         picture_.add_machine_to(app);
@@ -123,7 +125,10 @@ public:
             "those "
             "of the\n"
             "camera's silhouettes. Silhouettes of a model that deforms are computed on the "
-            "GPU.\n\n"
+            "GPU.\n"
+            "Several models make a scene, as in render. Of a scene file's cameras only the one of "
+            "--camera is used;\n"
+            "it does not move.\n\n"
             "Examples:\n"
             "  rimline animate igea.ply --frames 120 --step 0.5 -o frames\n"
             "  rimline animate shape:scene --eye 2,4,8 --light 3,4,2 --light-step 3 --style "
@@ -133,43 +138,45 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        check_usage();
         RunTimes times(context.started);
+        models_.settle(picture_, ModelList::FirstCamera::not_used);
+        scene_.has_painted_models = models_.has_paint();
+        check_usage();
         if (!picture_.eye) path_.read(context);
         const std::unique_ptr<FrameSink> sink =
             make_frame_sink(output_, {.frame_count = path_.frames,
                                       .fps = fps_,
                                       .size = picture_.size,
                                       .finish = scene_.finish(picture_)});
-        if (model_.model.empty()) model_.model = k_default_model;
-        const Mesh mesh = model_.load_mesh(context, scene_.textures());
+        const Mesh mesh =
+            models_.load_mesh(picture_, scene_.textures(), scene_.shows_file_colors(), context);
         context.checkpoint();
         times.end("reading");
-        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         if (!picture_.eye) {
             Progress progress(context, "choosing the first view");
-            picture_.view.choose(model_.model, mesh, up_.up, progress.call());
+            picture_.view.choose(models_.name(), mesh, models_.up().up, progress.call());
         }
         const DrawingDevice device(picture_);
         times.end("device");
 
         // A deforming mesh has no octree.
         std::optional<HoughOctree> octree;
-        if (deform_.empty()) octree.emplace(build_octree(model_.model, mesh, context));
+        if (deform_.empty()) octree.emplace(build_octree(models_.name(), mesh, context));
         const glm::dvec3 up = up_of(mesh, picture_);
         const std::optional<Wave> wave =
             deform_.empty() ? std::nullopt : std::optional(default_wave(mesh, up, 0.0));
         const double reach = mesh.radius() + (wave ? wave->amplitude : 0.0);
         const Motion motion = make_motion(mesh, up, reach, wave);
         Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
-        check_scene_reach(model_.model, mesh, {&first.camera.eye, 1}, scene_.ground);
+        check_scene_reach(models_.name(), mesh, {&first.camera.eye, 1}, scene_.ground);
         first.instances.push_back({.octree = octree ? &*octree : nullptr,
-                                   .name = model_.model,
+                                   .name = models_.name(),
                                    .material = scene_.material(picture_),
                                    .is_solid = octree && check_solid(mesh, context)});
         std::optional<Ground> ground;
         if (scene_.ground) {
-            ground.emplace(mesh, up, wave ? wave->amplitude : 0.0);
+            ground.emplace(mesh, rounded_to_float(ground_up_of(mesh, picture_)),
+                           wave ? wave->amplitude : 0.0);
             first.instances.push_back(ground->instance(first));
         }
 
@@ -177,7 +184,7 @@ public:
         times.end("index");
         const std::uint32_t frame_count =
             motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
-        const Result result = about_model(model_.model, [&] {
+        const Result result = about_model(models_.name(), [&] {
             Renderer renderer(device.context());
             Progress progress(context, "drawing frames");
             return Result{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
@@ -220,7 +227,7 @@ private:
         if (!picture_.eye)
             motion.eyes = path_.points(
                 mesh, glm::vec3(up), mesh.radius() > 0.0 ? motion.distance / mesh.radius() : 1.0,
-                orbit_angle_rad(picture_.view.direction(model_.model, up), up));
+                orbit_angle_rad(picture_.view.direction(models_.name(), up), up));
         if (light_follow_) motion.lights = LightMotion::with_camera;
         if (light_step_degrees_ != 0.0) motion.lights = LightMotion::turning;
         const double frames = motion.eyes.empty() ? path_.frames : double(motion.eyes.size());
@@ -239,7 +246,7 @@ private:
 
     // The camera that `render` would choose, at the first eye of the path.
     Camera first_camera(const Mesh& mesh, const Motion& motion) const {
-        if (picture_.eye) return make_camera(mesh, model_.model, picture_);
+        if (picture_.eye) return make_camera(mesh, models_.name(), picture_);
         Camera camera{.eye = {},
                       .target = picture_.target ? glm::dvec3(*picture_.target) : mesh.center(),
                       .up = up_of(mesh, picture_),
@@ -273,10 +280,10 @@ private:
         sums["max_frame_ms"] = totals.max_frame_ms;
         sums["stream_memory_bytes"] = result.stream_bytes;
         sums["tracker_memory_bytes"] = result.tracker_bytes;
-        nlohmann::ordered_json json{{"model", model_.model},
-                                    {"path", picture_.eye ? "still" : path_.path}};
-        json["up"] = json_vector(up_.up);
-        json["up_from"] = up_source_name(up_.source);
+        nlohmann::ordered_json json = models_.json();
+        json["path"] = picture_.eye ? "still" : path_.path;
+        json["up"] = json_vector(models_.up().up);
+        json["up_from"] = up_source_name(models_.up().source);
         json.update(device_json(&device));
         json.update({{"frames", std::move(frames)},
                      {"totals", std::move(sums)},
@@ -298,16 +305,15 @@ private:
                     mean(totals.bytes_full));
         std::printf("  a frame     %.1f ms, at most %.1f ms, on %s\n", mean(totals.frame_ms),
                     totals.max_frame_ms, device.device.facts().name.c_str());
-        print_up(up_);
+        print_up(models_.up());
         std::printf("  time        %s\n", times.sentence().c_str());
         print_validation(device);
     }
 
-    ModelArgument model_;
+    ModelList models_;
     PathOptions path_;
     SceneOptions scene_;
     PictureOptions picture_;
-    ChosenUp up_;
     std::string output_ = k_default_folder;
     std::uint32_t fps_ = 30;
     double light_step_degrees_ = 0.0;

@@ -9,7 +9,7 @@
 #include "engine/vulkan/heap_room.h"
 #include "tools/command.h"
 #include "tools/options/drawing_device.h"
-#include "tools/options/model_argument.h"
+#include "tools/options/model_list.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
@@ -38,13 +38,17 @@ public:
 
     void add_options(CLI::App& app) override {
         app_ = &app;
-        model_.add_to(app, ModelArgument::Presence::optional);
+        models_.add_to(app);
         add_output(app, "-o,--output", output_, ".png", "PNG file to write; - is standard output")
+            ->group("Output");
+        add_output(app, "--save-scene", scene_output_, ".json",
+                   "Also write a scene file that draws this picture again")
             ->group("Output");
         options_.add_to(app);
         options_.add_palette_to(app);
         options_.add_still_lines_to(app);
         picture_.add_camera_to(app);
+        models_.add_to_camera(app);
         picture_.add_ground_up_to(app);
         picture_.add_lights_to(app);
         picture_.add_image_to(app, PictureOptions::Background::any);
@@ -62,39 +66,51 @@ public:
             "Lines are visible exactly where no face of the model hides them. Times are by the "
             "clock and add up\n"
             "to the run; `frame_ms` is the part of drawing after everything is on the device.\n\n"
+            "Several models make a scene. --at, --turn, --scale, --paint and --up belong to the "
+            "MODEL "
+            "before them:\n"
+            "first the model is scaled, then turned, then moved. The scene has the coordinates of "
+            "its "
+            "first model.\n\n"
             "Examples:\n"
             "  rimline render\n"
+            "  rimline render shape:knot shape:box --at 2.2,0,0 --turn 30 --ground -o two.png\n"
+            "  rimline render scene.json --camera front -o front.png\n"
             "  rimline render horse.ply -o horse.png --style toon --ground --sun auto\n"
             "  rimline render shape:knot --eye 3,2,4 --light 2,5,1 --style ink -o knot.png");
     }
 
     ExitStatus run(const Context& context) override {
+        RunTimes times(context.started);
+        models_.settle(picture_, ModelList::FirstCamera::used);
+        options_.has_painted_models = models_.has_paint();
         options_.check_usage(picture_);
         check_output(context, output_);
-        RunTimes times(context.started);
-        OutputFile output(output_, model_.model);  // Reports a bad path before the work.
-        if (model_.model.empty()) model_.model = k_default_model;
-        const Mesh mesh = model_.load_mesh(context, options_.textures());
+        check_outputs();
+        OutputFile output(output_);  // Reports a bad path before the work.
+        std::optional<OutputFile> scene_output;
+        if (!scene_output_.empty()) scene_output.emplace(scene_output_);
+        const Mesh mesh =
+            models_.load_mesh(picture_, options_.textures(), options_.shows_file_colors(), context);
         context.checkpoint();
         times.end("reading");
-        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         choose_view(mesh, context);
         times.end("choosing the view");
         const DrawingDevice device(picture_);
         times.end("device");
-        const HoughOctree octree = build_octree(model_.model, mesh, context);
+        const HoughOctree octree = build_octree(models_.name(), mesh, context);
         context.checkpoint();
         times.end("index");
 
         Scene scene =
-            options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
+            options_.make_scene(make_camera(mesh, models_.name(), picture_), mesh, picture_);
         const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
         if (frames_shadows(scene))
             scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights, ground_up,
                                               double(picture_.size.width) / picture_.size.height);
-        check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
+        check_scene_reach(models_.name(), mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
-            {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
+            {.octree = &octree, .name = models_.name(), .material = options_.material(picture_)});
         std::optional<Ground> ground;
         if (options_.ground) {
             ground.emplace(mesh, ground_up, 0.0);
@@ -116,6 +132,7 @@ public:
         options_.finish(picture_).apply(picture);
 
         write_png(output, picture);
+        if (scene_output) write_scene(*scene_output, scene, ground_up);
         times.end("writing");
         FrameReport report = renderer.report();
         if (scene.instances.front().picture_lines) {
@@ -136,10 +153,29 @@ private:
                !scene.camera.is_orthographic();
     }
 
+    void check_outputs() const {
+        models_.check_output_is_no_input(output_);
+        if (scene_output_.empty()) return;
+        models_.check_output_is_no_input(scene_output_);
+        if (scene_output_ == k_standard_output)
+            throw UsageError(
+                "--save-scene: the paths in a scene file need its folder; give a file");
+    }
+
+    void write_scene(OutputFile& file, const Scene& scene, const glm::dvec3& up) const {
+        file.write(scene_text({.up = up,
+                               .models = models_.models(),
+                               .lights = scene_lights_json(scene.lights),
+                               .cameras = {{"camera", scene_camera_json(scene.camera)}},
+                               .picture = picture_json(*app_)},
+                              scene_output_));
+        file.commit();
+    }
+
     void choose_view(const Mesh& mesh, const Context& context) {
         if (picture_.eye) return;
         Progress progress(context, "choosing the view");
-        picture_.view.choose(model_.model, mesh, up_.up, progress.call());
+        picture_.view.choose(models_.name(), mesh, models_.up().up, progress.call());
     }
 
     static nlohmann::ordered_json shadows_of(const FrameReport& report) {
@@ -181,7 +217,7 @@ private:
     void print_result(const DrawingDevice& device, const Renderer& renderer,
                       const FrameReport& report, const Scene& scene, const glm::dvec3& ground_up,
                       const RunTimes& times) const {
-        nlohmann::ordered_json result{{"model", model_.model}};
+        nlohmann::ordered_json result = models_.json();
         result.update(device_json(&device));
         result.update({{"silhouette", report.silhouette},
                        {"creases", report.creases},
@@ -197,10 +233,10 @@ private:
                        {"times_ms", times.json()},
                        {"output", output_}});
         result.update(camera_json(scene.camera));
-        result["up_from"] = up_source_name(up_.source);
+        result["up_from"] = up_source_name(models_.up().source);
         result.update(clip_planes_json(scene));
         result["lights"] = lights_json(scene.lights);
-        if (options_.ground) result["ground_up"] = json_vector(ground_up);
+        if (options_.ground || !models_.is_plain()) result["ground_up"] = json_vector(ground_up);
         if (pass_times_) result["passes"] = passes_of(report);
         print_json(result);
     }
@@ -219,19 +255,25 @@ private:
             std::printf("    %-28s %8.3f ms\n", pass.name.c_str(), pass.time_ms);
         if (pass_times_ && report.passes.empty())
             std::printf("    the device's queue has no timestamps\n");
-        print_up(up_);
+        print_up(models_.up());
         print_validation(device);
         std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
-        if (options_.ground && ground_up != scene.camera.up)
+        if ((options_.ground || !models_.is_plain()) && ground_up != scene.camera.up)
             arguments.push_back(vector_argument("--ground-up", ground_up));
+        // --up after several models would belong to the last one.
+        std::string words = models_.words();
+        if (models_.has_several()) {
+            const std::string up = vector_argument("--up", scene.camera.up);
+            std::erase(arguments, up);
+            words = up + " " + words;
+        }
         arguments.push_back("-o " + quoted_for_shell(output_));
-        std::printf("  again       %s\n", render_command(*app_, model_.model, arguments).c_str());
+        std::printf("  again       %s\n", render_command(*app_, words, arguments).c_str());
     }
 
-    ModelArgument model_;
+    ModelList models_;
     PictureOptions picture_;
-    ChosenUp up_;
-    std::string output_ = k_default_output;
+    std::string output_ = k_default_output, scene_output_;
     SceneOptions options_;
     bool pass_times_ = false;
     const CLI::App* app_ = nullptr;

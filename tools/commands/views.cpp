@@ -175,7 +175,7 @@ private:
                 arguments.push_back(vector_argument("--ground-up", ground_up(mesh)));
             arguments.push_back("-o view_" + std::to_string(i + 1) + ".png");
             std::printf("  draw %-2zu     %s\n", i + 1,
-                        render_command(*app_, model_.model, arguments).c_str());
+                        render_command(*app_, quoted_for_shell(model_.model), arguments).c_str());
         }
     }
 

@@ -39,7 +39,7 @@ void parse_page(const std::string& text, LinePage& page) {
             "--page", "expected fit, or WxH with both from 1 to 5000 mm, not '" + text + "'");
 }
 
-void parse_scale(const std::string& text, LinePage& page) {
+void parse_page_scale(const std::string& text, LinePage& page) {
     const auto ratio = parse_pair(text, ':', 1e-9, 1e9);
     if (!ratio)
         throw CLI::ValidationError("--scale", "expected A:B, for example 1:10, not '" + text + "'");
@@ -59,7 +59,7 @@ void LinePage::add_to(CLI::App& app) {
     add_number(app, "--margin", margin_mm, 0.0, 1000.0, "Empty border of the page in mm")
         ->group(k_group);
     app.add_option_function<std::string>(
-           "--scale", [this](const std::string& text) { parse_scale(text, *this); },
+           "--scale", [this](const std::string& text) { parse_page_scale(text, *this); },
            "True to scale, for orthographic views; units of the model are mm (default: as large "
            "as the page allows)")
         ->type_name("A:B")

@@ -182,13 +182,17 @@ void ModelArgument::add_to(CLI::App& app, Presence presence) {
                               ->type_name("");
     if (presence == Presence::required) option->required();
     add_subdivide(app, subdivide)->group("Model");
+    add_input_format(app, format);
+}
+
+void add_input_format(CLI::App& app, std::string& format) {
     app.add_option("--format", format, "Format of a MODEL from standard input")
         ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb"}))
         ->group("Model");
 }
 
 CLI::Option* add_subdivide(CLI::App& app, std::uint32_t& steps) {
-    return add_count(app, "--subdivide", steps, 0, 14,
+    return add_count(app, "--subdivide", steps, 0, k_max_subdivisions,
                      "Number of Loop subdivisions of the model; each makes four faces of one");
 }
 

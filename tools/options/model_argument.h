@@ -86,6 +86,9 @@ struct ModelArgument {
     }
 };
 
+constexpr std::uint32_t k_max_subdivisions = 14;
+/// Adds --format.
+void add_input_format(CLI::App& app, std::string& format);
 /// Adds only --subdivide, for commands that take several models.
 CLI::Option* add_subdivide(CLI::App& app, std::uint32_t& steps);
 

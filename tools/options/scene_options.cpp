@@ -133,6 +133,10 @@ void SceneOptions::check_usage(const PictureOptions& picture) const {
         throw UsageError("--palette: the style " + style + " has " + palette_names(style_value()) +
                          ", not '" + palette + "'" + did_you_mean(palette, names));
     }
+    if (has_painted_models && has_material_lines && !shows_file_colors())
+        throw UsageError(
+            "--line-color material: with --paint it takes the colors of files; leave out --color "
+            "and --materials off");
     if (style_value() != Style::mask) return;
     const auto check = [](const char* option, const std::optional<Color>& given) {
         constexpr Color k_black{0, 0, 0}, k_white{255, 255, 255};
@@ -161,7 +165,7 @@ glm::vec3 SceneOptions::surface_color(const PictureOptions& picture) const {
 
 Material SceneOptions::material(const PictureOptions& picture) const {
     Material material{.color = surface_color(picture),
-                      .shows_mesh_colors = shows_mesh_colors(),
+                      .shows_mesh_colors = shows_file_colors() || has_painted_models,
                       .lines_in_mesh_colors = has_material_lines};
     if (line_color) material.line_color = linear_from_srgb(*line_color);
     return material;

@@ -35,6 +35,7 @@ struct SceneOptions {
     bool hidden = false;
     std::string shadows = "auto";
     bool ground = false;
+    bool has_painted_models = false;  ///< Not an option: the mesh has colors of --paint.
 
     void add_to(CLI::App& app);
     /// --palette, which the window does not have.
@@ -54,9 +55,9 @@ struct SceneOptions {
     /// black and white.
     void check_usage(const PictureOptions& picture) const;
     /// Whether surfaces have the colors of the model's file, if it has some.
-    bool shows_mesh_colors() const { return materials == "on" && !color; }
+    bool shows_file_colors() const { return materials == "on" && !color; }
     TexturePictures textures() const {
-        return shows_mesh_colors() || has_material_lines ? TexturePictures::read
+        return shows_file_colors() || has_material_lines ? TexturePictures::read
                                                          : TexturePictures::skip;
     }
     /// The material of the model.

@@ -14,18 +14,18 @@ namespace {
 // By k_axis_directions.
 constexpr std::array<std::string_view, 6> k_axis_names{"x", "-x", "y", "-y", "z", "-z"};
 
-glm::vec3 parse_up(const std::string& text) {
+}  // namespace
+
+glm::vec3 parse_up(const std::string& option, const std::string& text) {
     for (std::size_t i = 0; i < k_axis_names.size(); ++i)
         if (text == k_axis_names[i]) return glm::vec3(k_axis_directions[i]);
-    return parse_direction("--up", text);
+    return parse_direction(option, text);
 }
-
-}  // namespace
 
 CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, const std::string& description) {
     return app
         .add_option_function<std::string>(
-            "--up", [&up](const std::string& text) { up = parse_up(text); }, description)
+            "--up", [&up](const std::string& text) { up = parse_up("--up", text); }, description)
         ->type_name("X,Y,Z|AXIS");
 }
 
@@ -35,7 +35,7 @@ CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& i
             "--up",
             [&up, &is_auto](const std::string& text) {
                 is_auto = text == "auto";
-                if (!is_auto) up = parse_up(text);
+                if (!is_auto) up = parse_up("--up", text);
             },
             "Up direction: X,Y,Z, one of x, y, z, -x, -y, -z, or auto: y, unless the model "
             "clearly stands along another axis (default: as the file format says, else auto)")

@@ -12,6 +12,8 @@
 
 namespace rimline::tools {
 
+/// `x,y,z`, or an axis: x, y, z, -x, -y, -z. Throws CLI::ValidationError.
+glm::vec3 parse_up(const std::string& option, const std::string& text);
 /// A direction, or an axis: x, y, z, -x, -y, -z.
 CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, const std::string& description);
 /// The same, but the word `auto` sets `is_auto`.

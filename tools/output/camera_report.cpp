@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/options/scene_file.h"
 #include "tools/output/json_vector.h"
 #include "tools/output/same_picture.h"
 
@@ -41,6 +42,24 @@ nlohmann::ordered_json lights_json(const std::vector<Light>& lights) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Light& light : lights)
         list.push_back({{light.directional ? "direction" : "position", json_vector(light.vector)}});
+    return list;
+}
+
+nlohmann::ordered_json scene_camera_json(const Camera& camera) {
+    nlohmann::ordered_json json{{"eye", short_vector(camera.eye)},
+                                {"target", short_vector(camera.target)},
+                                {"up", short_vector(camera.up)}};
+    if (camera.is_orthographic())
+        json["ortho"] = camera.ortho_height;
+    else
+        json["fov"] = camera.fov_y_deg;
+    return json;
+}
+
+nlohmann::ordered_json scene_lights_json(const std::vector<Light>& lights) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Light& light : lights)
+        list.push_back({{light.directional ? "sun" : "lamp", short_vector(light.vector)}});
     return list;
 }
 

@@ -19,6 +19,10 @@ nlohmann::ordered_json clip_planes_json(const Scene& scene);
 /// A list of objects with `position` or `direction`, from the scene towards the light.
 nlohmann::ordered_json lights_json(const std::vector<Light>& lights);
 
+/// The camera and the lights of a scene file (scene_file.h). They must be rounded to float (picture_scene.h).
+nlohmann::ordered_json scene_camera_json(const Camera& camera);
+nlohmann::ordered_json scene_lights_json(const std::vector<Light>& lights);
+
 /// An option and its value. `v` must be rounded to float.
 std::string vector_argument(const std::string& option, const glm::dvec3& v);
 

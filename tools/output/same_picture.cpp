@@ -11,10 +11,11 @@ namespace rimline::tools {
 namespace {
 
 // Options that a chosen camera and lights replace, those of other subcommands, and those that change no picture.
-constexpr std::array<std::string_view, 21> k_left_out{
-    "--eye",       "--target", "--up",    "--ground-up", "--fov",     "--ortho", "--azimuth",
-    "--elevation", "--below",  "--light", "--sun",       "--output",  "-k",      "--by-area",
-    "--no-ratio",  "--json",   "--seed",  "--validate",  "--threads", "MODEL",   "--pass-times"};
+constexpr std::array<std::string_view, 27> k_left_out{
+    "--eye",       "--target", "--up",    "--ground-up", "--fov",     "--ortho",     "--azimuth",
+    "--elevation", "--below",  "--light", "--sun",       "--output",  "-k",          "--by-area",
+    "--no-ratio",  "--json",   "--seed",  "--validate",  "--threads", "MODEL",       "--pass-times",
+    "--at",        "--turn",   "--scale", "--paint",     "--camera",  "--save-scene"};
 
 template <typename Number>
 std::string shortest(Number value) {
@@ -44,9 +45,9 @@ std::string quoted_for_shell(const std::string& text) {
     return quoted + "'";
 }
 
-std::string render_command(const CLI::App& app, const std::string& model,
+std::string render_command(const CLI::App& app, const std::string& models,
                            const std::vector<std::string>& arguments) {
-    std::string command = "rimline render " + quoted_for_shell(model);
+    std::string command = "rimline render " + models;
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
         if (option->count() == 0 || option->get_positional() ||

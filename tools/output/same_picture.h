@@ -16,9 +16,9 @@ std::string exact_text(double value);
 /// `text` as one word of a POSIX shell.
 std::string quoted_for_shell(const std::string& text);
 
-/// `rimline render MODEL`, then the options of `app` that were given and that `render` has with the same meaning, but
+/// `rimline render`, `models`, quoted for a shell, then the options of `app` that were given and that `render` has with the same meaning, but
 /// for those of camera and light and the output; then `arguments`, words that need no quotes.
-std::string render_command(const CLI::App& app, const std::string& model,
+std::string render_command(const CLI::App& app, const std::string& models,
                            const std::vector<std::string>& arguments);
 
 }  // namespace rimline::tools

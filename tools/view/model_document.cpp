@@ -32,6 +32,7 @@ ModelDocument::ModelDocument(std::string name, std::uint32_t subdivide, const Be
 
 ModelDocument::ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin)
     : DocumentBase(std::move(name), source.warnings),
+      models_{{.model = this->name()}},
       mesh_(make_part(
           begin, "joining the faces",
           [&](const LongCall& call) { return Mesh(source, Welding::equal_positions, call); })),
@@ -48,6 +49,10 @@ ModelDocument::ModelDocument(std::string name, const MeshSource& source, const B
                                              call);
                        })),
       face_tree_(make_face_tree(octree_, 0)) {}
+
+bool ModelDocument::has_paint() const noexcept {
+    return std::ranges::any_of(models_, [](const PlacedModel& m) { return m.paint.has_value(); });
+}
 
 const HoughOctree& ModelDocument::ground(const glm::dvec3& up) {
     const auto same_up = std::ranges::find_if(

@@ -4,12 +4,15 @@
 
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "silhouette/hough/box_tree.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/options/placed_model.h"
 #include "tools/output/shown_lines.h"
 #include "tools/view/document_base.h"
 
@@ -25,6 +28,17 @@ public:
     ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin);
     /// The same for a source that is already read.
     ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin);
+
+    /// What a scene file says of the document: the models that are joined in it, by default the one of its name, and
+    /// the scene's up direction, where it is not the camera's.
+    const std::vector<PlacedModel>& models() const noexcept { return models_; }
+    const std::optional<glm::dvec3>& scene_up() const noexcept { return scene_up_; }
+    /// Whether a model is painted: its color is not that of the appearance.
+    bool has_paint() const noexcept;
+    void set_models(std::vector<PlacedModel> models, const std::optional<glm::dvec3>& up) {
+        models_ = std::move(models);
+        scene_up_ = up;
+    }
 
     Subject subject() const override { return mesh_; }
     const Mesh& mesh() const noexcept { return mesh_; }
@@ -46,6 +60,8 @@ private:
         HoughOctree octree;
     };
 
+    std::vector<PlacedModel> models_;
+    std::optional<glm::dvec3> scene_up_;
     Mesh mesh_;
     HoughOctree octree_;
     bool is_solid_;

@@ -5,10 +5,11 @@
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/command.h"
 #include "tools/options/cloud_argument.h"
-#include "tools/options/model_argument.h"
+#include "tools/options/model_list.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/standard_input.h"
 #include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
@@ -24,10 +25,11 @@ public:
     std::string summary() const override { return "Open a window that shows a model or a cloud"; }
 
     void add_options(CLI::App& app) override {
-        model_.add_to(app, ModelArgument::Presence::optional);
+        models_.add_to(app);
         cloud_.add_flags_to(app);
         scene_.add_to(app);
         picture_.add_camera_to(app);
+        models_.add_to_camera(app);
         add_point(app, "--silhouette-from", silhouette_from_,
                   "Freeze the silhouette of this viewpoint (default: follow the camera)")
             ->group("Camera");
@@ -55,7 +57,9 @@ public:
             "lights to move\n"
             "them. The panel controls flying, styles, a frozen silhouette to be viewed from other "
             "viewpoints,\n"
-            "and Hough space.\n\n"
+            "and Hough space, and save a picture or a scene file, which render, animate and view "
+            "read. Several models\n"
+            "make a scene, as in render.\n\n"
             "Examples:\n"
             "  rimline view horse.ply\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"
@@ -65,15 +69,22 @@ public:
 
     ExitStatus run(const Context& context) override {
         if (context.json) throw UsageError("view has nothing to say in --json");
-        if (model_.model == "-") throw UsageError("MODEL: the window reads no standard input");
+        models_.settle(picture_, ModelList::FirstCamera::used);
+        scene_.has_painted_models = models_.has_paint();
+        scene_.check_usage(picture_);
+        for (const PlacedModel& model : models_.models())
+            if (model.model == k_standard_input)
+                throw UsageError("MODEL: the window reads no standard input");
         if (!screenshot_.empty() && frames_ == 0)
             throw UsageError("--screenshot needs --frames, to know which frame is the last");
         std::optional<OutputFile> screenshot;
-        if (!screenshot_.empty()) screenshot.emplace(screenshot_, model_.model);
-        if (model_.model.empty()) model_.model = k_default_model;
+        if (!screenshot_.empty()) {
+            models_.check_output_is_no_input(screenshot_);
+            screenshot.emplace(screenshot_);
+        }
 
         // Before the model is loaded, so that a missing display is reported at once.
-        Window window("Rimline - " + model_.model, static_cast<int>(picture_.size.width),
+        Window window("Rimline - " + models_.name(), static_cast<int>(picture_.size.width),
                       static_cast<int>(picture_.size.height));
         const VulkanInstance instance(
             {.validate = picture_.validate, .window_extensions = window.vulkan_extensions()});
@@ -100,11 +111,8 @@ public:
 
 private:
     void open(ViewSession& session, const Context& context) {
-        CloudArgument argument = cloud_;
-        argument.model = model_.model;
-        argument.subdivide = model_.subdivide;
-        Document document = follow_progress(
-            context, [&](const BeginCall& begin) { return open_document(argument, begin); });
+        Document document =
+            follow_progress(context, [&](const BeginCall& begin) { return open_models(begin); });
         for (const std::string& warning : document.warnings()) print_warning(warning);
         if (document.cloud() != nullptr)
             show_cloud(session, std::move(document));
@@ -112,11 +120,27 @@ private:
             show_model(session, std::move(document));
     }
 
+    Document open_models(const BeginCall& begin) {
+        if (models_.is_plain()) {
+            CloudArgument argument = cloud_;
+            argument.model = models_.models().front().model;
+            argument.subdivide = models_.models().front().subdivide;
+            return open_document(argument, begin);
+        }
+        if (cloud_.as_points || cloud_.drop_bad)
+            throw UsageError("--as-points and --drop-bad: a scene has no clouds");
+        const MeshSource source =
+            models_.load(picture_, TexturePictures::read, scene_.shows_file_colors(), begin);
+        auto document = std::make_unique<ModelDocument>(models_.name(), source, begin);
+        document->set_models(models_.models(), glm::dvec3(*picture_.ground_up));
+        return document;
+    }
+
     void show_cloud(ViewSession& session, Document document) const {
         const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
                             picture_.has_chosen_sun || scene_.ground;
         if (is_lit || scene_.hidden || scene_.crease_degrees || scene_.style != "ink" || inspect_)
-            throw UsageError(model_.model +
+            throw UsageError(models_.name() +
                              " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
                              "space are of models");
         const CloudDocument& cloud = *document.cloud();
@@ -124,8 +148,8 @@ private:
             return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
         };
         const Camera camera =
-            make_cloud_camera(cloud.drawing(), cloud.umbrellas(), model_.model, exact(picture_.eye),
-                              exact(picture_.target), picture_);
+            make_cloud_camera(cloud.drawing(), cloud.umbrellas(), models_.name(),
+                              exact(picture_.eye), exact(picture_.target), picture_);
         session.appearance = ViewAppearance(Style::ink);
         if (picture_.background)
             session.appearance.background = linear_from_srgb(*picture_.background);
@@ -142,10 +166,13 @@ private:
 
     void show_model(ViewSession& session, Document document) {
         const ModelDocument* const model = document.model();
-        print_up(settle_up(model->mesh(), picture_.up, picture_.is_up_auto));
+        if (models_.is_plain()) {
+            print_up(settle_up(model->mesh(), picture_.up, picture_.is_up_auto));
+            document.model()->set_models(models_.models(), std::nullopt);
+        }
         if (!picture_.eye)
-            picture_.view.choose(model_.model, model->mesh(), glm::dvec3(*picture_.up));
-        const Camera camera = make_camera(model->mesh(), model_.model, picture_);
+            picture_.view.choose(models_.name(), model->mesh(), glm::dvec3(*picture_.up));
+        const Camera camera = make_camera(model->mesh(), models_.name(), picture_);
         Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
         session.appearance = ViewAppearance(scene.style);
         session.appearance.background = scene.palette.background;
@@ -175,7 +202,7 @@ private:
             {.eye = *from, .target = center, .up = session.camera.up, .fov_y_deg = picture_.fov()});
     }
 
-    ModelArgument model_;
+    ModelList models_;
     CloudArgument cloud_;  // Only its flags are used.
     PictureOptions picture_;
     SceneOptions scene_;

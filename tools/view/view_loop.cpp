@@ -108,6 +108,10 @@ void ViewLoop::apply_keys() {
 void ViewLoop::save(const PanelRequests::Save& save) {
     try {
         OutputFile file(save.path, session_.document().name());
+        if (const ModelDocument* model = session_.document().model())
+            for (const PlacedModel& placed : model->models())
+                if (is_same_file(save.path, placed.model))
+                    throw UsageError(save.path + " is an input");
         const std::vector<std::byte> png = encode_png(
             renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
@@ -119,11 +123,25 @@ void ViewLoop::save(const PanelRequests::Save& save) {
     }
 }
 
+void ViewLoop::save_scene(const PanelRequests::Save& save) {
+    try {
+        if (!is_scene_file(save.path))
+            throw UsageError(save.path + ": the name of a scene file ends in .json");
+        OutputFile file(save.path);
+        file.write(scene_text(session_.written_scene(save.size), save.path));
+        file.commit();
+        panel_.show_message("saved " + save.path, false);
+    } catch (const std::runtime_error& error) {
+        panel_.show_message(error.what(), true);
+    }
+}
+
 void ViewLoop::execute(const PanelRequests& requests) {
     if (requests.cancel) loader_.cancel();
     if (requests.open) loader_.open(*requests.open);
     if (requests.fit) fit();
     if (requests.save) save(*requests.save);
+    if (requests.save_scene) save_scene(*requests.save_scene);
 }
 
 void ViewLoop::build_panel() {

@@ -72,6 +72,7 @@ private:
     void apply_keys();
     void execute(const PanelRequests& requests);
     void save(const PanelRequests::Save& save);
+    void save_scene(const PanelRequests::Save& save);
     void fit();
     void build_panel();
     bool draw();

@@ -240,7 +240,7 @@ void ViewPanel::draw_enabled_lights(ViewSession& session) {
     if (!session.lights.empty()) ImGui::TextDisabled("drag the handles; the wheel pushes them");
 }
 
-void ViewPanel::draw_picture(PanelRequests& requests) {
+void ViewPanel::draw_picture(const ViewSession& session, PanelRequests& requests) {
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputText("##picture", picture_path_.data(), picture_path_.size());
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
@@ -250,10 +250,17 @@ void ViewPanel::draw_picture(PanelRequests& requests) {
     if (ImGui::Button("Save (P)", {-1.0f, 0.0f})) requests.save.emplace();
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.WantTextInput && ImGui::IsKeyPressed('P', false)) requests.save.emplace();
-    if (requests.save)
-        requests.save = {picture_path_.data(),
-                         {static_cast<std::uint32_t>(picture_size_[0]),
-                          static_cast<std::uint32_t>(picture_size_[1])}};
+    const ImageSize size{static_cast<std::uint32_t>(picture_size_[0]),
+                         static_cast<std::uint32_t>(picture_size_[1])};
+    if (requests.save) requests.save = {picture_path_.data(), size};
+    begin_model_only(session, "scene files hold models");
+    ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
+    ImGui::InputText("##scene", scene_path_.data(), scene_path_.size());
+    ImGui::SameLine();
+    if (ImGui::Button("Scene (X)", {-1.0f, 0.0f}) ||
+        (!session.is_cloud() && !io.WantTextInput && ImGui::IsKeyPressed('X', false)))
+        requests.save_scene = {scene_path_.data(), size};
+    end_model_only();
 }
 
 void draw_cloud_counters(const CloudReport& report) {
@@ -326,7 +333,7 @@ PanelRequests ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel
         begin_model_only(session, "Hough space is shown of models");
         ImGui::Checkbox("Hough space (I)", &hough.open);
         end_model_only();
-        if (section("Picture", false)) draw_picture(requests);
+        if (section("Picture", false)) draw_picture(session, requests);
         if (section("Frame")) draw_counters(session, status);
     }
     ImGui::TextDisabled("Tab hides this");

@@ -24,7 +24,8 @@ struct PanelRequests {
         std::string path;
         ImageSize size;
     };
-    std::optional<Save> save;
+    std::optional<Save> save;        ///< A picture.
+    std::optional<Save> save_scene;  ///< A scene file, for a picture of this size.
 };
 
 class ViewPanel {
@@ -59,11 +60,12 @@ private:
     static void draw_colors(ViewSession& session);
     void draw_lights(ViewSession& session);
     void draw_enabled_lights(ViewSession& session);
-    void draw_picture(PanelRequests& requests);
+    void draw_picture(const ViewSession& session, PanelRequests& requests);
     void draw_counters(const ViewSession& session, const Status& status);
 
     std::array<char, 1024> path_{};
     std::array<char, 1024> picture_path_{"view.png"};
+    std::array<char, 1024> scene_path_{"scene.json"};
     std::array<int, 2> picture_size_{1920, 1440};
 };
 

@@ -1,18 +1,83 @@
 #include "tools/view/view_session.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "engine/view_defaults.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/up_option.h"
+#include "tools/options/view_camera.h"
+#include "tools/output/camera_report.h"
+#include "tools/output/same_picture.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
 
 namespace rimline::tools {
+
+namespace {
+
+std::string hex_of(const glm::vec3& linear) {
+    const glm::vec3 srgb = glm::clamp(srgb_from_linear(linear), 0.0f, 1.0f);
+    const auto byte = [](float c) { return static_cast<unsigned>(std::lround(255.0f * c)); };
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(srgb.x), byte(srgb.y),
+                  byte(srgb.z));
+    return text.data();
+}
+
+const char* style_name(Style style) {
+    switch (style) {
+        case Style::ink: return "ink";
+        case Style::toon: return "toon";
+        case Style::mask: return "mask";
+        case Style::blueprint: return "blueprint";
+        case Style::hatch: return "hatch";
+    }
+    return "";
+}
+
+// "picture" of a scene file. What is the style's own is left out.
+nlohmann::ordered_json picture_json(const ViewAppearance& appearance, ImageSize size) {
+    const StyleDefaults defaults = style_defaults(appearance.style);
+    nlohmann::ordered_json json{{"style", style_name(appearance.style)}};
+    if (appearance.background != defaults.background)
+        json["background"] = hex_of(appearance.background);
+    if (appearance.color) json["color"] = hex_of(*appearance.color);
+    if (!appearance.materials) json["materials"] = false;
+    if (appearance.material_lines)
+        json["line-color"] = "material";
+    else if (appearance.line_color)
+        json["line-color"] = hex_of(*appearance.line_color);
+    json["lines"] = appearance.lines;
+    if (appearance.line_width_px != defaults.line_width_px)
+        json["line-width"] = std::stod(exact_text(appearance.line_width_px));
+    // 180 degrees: none.
+    constexpr double k_none = 180.0;
+    const bool is_own = appearance.crease_angle_deg == defaults.crease_angle_deg &&
+                        (appearance.only_clear_creases || defaults.crease_angle_deg == 0.0f);
+    if (!is_own)
+        json["crease"] =
+            appearance.crease_angle_deg > 0.0f ? double{appearance.crease_angle_deg} : k_none;
+    if (appearance.hidden) json["hidden"] = true;
+    if (!appearance.shadows)
+        json["shadows"] = "off";
+    else if (appearance.shadow_method == ShadowMethod::fail)
+        json["shadows"] = "fail";
+    if (appearance.ground) json["ground"] = true;
+    std::string sides = std::to_string(size.width);
+    sides.append("x").append(std::to_string(size.height));
+    json["size"] = std::move(sides);
+    return json;
+}
+
+}  // namespace
 
 void ViewAppearance::set_style(Style chosen) {
     const StyleDefaults defaults = style_defaults(chosen);
@@ -161,13 +226,27 @@ Scene ViewSession::scene() const {
          .name = model.name(),
          .material = {.color = appearance.color.value_or(
                           default_surface_color(appearance.style, appearance.background)),
-                      .shows_mesh_colors = appearance.materials && !appearance.color,
+                      .shows_mesh_colors =
+                          model.has_paint() || (appearance.materials && !appearance.color),
                       .line_color = appearance.line_color,
                       .lines_in_mesh_colors = appearance.material_lines},
          .is_solid = model.is_solid()});
     if (appearance.ground)
-        scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(camera.up)));
+        scene.instances.push_back(ground_instance(
+            scene, model.mesh(), model.ground(model.scene_up().value_or(camera.up))));
     return scene;
+}
+
+WrittenScene ViewSession::written_scene(ImageSize size) const {
+    const ModelDocument& model = *document_.model();
+    const Camera rounded = rounded_to_float(camera);
+    std::vector<Light> rounded_lights = lights;
+    for (Light& light : rounded_lights) light.vector = rounded_to_float(light.vector);
+    return {.up = rounded_to_float(model.scene_up().value_or(camera.up)),
+            .models = model.models(),
+            .lights = scene_lights_json(rounded_lights),
+            .cameras = {{"window", scene_camera_json(rounded)}},
+            .picture = picture_json(appearance, size)};
 }
 
 }  // namespace rimline::tools

@@ -13,6 +13,7 @@
 #include "engine/scene.h"
 #include "tools/options/line_style.h"
 #include "tools/options/option_types.h"
+#include "tools/options/scene_file.h"
 #include "tools/view/document.h"
 
 namespace rimline::tools {
@@ -95,8 +96,10 @@ public:
     /// The scene of the document. Valid until the session changes. Of a model whose silhouette is not frozen, a
     /// picture of `exact_size` has lines with exact visibility, as `render` draws them. They take longer.
     ViewPicture picture(std::optional<ImageSize> exact_size = {}) const;
-    /// For models only.
+    /// For models only. A ground is under the model by the scene's up direction, or the camera's.
     Scene scene() const;
+    /// What a scene file says of the session; `size` is that of its picture. For models only.
+    WrittenScene written_scene(ImageSize size) const;
     /// For clouds only. Moves the cloud's silhouette to silhouette_point().
     SplatScene cloud_scene() const;
 

@@ -46,7 +46,7 @@ TEST_CASE("the command repeats options that are given, but for the camera and th
     app.add_flag("--ground", ground);
     app.add_flag("--hidden", hidden);
     app.parse("x.obj -o a.png --eye 1,2,3 --color #ff0000 --ground");
-    CHECK(render_command(app, "x y.obj", {"--fov 35"}) ==
+    CHECK(render_command(app, "'x y.obj'", {"--fov 35"}) ==
           "rimline render 'x y.obj' --color '#ff0000' --ground --fov 35");
 }
 

@@ -4,6 +4,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/tools/scratch_folder.h"
+#include "tools/options/picture_scene.h"
+#include "tools/output/same_picture.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/screen_view.h"
 
@@ -207,4 +210,63 @@ TEST_CASE("lights that are added differ, and any can go") {
     while (!session.lights.empty()) session.remove_light(session.lights.size() - 1);
     session.add_light();
     CHECK(session.lights.size() == 1);
+}
+
+TEST_CASE("a scene that the window writes says what the window shows") {
+    ViewSession session;
+    session.show(open("shape:box"), 1.5);
+    std::vector<PlacedModel> models(2);
+    models[0].model = "shape:box";
+    models[1] = {.model = "shape:knot:3000",
+                 .subdivide = 1,
+                 .at = {0.1f, 2.0f, -3.3f},
+                 .turn = {.axis = glm::vec3(1, 2, 3), .degrees = 33.3},
+                 .scale = 0.7,
+                 .up = UpChoice{glm::vec3(0, 0, 1)},
+                 .paint = Color{200, 100, 50}};
+    session.document().model()->set_models(models, glm::dvec3(0, 0, 1));
+    session.appearance.set_style(Style::toon);
+    session.appearance.ground = true;
+    session.appearance.line_width_px = 3.3f;
+    session.appearance.background = linear_from_srgb(Color{10, 20, 30});
+    session.lights.push_back({.vector = {1.5, 2.5, 3.5}, .directional = false});
+
+    const tests::ScratchFolder folder;
+    const std::string path = (folder / "scene.json").string();
+    tests::write_bytes(path, scene_text(session.written_scene({640, 480}), path));
+    const SceneFile scene = read_scene_file(path);
+    REQUIRE(scene.models.size() == 2);
+    CHECK(scene.models[1].model == models[1].model);
+    CHECK(scene.models[1].subdivide == 1);
+    CHECK(scene.models[1].at == models[1].at);
+    CHECK(scene.models[1].turn == models[1].turn);
+    CHECK(scene.models[1].scale == models[1].scale);
+    CHECK(scene.models[1].up == models[1].up);
+    CHECK(scene.models[1].paint == models[1].paint);
+    REQUIRE(scene.up);
+    CHECK(scene.up->direction == glm::vec3(0, 0, 1));
+    const auto value = [](const std::vector<SceneFile::Setting>& settings, const char* option) {
+        for (const SceneFile::Setting& setting : settings)
+            if (setting.option == option) return setting.value;
+        return std::string("nothing");
+    };
+    CHECK(scene.lights.size() == 2);
+    CHECK(value(scene.lights, "--light") == "1.5,2.5,3.5");
+    CHECK(value(scene.picture, "--style") == "toon");
+    CHECK(value(scene.picture, "--ground") == "true");
+    CHECK(value(scene.picture, "--line-width") == "3.3");
+    CHECK(value(scene.picture, "--background") == "#0a141e");
+    CHECK(value(scene.picture, "--size") == "640x480");
+    CHECK(value(scene.picture, "--color") == "nothing");
+    const SceneFile::Camera* camera = find_camera(scene, "");
+    REQUIRE(camera);
+    CHECK(parse_point("", value(camera->settings, "--eye")) == glm::vec3(session.camera.eye));
+    CHECK(parse_point("", value(camera->settings, "--target")) == glm::vec3(session.camera.target));
+    CHECK(value(camera->settings, "--fov") == exact_text(session.camera.fov_y_deg));
+    // Without creases, toon says nothing; ink says that it has none.
+    CHECK(value(scene.picture, "--crease") == "nothing");
+    session.appearance.set_style(Style::ink);
+    CHECK_FALSE(session.written_scene({640, 480}).picture.contains("crease"));
+    session.appearance.crease_angle_deg = 0.0f;
+    CHECK(session.written_scene({640, 480}).picture["crease"] == 180.0);
 }

@@ -52,6 +52,26 @@ def test_view_shows_the_picture_that_render_draws():
         assert result.returncode == 0 and png_size(shown) == (640, 480), result.stderr
 
 
+def test_view_shows_scenes_as_render_draws_them():
+    have_window()
+    with tempfile.TemporaryDirectory() as folder, Display() as display:
+        drawn, shown, scene = (os.path.join(folder, name) for name in ("drawn.png", "shown.png", "scene.json"))
+        two = ["shape:box", "--paint", "#c04020", "shape:knot:3000", "--at", "2.5,0,0", "--turn", "30", "--up", "z"]
+        look = ["--style", "toon", "--size", "200x150"]
+        # With a ground, render moves its own camera away from the shadow; the scene file has that camera.
+        for drawn_from, others in ((two + look, (two + look,)), (two + look + ["--ground"], ([scene],))):
+            assert run("render", *drawn_from, "-o", drawn, "--save-scene", scene).returncode == 0
+            for model in others:
+                result = run("view", *model, "--no-panel", "--frames", "2", "--screenshot", shown, env=display.environment)
+                assert result.returncode == 0 and result.stdout == result.stderr == "", result.stderr
+                with open(drawn, "rb") as a, open(shown, "rb") as b:
+                    assert a.read() == b.read(), model
+        with open(scene, "w") as file:
+            file.write('{"rimline_scene": 1, "models": [{"model": "shape:box"}], "picture": {"palette": "sea"}}')
+        result = run("view", scene, "--frames", "1", env=display.environment)
+        assert result.returncode == 0 and "picture.palette: view has no --palette" in result.stderr, result.stderr
+
+
 def test_view_without_a_display_says_what_to_do():
     have_window()
     with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,343 @@
+#include "tools/options/model_list.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
+#include <map>
+#include <memory>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "silhouette/srgb.h"
+#include "tools/options/default_view.h"
+#include "tools/options/option_types.h"
+#include "tools/options/standard_input.h"
+#include "tools/output/output_file.h"
+#include "tools/output/same_picture.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> k_place_options{"--at", "--turn", "--scale", "--paint"};
+
+Color parse_paint(const std::string& text) {
+    const std::optional<Color> color = color_of(text);
+    if (!color || color->alpha != 255)
+        throw CLI::ValidationError("--paint", "expected #rgb, #rrggbb or a CSS color name, not '" +
+                                                  text + "'" + nearest_color(text));
+    return *color;
+}
+
+// Reads a value of an option of places into a model, or checks it where there is none yet.
+void read_place(std::string_view option, const std::string& text, PlacedModel& model) {
+    if (option == "--at") model.at = parse_point("--at", text);
+    if (option == "--turn") model.turn = parse_turn("--turn", text);
+    if (option == "--scale") model.scale = parse_scale("--scale", text);
+    if (option == "--paint") model.paint = parse_paint(text);
+}
+
+glm::vec3 linear(const Color& color) {
+    return linear_from_srgb(glm::vec3(float(color.red), float(color.green), float(color.blue)) /
+                            255.0f);
+}
+
+glm::dmat3 matrix_of(const PlacedModel& model, const glm::dmat3& upright, const glm::dvec3& up) {
+    glm::dmat3 turn(1.0);
+    if (model.turn.degrees != 0.0) {
+        const glm::dvec3 axis = model.turn.axis ? glm::dvec3(*model.turn.axis) : up;
+        turn = glm::dmat3(
+            glm::rotate(glm::dmat4(1.0), glm::radians(model.turn.degrees), glm::normalize(axis)));
+    }
+    return model.scale * turn * upright;
+}
+
+// Files that are read once, though they occur several times.
+class LoadedModels {
+public:
+    LoadedModels(const BeginCall& begin, TexturePictures textures)
+        : begin_(begin), textures_(textures) {}
+
+    const MeshSource& source(const PlacedModel& model) { return loaded(model).source; }
+
+    // Which way is up, as choose_up() says it of the mesh.
+    ChosenUp up(const PlacedModel& model, const std::optional<UpChoice>& choice) {
+        const bool is_auto = choice && !choice->direction;
+        if (choice && choice->direction)
+            return {glm::dvec3(*choice->direction), ChosenUp::Source::option};
+        Loaded& from = loaded(model);
+        if (from.source.is_up_known && !is_auto)
+            return {direction_of(from.source.up), ChosenUp::Source::format};
+        std::optional<ChosenUp>& known = is_auto ? from.automatic : from.own;
+        if (!known) {
+            const LongCall call = begin_("joining the faces of " + model.model);
+            known = about_model(model.model, [&] {
+                return choose_up(Mesh(from.source, Welding::equal_positions, call), {}, is_auto);
+            });
+        }
+        return *known;
+    }
+
+private:
+    struct Loaded {
+        MeshSource source;
+        std::optional<ChosenUp> own, automatic;
+    };
+
+    Loaded& loaded(const PlacedModel& model) {
+        std::unique_ptr<Loaded>& entry = loaded_[{model.model, model.subdivide}];
+        if (!entry)
+            entry = std::make_unique<Loaded>(
+                Loaded{.source = load_model(model.model, model.subdivide, FaceRequirement::faces,
+                                            begin_, textures_, model.format),
+                       .own = {},
+                       .automatic = {}});
+        return *entry;
+    }
+
+    const BeginCall& begin_;
+    TexturePictures textures_;
+    std::map<std::pair<std::string, std::uint32_t>, std::unique_ptr<Loaded>> loaded_;
+};
+
+}  // namespace
+
+void ModelList::add_to(CLI::App& app) {
+    app_ = &app;
+    constexpr const char* k_group = "Model";
+    model_option_ =
+        app.add_option_function<std::vector<std::string>>(
+               "MODEL",
+               [this](const std::vector<std::string>& texts) {
+                   for (const std::string& text : texts) check_model_name(text);
+                   arguments_ = texts;
+               },
+               model_description() + "; several make a scene. Or one scene file, FILE.json")
+            ->type_name("");
+    const auto add = [&](const char* name, const char* type, const char* description) {
+        app.add_option_function<std::vector<std::string>>(
+               name,
+               [name](const std::vector<std::string>& texts) {
+                   PlacedModel unused;
+                   for (const std::string& text : texts) read_place(name, text, unused);
+               },
+               description)
+            ->type_name(type)
+            ->allow_extra_args(false)
+            ->group(k_group);
+    };
+    add("--at", "X,Y,Z",
+        "Moves the MODEL before it: where the origin of its file lies in the scene (default: "
+        "0,0,0)");
+    add("--turn", "[AXIS,]DEGREES",
+        "Turns the MODEL before it about its origin: counterclockwise about the scene's up, or "
+        "about x, y, z or X,Y,Z");
+    add("--scale", "NUMBER", "Scales the MODEL before it about its origin");
+    add("--paint", "COLOR",
+        "Color of the MODEL before it, instead of those of its file, in ink, toon and hatch");
+    add_subdivide(app, subdivide_)->group(k_group);
+    add_input_format(app, format_);
+}
+
+void ModelList::add_to_camera(CLI::App& app) {
+    up_option_ = app.get_option("--up");
+    up_option_->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeFirst)
+        ->description(up_option_->get_description() +
+                      ". After the second MODEL or a later one: the direction of that model which "
+                      "becomes the scene's up");
+    app.add_option("--camera", camera_, "Camera of a scene file (default: its first)")
+        ->type_name("NAME")
+        ->group("Camera");
+}
+
+void ModelList::add_value(PlacedModel* model, const CLI::Option* option, const std::string& value) {
+    const std::string name = option->get_name();
+    if (!model) throw UsageError(name + ": name a MODEL before it; it says where that model lies");
+    read_place(name, value, *model);
+}
+
+// CLI11 keeps the order in which options occur, once for each value.
+void ModelList::read_command_line(PictureOptions& picture) {
+    std::map<const CLI::Option*, std::size_t> taken;
+    std::set<std::pair<const CLI::Option*, std::size_t>> seen;
+    for (const CLI::Option* option : app_->parse_order()) {
+        const std::size_t at = taken[option]++;
+        if (option == model_option_) {
+            models_.push_back({.model = arguments_[at], .subdivide = subdivide_});
+            if (models_.back().model == k_standard_input) models_.back().format = format_;
+            continue;
+        }
+        const bool is_up = option == up_option_;
+        if (!is_up &&
+            std::ranges::find(k_place_options, option->get_name()) == k_place_options.end())
+            continue;
+        if (!seen.insert({option, models_.size()}).second)
+            throw UsageError(option->get_name() + ": give it only once" +
+                             (arguments_.size() > 1 ? " for each MODEL" : ""));
+        const std::string& value = option->results()[at];
+        if (!is_up)
+            add_value(models_.empty() ? nullptr : &models_.back(), option, value);
+        else if (models_.empty())
+            scene_up_ = parse_up_choice("--up", value);
+        else
+            models_.back().up = parse_up_choice("--up", value);
+    }
+    if (models_.empty()) models_.push_back({.model = k_default_model, .subdivide = subdivide_});
+    const auto is_input = [](const PlacedModel& m) { return m.model == k_standard_input; };
+    if (std::ranges::count_if(models_, is_input) > 1)
+        throw UsageError("MODEL: standard input can be read only once");
+    // The scene has the up direction of its first model.
+    if (!scene_up_) std::swap(scene_up_, models_.front().up);
+    picture.is_up_auto = scene_up_ && !scene_up_->direction;
+    picture.up = scene_up_ ? scene_up_->direction : std::nullopt;
+}
+
+void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
+    const std::string path = models_.front().model;
+    if (models_.front().is_placed() || subdivide_ > 0 || models_.front().up)
+        throw UsageError(path + " is a scene: it places and refines its models itself");
+    scene_ = read_scene_file(path);
+    models_ = scene_->models;
+    const auto given = [&](std::initializer_list<const char*> names) {
+        return std::ranges::any_of(names, [&](const char* name) {
+            const CLI::Option* option = app_->get_option_no_throw(name);
+            return option && option->count() > 0;
+        });
+    };
+    const bool wants_camera = !camera_.empty() || first_camera == FirstCamera::used;
+    const SceneFile::Camera* camera = wants_camera ? find_camera(*scene_, camera_) : nullptr;
+    const bool has_own_eye = given({"--eye", "--azimuth", "--elevation", "--target"});
+    if (has_own_eye && !camera_.empty())
+        throw UsageError("--camera: leave out --eye, --azimuth, --elevation and --target");
+    if (camera && !has_own_eye) {
+        std::vector<SceneFile::Setting> settings;
+        const bool has_own_lens = given({"--fov", "--ortho"});
+        for (const SceneFile::Setting& setting : camera->settings)
+            if (!has_own_lens || (setting.option != "--fov" && setting.option != "--ortho"))
+                settings.push_back(setting);
+        use_settings(*app_, *scene_, settings);
+    }
+    if (!given({"--sun", "--light"})) use_settings(*app_, *scene_, scene_->lights);
+    use_settings(*app_, *scene_, scene_->picture);
+    // The up direction of the camera may be another one than that of the scene.
+    if (scene_->up) scene_up_ = scene_->up;
+    if (!scene_up_) std::swap(scene_up_, models_.front().up);
+    if (!picture.up && !picture.is_up_auto && scene_up_) {
+        picture.is_up_auto = !scene_up_->direction;
+        picture.up = scene_up_->direction;
+    }
+}
+
+void ModelList::settle(PictureOptions& picture, FirstCamera first_camera) {
+    read_command_line(picture);
+    const auto is_scene = [](const PlacedModel& m) { return is_scene_file(m.model); };
+    if (std::ranges::any_of(models_, is_scene)) {
+        if (models_.size() > 1)
+            throw UsageError("MODEL: a scene file stands alone; add other models to the file");
+        name_ = models_.front().model;
+        read_scene(picture, first_camera);
+    } else {
+        if (!camera_.empty()) throw UsageError("--camera: belongs to a scene file");
+        for (const PlacedModel& model : models_) name_ += (name_.empty() ? "" : ", ") + model.model;
+    }
+}
+
+bool ModelList::has_paint() const noexcept {
+    return std::ranges::any_of(models_, [](const PlacedModel& m) { return m.paint.has_value(); });
+}
+
+void ModelList::check_output_is_no_input(const std::string& output) const {
+    const auto check = [&](const std::string& input) {
+        if (input != k_standard_input && is_same_file(output, input))
+            throw UsageError(output + " is an input");
+    };
+    if (scene_) check(scene_->path);
+    for (const PlacedModel& model : models_) check(model.model);
+}
+
+MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
+                           bool keeps_file_colors, const BeginCall& begin) {
+    LoadedModels loaded(begin, textures);
+    const PlacedModel& first = models_.front();
+    up_ = loaded.up(first, scene_up_);
+    if (!picture.up || picture.is_up_auto) picture.up = glm::vec3(up_.up);
+    const glm::dvec3 up = picture.ground_up ? glm::dvec3(*picture.ground_up) : up_.up;
+    picture.ground_up = glm::vec3(up);
+
+    std::map<const MeshSource*, MeshSource> without_colors;
+    std::vector<PlacedSource> placed;
+    for (const PlacedModel& model : models_) {
+        const MeshSource* source = &loaded.source(model);
+        glm::dmat3 upright(1.0);
+        if (&model != &first || model.up) {
+            const glm::dvec3 own = loaded.up(model, model.up).up;
+            upright = rotation_between(own, up);
+        }
+        if (has_paint() && !keeps_file_colors && !source->materials.empty()) {
+            MeshSource& plain = without_colors[source];
+            if (plain.positions.empty()) {
+                plain = *source;
+                plain.materials = {};
+            }
+            source = &plain;
+        }
+        placed.push_back({.source = source,
+                          .matrix = matrix_of(model, upright, up),
+                          .at = glm::dvec3(model.at),
+                          .paint = model.paint ? std::optional(linear(*model.paint)) : std::nullopt,
+                          .name = model.model});
+    }
+    return join_sources(placed);
+}
+
+Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, bool keeps_file_colors,
+                          const Context& context) {
+    if (is_plain()) {
+        const PlacedModel& model = models_.front();
+        const MeshSource source = load_model(model.model, model.subdivide, FaceRequirement::faces,
+                                             context, textures, model.format);
+        Mesh mesh = make_mesh(model.model, source, context);
+        up_ = settle_up(mesh, picture.up, picture.is_up_auto);
+        return mesh;
+    }
+    const MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
+        return load(picture, textures, keeps_file_colors, begin);
+    });
+    for (const std::string& warning : source.warnings) print_warning(warning);
+    return make_mesh(name_, source, context);
+}
+
+nlohmann::ordered_json ModelList::json() const {
+    nlohmann::ordered_json json{{"model", name_}};
+    if (is_plain()) return json;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const PlacedModel& model : models_) list.push_back(to_json(model));
+    json["models"] = std::move(list);
+    return json;
+}
+
+std::string ModelList::words() const {
+    if (scene_ || is_plain()) return quoted_for_shell(name_);
+    std::string words;
+    const auto add = [&](const std::string& option, const std::string& value) {
+        words += " " + option + (value.starts_with('-') ? "=" : " ") + quoted_for_shell(value);
+    };
+    for (const PlacedModel& model : models_) {
+        words += (words.empty() ? "" : " ") + quoted_for_shell(model.model);
+        if (model.at != glm::vec3(0.0f))
+            add("--at", exact_text(model.at.x) + "," + exact_text(model.at.y) + "," +
+                            exact_text(model.at.z));
+        if (model.turn != Turn{}) add("--turn", text_of(model.turn));
+        if (model.scale != 1.0) add("--scale", exact_text(model.scale));
+        if (model.up) add("--up", text_of(*model.up));
+        if (model.paint) add("--paint", to_json(model)["paint"].get<std::string>());
+    }
+    return words;
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,82 @@
+#pragma once
+
+// The MODEL arguments of commands that draw a scene: models, each with the options of its place after it, or one scene
+// file (scene_file.h).
+
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "silhouette/mesh/mesh.h"
+#include "tools/command.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/picture_options.h"
+#include "tools/options/placed_model.h"
+#include "tools/options/scene_file.h"
+#include "tools/options/up_option.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+class ModelList {
+public:
+    /// Adds MODEL, --subdivide, --format, and --at, --turn, --scale and --paint, which belong to the MODEL before them.
+    void add_to(CLI::App& app);
+    /// Lets --up, which `app` must have, occur once for each MODEL. Adds --camera, of a scene file.
+    void add_to_camera(CLI::App& app);
+
+    /// Whether a scene file gives its first camera, where --camera names none.
+    enum class FirstCamera { used, not_used };
+    /// Reads the command line in its order, and the scene file. Call it first in Command::run(). Gives options that a
+    /// scene file sets and the user has not. Without a MODEL, the built-in scene is the model. Throws UsageError for
+    /// options without a MODEL before them, and what read_scene_file() and use_settings() throw.
+    void settle(PictureOptions& picture, FirstCamera first_camera);
+
+    /// For messages: the model, the scene file, or the models with commas between them. Empty before settle() if no
+    /// MODEL is given.
+    const std::string& name() const noexcept { return name_; }
+    const std::vector<PlacedModel>& models() const noexcept { return models_; }
+    /// Whether all is one model as its file has it.
+    bool is_plain() const noexcept {
+        return !scene_ && models_.size() == 1 && !models_.front().is_placed();
+    }
+    bool has_paint() const noexcept;
+    /// Throws UsageError if `output` is one of the files that are read.
+    void check_output_is_no_input(const std::string& output) const;
+
+    /// The models as one source, unless is_plain(). Settles --up: afterwards `picture.up` and `picture.ground_up` are
+    /// set. Where models are painted, the others lose the colors of their files unless `keeps_file_colors`.
+    MeshSource load(PictureOptions& picture, TexturePictures textures, bool keeps_file_colors,
+                    const BeginCall& begin);
+    /// The models as one mesh, with progress and warnings. Settles --up: afterwards `picture.up` is set.
+    Mesh load_mesh(PictureOptions& picture, TexturePictures textures, bool keeps_file_colors,
+                   const Context& context);
+    /// Of the scene, after load() or load_mesh().
+    const ChosenUp& up() const noexcept { return up_; }
+
+    /// "model", and where models are placed, the list "models".
+    nlohmann::ordered_json json() const;
+    /// The words of a command line, quoted for a shell, that give these models again.
+    std::string words() const;
+    /// Whether --up must stand before the models in a command line.
+    bool has_several() const noexcept { return !scene_ && !is_plain(); }
+
+private:
+    void add_value(PlacedModel* model, const CLI::Option* option, const std::string& value);
+    void read_command_line(PictureOptions& picture);
+    void read_scene(PictureOptions& picture, FirstCamera first_camera);
+
+    CLI::App* app_ = nullptr;
+    CLI::Option *model_option_ = nullptr, *up_option_ = nullptr;
+    std::vector<std::string> arguments_;
+    std::uint32_t subdivide_ = 0;
+    std::string format_, camera_, name_;
+    std::optional<SceneFile> scene_;
+    std::optional<UpChoice> scene_up_;
+    std::vector<PlacedModel> models_;
+    ChosenUp up_;
+};
+
+}  // namespace rimline::tools
