@@ -50,6 +50,7 @@
     X(CmdBindDescriptorSets)        \
     X(CmdBindIndexBuffer)           \
     X(CmdBindPipeline)              \
+    X(CmdBlitImage)                 \
     X(CmdClearAttachments)          \
     X(CmdCopyBuffer)                \
     X(CmdCopyBufferToImage)         \

@@ -82,6 +82,7 @@ void Swapchain::remake(VkExtent2D window_size) {
         return;
     }
 
+    can_be_copied_to_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) != 0;
     const std::uint32_t most = can.maxImageCount == 0 ? k_any : can.maxImageCount;
     const VkSwapchainCreateInfoKHR info{
         .sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR,

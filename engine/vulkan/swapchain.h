@@ -74,6 +74,8 @@ public:
 
     VkFormat format() const noexcept { return format_; }
     VkExtent2D extent() const noexcept { return extent_; }
+    /// Whether smaller images can be enlarged into the images (vkCmdBlitImage, linear).
+    bool can_be_copied_to() const noexcept { return can_be_copied_to_; }
     /// The number of times that images were made.
     std::uint32_t generation() const noexcept { return generation_; }
 
@@ -99,6 +101,7 @@ private:
     std::uint32_t current_ = 0;
     std::uint32_t generation_ = 0;
     bool stale_ = true;
+    bool can_be_copied_to_ = false;
 };
 
 }  // namespace rimline

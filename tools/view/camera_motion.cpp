@@ -57,6 +57,16 @@ void orbit(Camera& camera, const glm::dvec2& turn_rad) {
                                                           right_of(camera, direction), turn_rad);
 }
 
+void orbit_about(Camera& camera, const glm::dvec3& pivot, const glm::dvec2& turn_rad) {
+    const glm::dmat3 to_axes = camera_from_world(camera);
+    const glm::dvec3 eye = to_axes * (camera.eye - pivot);
+    const glm::dvec3 target = to_axes * (camera.target - pivot);
+    orbit(camera, turn_rad);
+    const glm::dmat3 from_axes = glm::transpose(camera_from_world(camera));
+    camera.eye = pivot + from_axes * eye;
+    camera.target = pivot + from_axes * target;
+}
+
 void pan(Camera& camera, const glm::dvec2& shift) {
     const glm::dmat3 axes = glm::transpose(camera_from_world(camera));  // Columns are the axes.
     const glm::dvec3 move = -view_height(camera) * (shift.x * axes[0] + shift.y * axes[1]);

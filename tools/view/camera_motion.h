@@ -19,6 +19,9 @@ constexpr double k_max_elevation_deg = 89.0;
 /// Turns the eye around the target: x to the right around the up axis, y upwards, in radians.
 void orbit(Camera& camera, const glm::dvec2& turn_rad);
 
+/// The same, but all of the camera turns around `pivot`, which keeps its place in the picture.
+void orbit_about(Camera& camera, const glm::dvec3& pivot, const glm::dvec2& turn_rad);
+
 /// Translates eye and target so that points at the target's distance move by `shift` on the screen: x to the
 /// right, y upwards, in heights of the picture.
 void pan(Camera& camera, const glm::dvec2& shift);

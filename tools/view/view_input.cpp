@@ -58,26 +58,35 @@ void ViewInput::move_lights(ViewSession& session, const glm::dvec2& size) {
     if (ImGui::IsMouseClicked(0)) dragged_light_ = hovered_light_;
 }
 
-void ViewInput::move_camera(ViewSession& session, const glm::dvec2& size) const {
+void ViewInput::move_camera(ViewSession& session, const glm::dvec2& size) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (is_framed) has_own_target_ = false;
     const glm::dvec2 moved(io.MouseDelta.x, io.MouseDelta.y);
     if (drags_picture_ && (moved.x != 0.0 || moved.y != 0.0)) {
         const bool pans = io.MouseDown[1] || io.MouseDown[2] || io.KeyShift;
+        if (flies || pans) {
+            is_framed = false;
+            has_own_target_ = true;
+        }
+        const glm::dvec2 turn_rad = k_turn_rad_per_unit * glm::dvec2(-moved.x, moved.y);
         if (flies)
-            turn_view(session.camera, k_turn_rad_per_unit * glm::dvec2(moved.x, -moved.y));
+            turn_view(session.camera, -turn_rad);
         else if (pans)
             pan(session.camera, glm::dvec2(moved.x, -moved.y) / size.y);
         else
-            orbit(session.camera, k_turn_rad_per_unit * glm::dvec2(-moved.x, moved.y));
+            orbit_about(session.camera,
+                        has_own_target_ ? session.camera.target : session.bounds().center,
+                        turn_rad);
     }
     if (io.MouseWheel != 0.0f && !io.WantCaptureMouse && !hovered_light_) {
+        is_framed = false;
         const double radius = session.bounds().radius;
         zoom(session.camera, std::pow(k_zoom_per_notch, double(io.MouseWheel)),
              k_min_distance * radius, k_max_distance * radius);
     }
 }
 
-bool ViewInput::move_flight(ViewSession& session) const {
+bool ViewInput::move_flight(ViewSession& session) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!flies || io.WantTextInput) return false;
     const auto along = [&](int forwards, int backwards) {
@@ -86,6 +95,8 @@ bool ViewInput::move_flight(ViewSession& session) const {
     const glm::dvec3 direction(along(GLFW_KEY_D, GLFW_KEY_A), along(GLFW_KEY_E, GLFW_KEY_Q),
                                along(GLFW_KEY_W, GLFW_KEY_S));
     if (direction == glm::dvec3(0.0)) return false;
+    is_framed = false;
+    has_own_target_ = true;
     const double seconds = std::min(double(io.DeltaTime), k_max_step_s);
     const double speed =
         k_fly_speed * session.bounds().radius * (io.KeyShift ? k_fast_factor : 1.0);

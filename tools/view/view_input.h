@@ -12,9 +12,12 @@ namespace rimline::tools {
 
 class ViewInput {
 public:
-    /// True: dragging turns the view, and W, A, S, D, Q and E move the camera. False: dragging orbits around
-    /// the target; with the right or middle button or with Shift it pans. The wheel zooms in both modes.
+    /// True: dragging turns the view, and W, A, S, D, Q and E move the camera. False: dragging orbits around the
+    /// document's center or, after the user has panned or flown, around the target; with the right or middle button or with Shift it pans. The wheel zooms in both modes.
     bool flies = false;
+
+    /// Whether the picture shows the whole document, until the user pans, zooms or flies.
+    bool is_framed = false;
 
     /// Applies the input since the last frame to `session`, in a window of `size` units. Returns whether
     /// another frame is needed: a drag or a flight is in progress.
@@ -27,12 +30,13 @@ public:
 
 private:
     void move_lights(ViewSession& session, const glm::dvec2& size);
-    void move_camera(ViewSession& session, const glm::dvec2& size) const;
-    bool move_flight(ViewSession& session) const;
+    void move_camera(ViewSession& session, const glm::dvec2& size);
+    bool move_flight(ViewSession& session);
 
     std::optional<std::size_t> hovered_light_;
     std::optional<std::size_t> dragged_light_;
     bool drags_picture_ = false;
+    bool has_own_target_ = false;  // The user has panned or flown.
 };
 
 }  // namespace rimline::tools

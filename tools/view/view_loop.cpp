@@ -38,7 +38,8 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
       options_(std::move(options)),
       context_(window),
       renderer_(instance, window, options_.device, context_.font_texture()),
-      loader_([] { Window::wake(); }) {
+      loader_([] { Window::wake(); }),
+      coarseness_(renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU) {
     panel_.visible = options_.panel;
     hough_.open = options_.inspector;
     if (options_.panel && options_.fits) fit();
@@ -46,19 +47,26 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
 
 ViewLoop::~ViewLoop() = default;
 
-double ViewLoop::free_aspect() const {
-    const glm::dvec2 size = window_.size();
-    const double covered =
-        panel_.visible ? double{ViewPanel::k_width} * window_.content_scale() : 0.0;
-    return std::max(size.x - covered, 0.3 * size.x) / std::max(size.y, 1.0);
+FreeArea ViewLoop::free_area() const {
+    FreeArea area{.window = window_.size()};
+    if (options_.panel && panel_.visible)
+        area.left = double{ViewPanel::k_width} * window_.content_scale();
+    if (options_.panel && hough_.open && !session_.is_cloud()) area.right = hough_width();
+    return area;
 }
 
-// Fits the document into the part of the window that the panel does not cover.
+// With its margins.
+double ViewLoop::hough_width() const {
+    const double unit = window_.content_scale();
+    const double free =
+        window_.size().x - (panel_.visible ? double{ViewPanel::k_width} * unit : 0.0);
+    return std::clamp(0.5 * free, 240.0 * unit, 480.0 * unit);
+}
+
 void ViewLoop::fit() {
-    session_.fit(free_aspect());
-    if (!panel_.visible) return;
-    const glm::dvec2 size = window_.size();
-    pan(session_.camera, {0.5 * (size.x / std::max(size.y, 1.0) - free_aspect()), 0.0});
+    session_.fit(free_area());
+    last_area_ = free_area();
+    input_.is_framed = true;
 }
 
 bool ViewLoop::show_loaded() {
@@ -75,7 +83,7 @@ bool ViewLoop::show_loaded() {
         return false;
     }
     panel_.message.clear();
-    session_.show(std::move(result->document), free_aspect());
+    session_.show(std::move(result->document), free_area().aspect());
     frames_of_document_ = 0;
     fit();
     window_.set_title("Rimline - " + session_.document().name());
@@ -89,19 +97,28 @@ bool ViewLoop::show_loaded() {
     return true;
 }
 
+// The toolkit loses a key that is pressed and released within one frame; the window's list does not.
 void ViewLoop::apply_keys() {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput) return;
-    const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
-    if (pressed(GLFW_KEY_TAB)) panel_.visible = !panel_.visible;
-    if (pressed(GLFW_KEY_F)) fit();
-    if (pressed(GLFW_KEY_G)) session_.appearance.ground = !session_.appearance.ground;
-    if (pressed(GLFW_KEY_I)) hough_.open = !hough_.open;
-    if (pressed(GLFW_KEY_Z)) {
-        if (session_.frozen())
-            session_.thaw();
-        else
-            session_.freeze();
+    const std::vector<int> keys = window_.take_pressed_keys();
+    if (ImGui::GetIO().WantTextInput) return;
+    for (const int key : keys) {
+        switch (key) {
+            case GLFW_KEY_TAB: panel_.visible = !panel_.visible; break;
+            case GLFW_KEY_F: fit(); break;
+            case GLFW_KEY_G: session_.appearance.ground = !session_.appearance.ground; break;
+            case GLFW_KEY_I: hough_.open = !hough_.open; break;
+            case GLFW_KEY_P: requests_.save = panel_.picture_request(); break;
+            case GLFW_KEY_X:
+                if (!session_.is_cloud()) requests_.save_scene = panel_.scene_request();
+                break;
+            case GLFW_KEY_Z:
+                if (session_.frozen())
+                    session_.thaw();
+                else
+                    session_.freeze();
+                break;
+            default: break;
+        }
     }
 }
 
@@ -149,29 +166,34 @@ void ViewLoop::build_panel() {
     context_.begin_frame();
     requests_ = {};
     if (options_.panel) {
+        if (input_.is_framed && free_area() != last_area_) fit();
         is_moving_ = input_.apply(session_, size);
         apply_keys();
     }
     if (options_.panel && panel_.visible) {
         draw_marks(session_, size, input_.light());
-        requests_ = panel_.draw(session_, input_, hough_,
-                                {.counters = counters_,
-                                 .loading = loader_.stage(),
-                                 .device = renderer_.device_facts().name,
-                                 .scale = window_.content_scale()});
+        panel_.draw(session_, input_, hough_,
+                    {.counters = counters_,
+                     .loading = loader_.stage(),
+                     .device = renderer_.device_facts().name,
+                     .scale = window_.content_scale()},
+                    requests_);
     }
-    if (options_.panel && hough_.open && !session_.is_cloud()) {
-        if (inspected_ != &session_.model()) {
-            inspected_ = &session_.model();
-            inspection_.emplace(session_.model());
-        }
-        inspection_->update(session_.model(), session_.silhouette_point());
-        const float unit = window_.content_scale();
-        const float width = 460.0f * unit;
-        hough_.draw(*inspection_, float(size.x) - width - 10.0f * unit, 10.0f * unit, width,
-                    480.0f * unit);
-    }
+    if (options_.panel && hough_.open && !session_.is_cloud()) draw_hough_space();
     context_.end_frame();
+}
+
+// Beside the picture of the model.
+void ViewLoop::draw_hough_space() {
+    if (inspected_ != &session_.model()) {
+        inspected_ = &session_.model();
+        inspection_.emplace(session_.model());
+    }
+    inspection_->update(session_.model(), session_.silhouette_point());
+    const float margin = 10.0f * window_.content_scale();
+    const auto width = static_cast<float>(hough_width()) - 2.0f * margin;
+    hough_.draw(*inspection_, float(window_.size().x) - width - margin, margin, width,
+                1.05f * width);
 }
 
 bool ViewLoop::is_frame_fine() const {
@@ -179,10 +201,8 @@ bool ViewLoop::is_frame_fine() const {
     return rests || !options_.panel || options_.frames > 0;
 }
 
-// Half the resolution is four times as fast on a CPU device.
-std::uint32_t ViewLoop::scale(bool is_fine) const {
-    const bool slow = renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    return is_fine || !slow ? 0 : 1;
+FrameQuality ViewLoop::quality(bool is_fine) const {
+    return is_fine ? FrameQuality{} : coarseness_.quality();
 }
 
 // The size of the picture, for lines with exact visibility; while something moves, lines are streamed.
@@ -197,10 +217,13 @@ bool ViewLoop::draw() {
     const bool is_fine = is_frame_fine();
     std::optional<WindowRenderer::Frame> frame;
     try {
-        frame = renderer_.draw(session_.picture(exact_size(is_fine)), context_.drawing(),
-                               scale(is_fine), captures_next_);
+        ViewPicture picture = session_.picture(exact_size(is_fine));
+        Scene* const scene = std::get_if<Scene>(&picture);
+        if (scene && !quality(is_fine).shadows) scene->shadows = false;
+        frame = renderer_.draw(picture, context_.drawing(), quality(is_fine), captures_next_);
     } catch (const Error& error) {
-        if (error.code() != ErrorCode::too_large || !session_.show_previous(free_aspect())) throw;
+        if (error.code() != ErrorCode::too_large || !session_.show_previous(free_area().aspect()))
+            throw;
         panel_.show_message(error.what(), true);
         fit();
         frames_due_ = k_frames_after_event;
@@ -217,7 +240,11 @@ bool ViewLoop::draw() {
         frame->report.silhouette = lines.silhouette_count();
         frame->report.creases = lines.crease_count();
     }
-    counters_.add(frame->report, 1e3 * (now_s() - start_s));
+    const double frame_ms = 1e3 * (now_s() - start_s);
+    counters_.add(frame->report, frame_ms);
+    // The frame waits for that before the one before, so the first coarse frames wait for a fine one.
+    coarse_frames_ = is_fine ? 0 : coarse_frames_ + 1;
+    if (coarse_frames_ > RendererOptions{}.frames_in_flight) coarseness_.add(frame_ms);
     if (session_.is_cloud()) counters_.cloud = session_.cloud().report();
     return true;
 }

@@ -64,12 +64,14 @@ public:
     /// Whether the last frame was drawn faster: on a CPU device at the lower resolution, and without exact lines.
     bool is_coarse() const noexcept { return is_coarse_; }
 
-    /// Width over height of the window's area that the panel leaves free.
-    double free_aspect() const;
+    /// The window's area that the panel and the Hough space beside it leave free.
+    FreeArea free_area() const;
 
 private:
     bool show_loaded();  // Returns whether a new document is shown.
     void apply_keys();
+    void draw_hough_space();
+    double hough_width() const;
     void execute(const PanelRequests& requests);
     void save(const PanelRequests::Save& save);
     void save_scene(const PanelRequests::Save& save);
@@ -78,7 +80,7 @@ private:
     bool draw();
     double waiting_time() const;
     bool is_frame_fine() const;
-    std::uint32_t scale(bool is_fine) const;
+    FrameQuality quality(bool is_fine) const;
     std::optional<ImageSize> exact_size(bool is_fine) const;
 
     Window& window_;
@@ -93,11 +95,14 @@ private:
     std::optional<HoughInspection> inspection_;
     const ModelDocument* inspected_ = nullptr;
     ViewCounters counters_;
+    Coarseness coarseness_;
+    FreeArea last_area_;
     PanelRequests requests_;
     Picture captured_;
     bool captures_next_ = false;
     bool is_moving_ = false;
     bool is_coarse_ = false;
+    std::uint32_t coarse_frames_ = 0;  // Since the last fine one.
     int frames_due_ = 0;
     std::uint32_t frames_of_document_ = 0;  // Drawn since it was opened.
     double last_change_s_ = 0.0;

@@ -240,6 +240,16 @@ void ViewPanel::draw_enabled_lights(ViewSession& session) {
     if (!session.lights.empty()) ImGui::TextDisabled("drag the handles; the wheel pushes them");
 }
 
+PanelRequests::Save ViewPanel::picture_request() const {
+    return {picture_path_.data(),
+            {static_cast<std::uint32_t>(picture_size_[0]),
+             static_cast<std::uint32_t>(picture_size_[1])}};
+}
+
+PanelRequests::Save ViewPanel::scene_request() const {
+    return {scene_path_.data(), picture_request().size};
+}
+
 void ViewPanel::draw_picture(const ViewSession& session, PanelRequests& requests) {
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputText("##picture", picture_path_.data(), picture_path_.size());
@@ -247,19 +257,12 @@ void ViewPanel::draw_picture(const ViewSession& session, PanelRequests& requests
     ImGui::InputInt2("##size", picture_size_.data());
     for (int& side : picture_size_) side = std::clamp(side, 1, static_cast<int>(k_max_image_side));
     ImGui::SameLine();
-    if (ImGui::Button("Save (P)", {-1.0f, 0.0f})) requests.save.emplace();
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!io.WantTextInput && ImGui::IsKeyPressed('P', false)) requests.save.emplace();
-    const ImageSize size{static_cast<std::uint32_t>(picture_size_[0]),
-                         static_cast<std::uint32_t>(picture_size_[1])};
-    if (requests.save) requests.save = {picture_path_.data(), size};
+    if (ImGui::Button("Save (P)", {-1.0f, 0.0f})) requests.save = picture_request();
     begin_model_only(session, "scene files hold models");
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
     ImGui::InputText("##scene", scene_path_.data(), scene_path_.size());
     ImGui::SameLine();
-    if (ImGui::Button("Scene (X)", {-1.0f, 0.0f}) ||
-        (!session.is_cloud() && !io.WantTextInput && ImGui::IsKeyPressed('X', false)))
-        requests.save_scene = {scene_path_.data(), size};
+    if (ImGui::Button("Scene (X)", {-1.0f, 0.0f})) requests.save_scene = scene_request();
     end_model_only();
 }
 
@@ -308,9 +311,8 @@ void ViewPanel::draw_counters(const ViewSession& session, const Status& status) 
     ImGui::TextDisabled("%s", status.device.c_str());
 }
 
-PanelRequests ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
-                              const Status& status) {
-    PanelRequests requests;
+void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
+                     const Status& status, PanelRequests& requests) {
     const float margin = 10.0f * status.scale;
     const float width = k_width * status.scale - 2.0f * margin;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -334,11 +336,10 @@ PanelRequests ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel
         ImGui::Checkbox("Hough space (I)", &hough.open);
         end_model_only();
         if (section("Picture", false)) draw_picture(session, requests);
-        if (section("Frame")) draw_counters(session, status);
+        if (section("Frame", false)) draw_counters(session, status);
     }
     ImGui::TextDisabled("Tab hides this");
     ImGui::End();
-    return requests;
 }
 
 }  // namespace rimline::tools

@@ -50,8 +50,12 @@ public:
         float scale;  ///< The desktop's text scale; 1 is the usual size.
     };
     /// Draws the panel. A check box opens and closes `hough`, which the caller draws.
-    PanelRequests draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
-                       const Status& status);
+    void draw(ViewSession& session, ViewInput& input, HoughPanel& hough, const Status& status,
+              PanelRequests& requests);
+
+    /// What the panel says of a picture and of a scene file to be saved.
+    PanelRequests::Save picture_request() const;
+    PanelRequests::Save scene_request() const;
 
 private:
     void draw_model(const ViewSession& session, const Status& status, PanelRequests& requests);

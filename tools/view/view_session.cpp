@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/view_defaults.h"
+#include "silhouette/lines/fitted_eye.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
@@ -18,6 +19,7 @@
 #include "tools/output/same_picture.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
+#include "tools/view/screen_view.h"
 
 namespace rimline::tools {
 
@@ -75,6 +77,29 @@ nlohmann::ordered_json picture_json(const ViewAppearance& appearance, ImageSize 
     sides.append("x").append(std::to_string(size.height));
     json["size"] = std::move(sides);
     return json;
+}
+
+}  // namespace
+
+namespace {
+
+struct PictureBox {
+    glm::dvec2 low{INFINITY}, high{-INFINITY};
+};
+
+// Around all positions, in the unit of `window`. Nothing if one lies behind the eye.
+std::optional<PictureBox> box_of(const Camera& camera, const Subject& subject,
+                                 const glm::dvec2& window) {
+    const ScreenView view(camera, window);
+    PictureBox box;
+    for (const glm::vec3& position : subject.positions) {
+        const auto pixel = view.pixel_of(glm::dvec3(position));
+        if (!pixel) return std::nullopt;
+        box.low = glm::min(box.low, *pixel);
+        box.high = glm::max(box.high, *pixel);
+    }
+    if (subject.positions.empty()) return std::nullopt;
+    return box;
 }
 
 }  // namespace
@@ -142,13 +167,26 @@ SceneBounds ViewSession::bounds() const {
     return {.center = subject.center, .radius = subject.radius > 0.0 ? subject.radius : 1.0};
 }
 
-void ViewSession::fit(double aspect) {
+void ViewSession::fit(const FreeArea& area) {
     const bool orthographic = appearance.orthographic;
     appearance.orthographic = false;
     apply_lens();
-    camera = fit_camera(camera, document_.subject(), camera.eye - camera.target, aspect);
+    camera = fit_camera(camera, document_.subject(), camera.eye - camera.target, area.aspect());
     appearance.orthographic = orthographic;
     apply_lens();
+    // Away from the window's middle a perspective picture is another one: near parts move farther. It converges.
+    constexpr int k_steps = 5;
+    const glm::dvec2 middle(area.left + 0.5 * area.width(), 0.5 * area.window.y);
+    for (int step = 0; step < k_steps; ++step) {
+        const std::optional<PictureBox> box = box_of(camera, document_.subject(), area.window);
+        if (!box) return;
+        const glm::dvec2 shift = middle - 0.5 * (box->low + box->high);
+        pan(camera, glm::dvec2(shift.x, -shift.y) / area.window.y);
+        const glm::dvec2 sides = k_picture_margin * (box->high - box->low);
+        const double excess = std::max(sides.x / area.width(), sides.y / area.window.y);
+        const double radius = bounds().radius;
+        if (excess > 1.0) zoom(camera, excess, 0.0, 1e3 * radius);
+    }
 }
 
 void ViewSession::apply_lens() {

@@ -4,6 +4,8 @@
 // appearance, and the camera of a frozen silhouette. Input and panel change this state; picture() converts
 // it into a scene.
 
+#include <algorithm>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -44,6 +46,16 @@ struct ViewAppearance {
     bool orthographic = false;
 };
 
+/// The part of a window that no panel covers, in any unit.
+struct FreeArea {
+    glm::dvec2 window{1.0};          ///< Width and height.
+    double left = 0.0, right = 0.0;  ///< Widths of what is covered at the sides.
+
+    double width() const { return std::max(window.x - left - right, 0.3 * window.x); }
+    double aspect() const { return width() / std::max(window.y, 1e-9); }
+    bool operator==(const FreeArea&) const = default;
+};
+
 /// The scene of a model or of a cloud.
 using ViewPicture = std::variant<Scene, SplatScene>;
 
@@ -73,8 +85,9 @@ public:
     /// The bounding sphere of the document: the scale of handles and speeds. Its radius is not 0.
     SceneBounds bounds() const;
 
-    /// Moves the camera along its view direction so that it sees the whole document.
-    void fit(double aspect);
+    /// Moves the camera, but does not turn it, so that the whole document is in the middle of a rectangle of the
+    /// picture. O(positions).
+    void fit(const FreeArea& area);
     /// Applies appearance.fov_y_deg and appearance.orthographic to the camera. Objects at the target keep
     /// their size in the picture.
     void apply_lens();

@@ -19,6 +19,7 @@ std::string last_error() {
 
 struct Window::Events {
     bool active = true;
+    std::vector<int> pressed_keys;
     std::vector<std::string> dropped;
 
     static Events& of(GLFWwindow* window) {
@@ -62,7 +63,10 @@ void Window::listen() {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { k_mark(w); });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { k_mark(w); });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+        k_mark(w);
+        if (action == GLFW_PRESS) Events::of(w).pressed_keys.push_back(key);
+    });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { k_mark(w); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });
@@ -134,6 +138,8 @@ void Window::poll(double wait_s) {
 void Window::wake() { glfwPostEmptyEvent(); }
 
 bool Window::take_activity() noexcept { return std::exchange(events_->active, false); }
+
+std::vector<int> Window::take_pressed_keys() { return std::exchange(events_->pressed_keys, {}); }
 
 std::vector<std::string> Window::take_dropped() { return std::exchange(events_->dropped, {}); }
 

@@ -49,6 +49,8 @@ public:
     static void wake();
     /// Whether there was an event since the last call: key, mouse, resize, drop or redraw.
     bool take_activity() noexcept;
+    /// The keys pressed since the last call, as GLFW_KEY_..., in their order. None is lost, however short it was.
+    std::vector<int> take_pressed_keys();
     /// The files dropped on the window since the last call.
     std::vector<std::string> take_dropped();
 

@@ -9,6 +9,7 @@
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/device_loss.h"
 #include "engine/vulkan/image_barrier.h"
+#include "engine/vulkan/memory.h"
 #include "tools/options/cache_folder.h"
 
 namespace rimline::tools {
@@ -20,6 +21,8 @@ constexpr std::uint32_t k_ring_slots = RendererOptions{}.frames_in_flight;
 constexpr StageAccess k_drawing{
     VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+constexpr StageAccess k_enlarging{VK_PIPELINE_STAGE_2_BLIT_BIT,
+                                  VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 // Presentation waits for a semaphore, which orders all later accesses.
 constexpr StageAccess k_no_access{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
@@ -62,6 +65,9 @@ struct WindowRenderer::OnDevice {
         for (const RingSlot& slot : ring) wait_for(slot);
     }
 
+    PictureTarget shown_target() const;
+    PictureTarget smaller_target(std::uint32_t divisor);
+    void record_enlargement(Commands commands, const PictureTarget& from);
     void record_overlay(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing);
     void make_renderer(const ViewPicture& scene, std::uint32_t scale);
     UploadPoint prepare(const ViewPicture& scene, const PictureTarget& target);
@@ -82,7 +88,57 @@ struct WindowRenderer::OnDevice {
     std::uint64_t frames = 0;
     VkExtent2D last_extent{};  // The size of the renderer's targets.
     std::uint32_t last_scale = 0;
+    Image small;  // The target of coarse pictures.
+    VkExtent2D small_extent{};
 };
+
+PictureTarget WindowRenderer::OnDevice::shown_target() const {
+    return {.image = swapchain.image(),
+            .view = swapchain.view(),
+            .format = swapchain.format(),
+            .extent = swapchain.extent()};
+}
+
+// No frame in flight may use the one of another size.
+PictureTarget WindowRenderer::OnDevice::smaller_target(std::uint32_t divisor) {
+    const VkExtent2D whole = swapchain.extent();
+    const VkExtent2D extent{(whole.width + divisor - 1) / divisor,
+                            (whole.height + divisor - 1) / divisor};
+    if (small_extent.width != extent.width || small_extent.height != extent.height) {
+        small =
+            Image(device.context(),
+                  {.format = swapchain.format(),
+                   .extent = extent,
+                   .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+                  "the window's coarse picture");
+        small_extent = extent;
+    }
+    return {.image = small.handle(),
+            .view = small.attachment_view(),
+            .format = swapchain.format(),
+            .extent = extent};
+}
+
+void WindowRenderer::OnDevice::record_enlargement(Commands commands, const PictureTarget& from) {
+    constexpr VkImageLayout k_source = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    constexpr VkImageLayout k_enlarged = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    constexpr VkImageLayout k_attached = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    record_barrier(
+        commands, k_drawing, k_enlarging,
+        {{from, k_attached, k_source}, {shown_target(), VK_IMAGE_LAYOUT_UNDEFINED, k_enlarged}});
+    const auto corner = [](VkExtent2D extent) {
+        return VkOffset3D{static_cast<std::int32_t>(extent.width),
+                          static_cast<std::int32_t>(extent.height), 1};
+    };
+    constexpr VkImageSubresourceLayers k_color{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    const VkImageBlit region{.srcSubresource = k_color,
+                             .srcOffsets = {{}, corner(from.extent)},
+                             .dstSubresource = k_color,
+                             .dstOffsets = {{}, corner(swapchain.extent())}};
+    commands->CmdBlitImage(commands, from.image, k_source, swapchain.image(), k_enlarged, 1,
+                           &region, VK_FILTER_LINEAR);
+    record_barrier(commands, k_enlarging, k_drawing, {{shown_target(), k_enlarged, k_attached}});
+}
 
 void WindowRenderer::OnDevice::record_overlay(Commands commands, std::uint32_t ring_slot,
                                               const OverlayDrawing& drawing) {
@@ -168,11 +224,12 @@ void WindowRenderer::recreate() {
 
 std::optional<WindowRenderer::Frame> WindowRenderer::draw(const ViewPicture& scene,
                                                           const OverlayDrawing& overlay,
-                                                          std::uint32_t scale, bool capture) {
+                                                          const FrameQuality& quality,
+                                                          bool capture) {
     for (int losses = 0;; ++losses) {
         try {
             if (!gpu_ || losses > 0) recreate();
-            return draw_once(scene, overlay, scale, capture);
+            return draw_once(scene, overlay, quality, capture);
         } catch (const Error& error) {
             // A lost surface is reported as no_device. Other errors, as a lack of memory, would repeat. They
             // leave the acquired image and its semaphore in an unknown state, so the next frame creates all
@@ -191,12 +248,18 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw(const ViewPicture& sce
 
 std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture& scene,
                                                                const OverlayDrawing& overlay,
-                                                               std::uint32_t scale, bool capture) {
+                                                               const FrameQuality& quality,
+                                                               bool capture) {
     const auto ring_slot = static_cast<std::uint32_t>(gpu_->frames % k_ring_slots);
     OnDevice::RingSlot& slot = gpu_->ring[ring_slot];
     gpu_->wait_for(slot);
     if (!gpu_->swapchain.acquire(ring_slot, window_->size_px())) return std::nullopt;
-    const VkExtent2D extent = gpu_->swapchain.extent();
+    const VkExtent2D window_extent = gpu_->swapchain.extent();
+    const std::uint32_t scale = quality.scale;
+    const bool is_small = quality.divisor > 1 && gpu_->swapchain.can_be_copied_to();
+    const std::uint32_t divisor = is_small ? quality.divisor : 1;
+    const VkExtent2D extent{(window_extent.width + divisor - 1) / divisor,
+                            (window_extent.height + divisor - 1) / divisor};
     if (extent.width != gpu_->last_extent.width || extent.height != gpu_->last_extent.height ||
         scale != gpu_->last_scale)
         gpu_->wait_for_all();
@@ -204,26 +267,25 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
     gpu_->last_scale = scale;
     gpu_->make_renderer(scene, scale);
 
-    const PictureTarget target{.image = gpu_->swapchain.image(),
-                               .view = gpu_->swapchain.view(),
-                               .format = gpu_->swapchain.format(),
-                               .extent = extent};
+    const PictureTarget shown = gpu_->shown_target();
+    const PictureTarget target = is_small ? gpu_->smaller_target(divisor) : shown;
     const UploadPoint uploaded = gpu_->prepare(scene, target);
     const Commands commands = begin_commands(gpu_->device.context(), slot.commands);
     const Commands picture = begin_commands(gpu_->device.context(), slot.picture);
     Frame frame{.report = gpu_->record_scene(commands, picture, scene, target), .picture = {}};
     vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
+    if (is_small) gpu_->record_enlargement(picture, target);
     gpu_->record_overlay(picture, ring_slot, overlay);
     constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
     if (capture) {
-        slot.pixels = make_picture_buffer(gpu_->device.context(), extent);
-        record_barrier(picture, k_drawing, k_copying, {{target, k_drawn, k_copied}});
-        record_read_back(picture, target.image, extent, slot.pixels);
-        record_barrier(picture, k_copying, k_no_access, {{target, k_copied, k_shown}});
+        slot.pixels = make_picture_buffer(gpu_->device.context(), window_extent);
+        record_barrier(picture, k_drawing, k_copying, {{shown, k_drawn, k_copied}});
+        record_read_back(picture, shown.image, window_extent, slot.pixels);
+        record_barrier(picture, k_copying, k_no_access, {{shown, k_copied, k_shown}});
     } else {
-        record_barrier(picture, k_drawing, k_no_access, {{target, k_drawn, k_shown}});
+        record_barrier(picture, k_drawing, k_no_access, {{shown, k_drawn, k_shown}});
     }
     vk_check(picture->EndCommandBuffer(picture), "vkEndCommandBuffer");
     gpu_->submit(slot, uploaded);
@@ -231,7 +293,7 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
     gpu_->swapchain.present();
     if (capture) {
         gpu_->wait_for(slot);
-        frame.picture = read_picture(slot.pixels, extent, gpu_->swapchain.format());
+        frame.picture = read_picture(slot.pixels, window_extent, gpu_->swapchain.format());
     }
     return frame;
 }

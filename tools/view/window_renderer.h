@@ -4,7 +4,8 @@
 // frames in flight, and recovers from a lost device or surface. One frame:
 //
 //     wait for the last frame of the ring slot --> acquire an image
-//         --> record the picture (Renderer for a model, SplatRenderer for a cloud)
+//         --> record the picture (Renderer for a model, SplatRenderer for a cloud);
+//             a coarse one is smaller than the window, and is enlarged
 //         --> record the panel over it --> submit --> present
 //
 // After a loss all these objects are created again and the frame is drawn once more
@@ -24,6 +25,7 @@
 #include "engine/vulkan/device_choice.h"
 #include "engine/vulkan/device_context.h"
 #include "engine/vulkan/vulkan_instance.h"
+#include "tools/view/coarseness.h"
 #include "tools/view/view_session.h"
 #include "tools/view/window.h"
 
@@ -50,11 +52,11 @@ public:
         FrameReport report;  ///< Only of a model.
         Picture picture;     ///< What the window shows. Empty without `capture`.
     };
-    /// Draws and presents a frame with `scale` x `scale` samples per pixel (RendererOptions). Returns
-    /// nothing if the window has no size. With `capture` it waits for the frame and reads it back. Throws
-    /// what Renderer::record() throws; the next call then starts from new Vulkan objects.
+    /// Draws and presents a frame. The shadows of `quality` are those of `scene`. Returns nothing if the window
+    /// has no size. With `capture` it waits for the frame and reads it back. Throws what Renderer::record()
+    /// throws; the next call then starts from new Vulkan objects.
     std::optional<Frame> draw(const ViewPicture& scene, const OverlayDrawing& overlay,
-                              std::uint32_t scale, bool capture = false);
+                              const FrameQuality& quality, bool capture = false);
 
     /// Draws a picture offscreen and without the panel, as `rimline render` and `points` do.
     Picture picture(const ViewPicture& scene, std::uint32_t width, std::uint32_t height);
@@ -71,7 +73,7 @@ private:
     struct OnDevice;
 
     std::optional<Frame> draw_once(const ViewPicture& scene, const OverlayDrawing& overlay,
-                                   std::uint32_t scale, bool capture);
+                                   const FrameQuality& quality, bool capture);
 
     const VulkanInstance* instance_;
     const Window* window_;

@@ -86,6 +86,21 @@ TEST_CASE("panning carries what lies at the target's distance along with the mou
     }
 }
 
+TEST_CASE(
+    "a camera that orbits about a point keeps it in its place, and turns as it would about its "
+    "target") {
+    Camera camera{.eye = {3, 2, 4}, .target = {0.5, 0.2, -0.1}, .up = {0, 1, 0}};
+    const glm::dvec3 pivot(-0.7, 0.4, 0.3);
+    Camera other = camera;
+    const glm::dvec3 place = camera_from_world(camera) * (pivot - camera.eye);
+    for (const glm::dvec2& turn_rad : {glm::dvec2(0.3, 0.1), {-1.2, -0.4}, {0.0, 3.0}}) {
+        orbit_about(camera, pivot, turn_rad);
+        orbit(other, turn_rad);
+        CHECK(glm::distance(camera_from_world(camera) * (pivot - camera.eye), place) < 1e-9);
+        CHECK(glm::distance(camera.eye - camera.target, other.eye - other.target) < 1e-9);
+    }
+}
+
 TEST_CASE("zooming scales distance or height, within its limits") {
     Camera camera = some_camera();
     const double distance = glm::distance(camera.eye, camera.target);

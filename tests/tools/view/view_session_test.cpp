@@ -111,7 +111,9 @@ TEST_CASE(
     CHECK(session.cloud_scene().cloud->revision != revision);
     session.appearance.lines = false;
     CHECK(session.cloud_scene().strokes.empty());
-    CHECK(session.cloud_scene().cloud->strokes.empty());
+    CHECK(std::ranges::all_of(  // Dots, and no border.
+        session.cloud_scene().cloud->strokes,
+        [](const gpu::StrokeRecord& stroke) { return stroke.from == stroke.to; }));
 }
 
 TEST_CASE("a frozen silhouette stays that of where the camera was") {
@@ -160,10 +162,45 @@ TEST_CASE("fitting brings the model back into view from where the camera is, by 
         orbit(session.camera, {2.0, -0.4});
         pan(session.camera, {3.0, 1.0});
         const glm::dvec3 ahead = glm::normalize(session.camera.target - session.camera.eye);
-        session.fit(1.2);
+        session.fit({.window = {1.2, 1.0}});
         CHECK(all_in_view(session, 1.2));
         CHECK(glm::distance(glm::normalize(session.camera.target - session.camera.eye), ahead) <
               1e-9);
+    }
+}
+
+TEST_CASE("between panels the model is whole, in the middle of what they leave, from every side") {
+    ViewSession session;
+    for (const char* name : {"shape:spring", "shape:scene", "shape:knot"}) {
+        session.show(open(name), 1.2);
+        for (const FreeArea& area : {FreeArea{.window = {1280, 860}, .left = 320},
+                                     FreeArea{.window = {900, 700}, .left = 320, .right = 290},
+                                     FreeArea{.window = {700, 900}, .left = 0, .right = 300}})
+            for (const bool orthographic : {false, true}) {
+                session.appearance.orthographic = orthographic;
+                session.apply_lens();
+                orbit(session.camera, {0.7, 0.2});
+                session.fit(area);
+                const ScreenView view(session.camera, area.window);
+                double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+                for (const glm::vec3& p : session.model().mesh().positions()) {
+                    const auto pixel = view.pixel_of(glm::dvec3(p));
+                    REQUIRE(pixel);
+                    left = std::min(left, pixel->x), right = std::max(right, pixel->x);
+                    top = std::min(top, pixel->y), bottom = std::max(bottom, pixel->y);
+                }
+                CAPTURE(name);
+                CAPTURE(area.right);
+                CHECK(left > area.left);
+                CHECK(right < area.window.x - area.right);
+                CHECK(top > 0.0);
+                CHECK(bottom < area.window.y);
+                // It fills one of the two directions.
+                CHECK(std::max((right - left) / area.width(), (bottom - top) / area.window.y) >
+                      0.75);
+                CHECK(0.5 * (left + right) ==
+                      doctest::Approx(area.left + 0.5 * area.width()).epsilon(0.03));
+            }
     }
 }
 

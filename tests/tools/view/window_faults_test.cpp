@@ -85,7 +85,7 @@ private:
         for (int attempt = 0; attempt < 100; ++attempt) {
             {
                 const CountingNew counting;
-                if (auto frame = renderer.draw(scene, overlay_, 1, true))
+                if (auto frame = renderer.draw(scene, overlay_, {.scale = 1}, true))
                     return std::move(frame->picture);
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -10,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <thread>
 
@@ -21,6 +22,8 @@
 #include "tests/tools/scratch_folder.h"
 #include "tests/tools/view/virtual_display.h"
 #include "tools/view/camera_motion.h"
+#include "tools/view/coarseness.h"
+#include "tools/view/screen_view.h"
 #include "tools/view/view_loop.h"
 
 using namespace rimline;
@@ -279,6 +282,115 @@ TEST_CASE("the panel lies over the picture and leaves the rest of it as it is") 
     CHECK(under_panel > 10'000);
     // The sun's handle.
     CHECK(beside_it < 1'000);
+}
+
+// A key that is pressed and released before the next frame.
+void tap(const Window& window, int key) {
+    const GLFWkeyfun handler = glfwSetKeyCallback(window.handle(), nullptr);
+    handler(window.handle(), key, 0, GLFW_PRESS, 0);
+    handler(window.handle(), key, 0, GLFW_RELEASE, 0);
+    glfwSetKeyCallback(window.handle(), handler);
+}
+
+TEST_CASE(
+    "keys are not lost, however short they are pressed, and P saves with the panel folded or "
+    "hidden") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    shown.capture();
+    const bool had_ground = shown.session.appearance.ground;
+    tap(shown.window, GLFW_KEY_G);
+    tap(shown.window, GLFW_KEY_Z);
+    shown.loop->step(true);
+    CHECK(shown.session.appearance.ground == !had_ground);
+    CHECK(shown.session.frozen());
+    tests::ScratchFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "");
+    for (int hidden = 0; hidden < 2; ++hidden) {
+        tap(shown.window, GLFW_KEY_P);
+        shown.loop->step(true);
+        CHECK(std::filesystem::remove("view.png"));
+        tap(shown.window, GLFW_KEY_TAB);
+        shown.loop->step(true);
+    }
+    std::filesystem::current_path(before);
+}
+
+TEST_CASE(
+    "a framed model stays whole beside the panel and Hough space, and in a window of another "
+    "size") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    shown.resize(1000, 600);
+    shown.capture();
+    const auto is_whole = [&] {
+        const FreeArea area = shown.loop->free_area();
+        const ScreenView view(shown.session.camera, area.window);
+        return std::ranges::all_of(shown.session.model().mesh().positions(), [&](glm::vec3 p) {
+            const auto pixel = view.pixel_of(glm::dvec3(p));
+            return pixel && pixel->x > area.left && pixel->x < area.window.x - area.right &&
+                   pixel->y > 0.0 && pixel->y < area.window.y;
+        });
+    };
+    CHECK(is_whole());
+    CHECK(shown.loop->free_area().left > 300.0);
+    tap(shown.window, GLFW_KEY_I);
+    shown.capture();
+    shown.capture();
+    CHECK(shown.loop->free_area().right > 200.0);
+    CHECK(is_whole());
+    for (const auto& [width, height] : {std::pair{900, 800}, {1200, 400}}) {
+        shown.resize(width, height);
+        shown.capture();
+        CHECK(is_whole());
+    }
+    // The user's own view stays.
+    shown.session.camera.eye += glm::dvec3(0.1, 0.0, 0.0);
+    shown.capture();
+    const Camera own = shown.session.camera;
+    shown.capture();
+    CHECK(shown.session.camera.eye == own.eye);
+}
+
+TEST_CASE("coarse pictures of fewer pixels fill the window as the fine one does") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = false});
+    const Picture fine = shown.capture();
+    for (const std::uint32_t divisor : {2u, 3u}) {
+        const auto frame = shown.loop->renderer().draw(shown.session.picture(), {},
+                                                       {.scale = 1, .divisor = divisor}, true);
+        REQUIRE(frame);
+        REQUIRE(frame->picture.width == fine.width);
+        REQUIRE(frame->picture.height == fine.height);
+        // Edges are blurred; most of the pixels are the same.
+        std::size_t alike = 0;
+        for (std::size_t i = 0; i < fine.rgba.size(); i += 4)
+            alike += std::abs(int(fine.rgba[i]) - int(frame->picture.rgba[i])) < 24;
+        CHECK(alike > fine.rgba.size() / 4 * 3 / 4);
+        CHECK(difference(fine, frame->picture) > 50);
+    }
+    CHECK(difference(fine, shown.capture()) == 0);
+}
+
+TEST_CASE("a moving picture gets coarser while its frames are slow, and finer again") {
+    Coarseness slow(true), fast(false);
+    CHECK(fast.quality().scale == 0);
+    CHECK(slow.quality().scale == 1);
+    CHECK(slow.quality().divisor == 1);
+    std::uint32_t divisor = 1;
+    for (int frame = 0; frame < 10; ++frame) {
+        slow.add(400.0);
+        CHECK(slow.quality().divisor >= divisor);
+        divisor = slow.quality().divisor;
+    }
+    CHECK(divisor == 3);
+    CHECK_FALSE(slow.quality().shadows);
+    slow.add(60.0);  // In time, but not so fast that four times as many pixels would be.
+    CHECK_FALSE(slow.quality().shadows);
+    for (int frame = 0; frame < 10; ++frame) slow.add(5.0);
+    CHECK(slow.quality().scale == 0);
+    CHECK(slow.quality().shadows);
 }
 
 TEST_CASE("a model opened in the window takes the other's place, and a broken one does not") {
