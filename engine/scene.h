@@ -86,6 +86,10 @@ struct Light {
     /// A position, or a direction from the scene towards the light.
     glm::dvec3 vector{0.0, 1.0, 0.0};
     bool directional = true;
+    /// Its share of the light is this by the sum over all lights. Greater than 0.
+    float strength = 1.0f;
+    /// False: it lights all that turns towards it, as a large soft light does.
+    bool casts_shadows = true;
 };
 
 enum class Style : std::uint32_t {
@@ -119,7 +123,7 @@ struct Palette {
 
 struct Scene {
     std::vector<SceneInstance> instances;
-    std::vector<Light> lights;  ///< Each adds an equal share of the light.
+    std::vector<Light> lights;
     Camera camera;
     /// The camera whose silhouettes are drawn as lines; default: `camera`. Another one freezes them, to be
     /// viewed from elsewhere (thesis, Figure 1.2). Only its eye counts, or its direction if orthographic.

@@ -4,8 +4,8 @@
 // Surfaces in one style. Each style is its own pipeline, because a CPU device executes both sides of every
 // dynamic branch. The output is the shaded surface (as in shadow), or the light added where the stencil
 // test passes, or both at once for a single light without shadows. The sum over all lights is the fully lit
-// surface. For light, draw.choice is 1 or 2. With 1 the face's bit is also used if the light grazes the
-// face (surface_corner.glsl). 2 is for surfaces that cast no shadow.
+// surface. For light, draw.choice is 0 to 2. With 1 the face's bit is also used if the light grazes the
+// face (surface_corner.glsl). 2 is for surfaces that cast no shadow from any light, 0 for lights that cast none.
 
 #include "draw.glsl"
 #include "hatch.glsl"

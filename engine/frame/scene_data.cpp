@@ -108,6 +108,12 @@ SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
     return is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
 }
 
+float light_share(const Scene& scene, std::size_t light) {
+    float sum = 0.0f;
+    for (const Light& each : scene.lights) sum += each.strength;
+    return scene.lights[light].strength / sum;
+}
+
 float shadow_opacity(const Scene& scene) {
     return 1.0f - glm::dot(scene.palette.shade, glm::vec3(1.0f / 3.0f));
 }

@@ -13,6 +13,7 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/shadow_framing.h"
 #include "tools/options/up_option.h"
@@ -86,12 +87,13 @@ public:
         context.checkpoint();
         times.end("index");
 
-        Scene scene =
-            options_.make_scene(make_camera(mesh, model_.model, picture_), mesh, picture_);
+        const Camera camera = make_camera(mesh, model_.model, picture_);
+        Scene scene = options_.make_scene(camera, choose_lights(mesh, camera, context), picture_);
         const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
         if (frames_shadows(scene))
             scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights, ground_up,
                                               double(picture_.size.width) / picture_.size.height);
+        times.end("choosing the light");
         check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
             {.octree = &octree, .name = model_.model, .material = options_.material(picture_)});
@@ -134,6 +136,15 @@ private:
     bool frames_shadows(const Scene& scene) const {
         return options_.ground && scene.shadows && !picture_.eye && !picture_.target &&
                !scene.camera.is_orthographic();
+    }
+
+    std::vector<Light> choose_lights(const Mesh& mesh, const Camera& camera,
+                                     const Context& context) const {
+        Progress progress(context, "choosing the light");
+        const LongCall call = progress.call();
+        return SceneLights(picture_, mesh, options_.ground, call.part(0.0, 0.4))
+            .lights(camera, double(picture_.size.width) / picture_.size.height,
+                    call.part(0.4, 1.0));
     }
 
     void choose_view(const Mesh& mesh, const Context& context) {

@@ -72,6 +72,7 @@ void Animation::place_camera(std::uint32_t frame) {
 }
 
 void Animation::place_lights(std::uint32_t frame) {
+    if (!motion_.suns.empty()) scene_.lights.back().vector = motion_.suns[frame];
     if (motion_.lights == LightMotion::still) return;
     const bool turning = motion_.lights == LightMotion::turning;
     const glm::dvec3 axis = glm::normalize(first_camera_.up);
@@ -89,6 +90,18 @@ void Animation::place_lights(std::uint32_t frame) {
         scene_.lights[l].vector = directional ? moved(first) : to + moved(first - from);
         check_range(scene_.lights[l].vector, "a light");
     }
+}
+
+std::vector<Shot> shots_of(const Scene& first, const Mesh& mesh, Motion motion, std::uint32_t count,
+                           std::uint32_t stride) {
+    motion.wave.reset();
+    Animation animation(first, mesh, std::move(motion));
+    std::vector<Shot> shots;
+    for (std::uint32_t frame = 0; frame < count; ++frame) {
+        const Scene& scene = animation.at(frame);
+        if (frame % stride == 0) shots.push_back({scene.camera, scene.lights});
+    }
+    return shots;
 }
 
 }  // namespace rimline::tools

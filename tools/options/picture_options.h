@@ -25,10 +25,10 @@ struct PictureOptions {
     std::optional<double> fov_degrees;   ///< Vertical. Not set: fov().
     std::optional<double> ortho_height;
 
-    // Lights. The command chooses one if none is given.
+    // Lights. The command chooses a sun if none is given.
     std::vector<glm::vec3> lights;  ///< Positions of point lights.
     std::vector<glm::vec3> suns;    ///< Directions from the model towards the light.
-    bool has_chosen_sun = false;    ///< One more sun, computed for the camera (sun_choice.h).
+    bool has_chosen_sun = false;    ///< One more sun, computed for the camera (scene_lights.h).
 
     // Image.
     ImageSize size{1280, 960};

@@ -1,12 +1,16 @@
 #include "tools/options/shadow_framing.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
-#include <vector>
+#include <numbers>
 
 #include "engine/view_defaults.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/view_camera.h"
 
 namespace rimline::tools {
 
@@ -14,34 +18,135 @@ namespace {
 
 // Lower suns throw endless shadows.
 constexpr double k_min_sine = 0.05;
+constexpr int k_outline_directions = 128;
+
+// Whether a place is before the camera and within a field of view of 90 degrees.
+bool is_before(const glm::dmat3& axes, const glm::dvec3& eye, const glm::vec3& place) {
+    const glm::dvec3 p = axes * (glm::dvec3(place) - eye);
+    return std::max(std::abs(p.x), std::abs(p.y)) < -p.z;
+}
+
+// Vertices of the mesh that are the farthest ones in some direction.
+std::vector<glm::vec3> outline_positions(const Mesh& mesh) {
+    // Directions of a spiral over the sphere, evenly spread.
+    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    std::vector<glm::vec3> outline;
+    if (mesh.positions().empty()) return outline;
+    for (int i = 0; i < k_outline_directions; ++i) {
+        const double height = 1.0 - (2.0 * i + 1.0) / k_outline_directions;
+        const double level = std::sqrt(1.0 - height * height);
+        const glm::vec3 direction(level * std::cos(i * turn), height, level * std::sin(i * turn));
+        outline.push_back(*std::ranges::max_element(
+            mesh.positions(), {}, [&](const glm::vec3& p) { return glm::dot(p, direction); }));
+    }
+    return outline;
+}
+
+struct FramedShot {
+    Camera camera;
+    std::vector<glm::vec3> places;
+};
+std::vector<FramedShot> framed_shots(std::span<const Shot> shots, const Mesh& mesh,
+                                     const glm::dvec3& ground_up) {
+    const std::vector<glm::vec3> outline = outline_positions(mesh);
+    std::vector<FramedShot> framed;
+    for (const Shot& shot : shots)
+        framed.push_back({shot.camera, shadow_places(mesh, outline, shot.lights, ground_up)});
+    return framed;
+}
+
+// Of half the vertical field of view that holds the places before the camera.
+double tangent_of(const Camera& camera, std::span<const glm::vec3> places, double aspect) {
+    const glm::dmat3 axes = camera_from_world(camera);
+    double tangent = 0.0;
+    for (const glm::vec3& place : places) {
+        if (!is_before(axes, camera.eye, place)) continue;
+        const glm::dvec3 p = axes * (glm::dvec3(place) - camera.eye);
+        tangent = std::max({tangent, std::abs(p.x) / -p.z / aspect, std::abs(p.y) / -p.z});
+    }
+    return tangent;
+}
 
 }  // namespace
 
-Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
-                          const glm::dvec3& ground_up, double aspect) {
+std::vector<glm::vec3> shadow_places(const Mesh& mesh, std::span<const glm::vec3> positions,
+                                     std::span<const Light> lights, const glm::dvec3& ground_up) {
     const glm::dvec3 up = glm::normalize(ground_up);
     const glm::dvec3 center = mesh.center();
     double ground = std::numeric_limits<double>::max();
-    for (const glm::vec3& position : mesh.positions())
+    for (const glm::vec3& position : positions)
         ground = std::min(ground, glm::dot(glm::dvec3(position) - center, up));
-    std::vector<glm::vec3> points(mesh.positions().begin(), mesh.positions().end());
-    double radius = mesh.radius();
+    std::vector<glm::vec3> places;
     for (const Light& light : lights) {
         const glm::dvec3 towards = glm::normalize(light.vector);
         const double sine = glm::dot(towards, up);
-        if (!light.directional || sine < k_min_sine) continue;
-        for (const glm::vec3& position : mesh.positions()) {
+        if (!light.directional || !light.casts_shadows || sine < k_min_sine) continue;
+        for (const glm::vec3& position : positions) {
             const glm::dvec3 away = glm::dvec3(position) - center;
             const glm::dvec3 shadow = away - (glm::dot(away, up) - ground) / sine * towards;
-            const double distance = glm::length(shadow);
-            if (distance > k_framed_shadow_radii * mesh.radius()) continue;
-            radius = std::max(radius, distance);
-            points.emplace_back(center + shadow);
+            if (glm::length(shadow) <= k_framed_shadow_radii * mesh.radius())
+                places.emplace_back(center + shadow);
         }
     }
+    return places;
+}
+
+Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
+                          const glm::dvec3& ground_up, double aspect) {
+    std::vector<glm::vec3> points = shadow_places(mesh, mesh.positions(), lights, ground_up);
+    double radius = mesh.radius();
+    for (const glm::vec3& place : points)
+        radius = std::max(radius, glm::distance(glm::dvec3(place), mesh.center()));
+    points.insert(points.end(), mesh.positions().begin(), mesh.positions().end());
     const glm::dvec3 towards_viewer = camera.eye - camera.target;
-    return rounded_to_float(
-        fit_camera(camera, Subject(points, center, radius, mesh.up()), towards_viewer, aspect));
+    return rounded_to_float(fit_camera(camera, Subject(points, mesh.center(), radius, mesh.up()),
+                                       towards_viewer, aspect));
+}
+
+Camera zoom_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
+                         const glm::dvec3& ground_up, double aspect) {
+    const glm::dmat3 axes = camera_from_world(camera);
+    std::vector<glm::vec3> points = shadow_places(mesh, mesh.positions(), lights, ground_up);
+    std::erase_if(points,
+                  [&](const glm::vec3& place) { return !is_before(axes, camera.eye, place); });
+    points.insert(points.end(), mesh.positions().begin(), mesh.positions().end());
+    const std::optional<FittedLens> lens =
+        fit_lens(points, mesh.center(), camera.eye, camera.up, aspect);
+    if (!lens) return camera;
+    Camera zoomed = camera;
+    zoomed.target = lens->target;
+    zoomed.up = lens->up;
+    zoomed.fov_y_deg = field_of_view_deg(*lens);
+    return rounded_to_float(zoomed);
+}
+
+double tangent_for_shadows(std::span<const Shot> shots, const Mesh& mesh,
+                           const glm::dvec3& ground_up, double aspect) {
+    double tangent = 0.0;
+    for (const FramedShot& shot : framed_shots(shots, mesh, ground_up))
+        tangent = std::max(tangent, tangent_of(shot.camera, shot.places, aspect));
+    return k_view_margin * tangent;
+}
+
+double distance_for_shadows(std::span<const Shot> shots, const Mesh& mesh,
+                            const glm::dvec3& ground_up, double aspect) {
+    constexpr double k_max_factor = 4.0;
+    const std::vector<FramedShot> framed = framed_shots(shots, mesh, ground_up);
+    const auto holds = [&](double factor) {
+        return std::ranges::all_of(framed, [&](const FramedShot& shot) {
+            Camera camera = shot.camera;
+            camera.eye = camera.target + factor * (camera.eye - camera.target);
+            const double tangent = std::tan(0.5 * glm::radians(camera.fov_y_deg));
+            return k_view_margin * tangent_of(camera, shot.places, aspect) <= tangent;
+        });
+    };
+    if (holds(1.0)) return 1.0;
+    double low = 1.0, high = k_max_factor;
+    for (int i = 0; i < 20; ++i) {
+        const double middle = 0.5 * (low + high);
+        (holds(middle) ? high : low) = middle;
+    }
+    return high;
 }
 
 }  // namespace rimline::tools

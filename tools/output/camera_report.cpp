@@ -44,6 +44,13 @@ nlohmann::ordered_json lights_json(const std::vector<Light>& lights) {
     return list;
 }
 
+nlohmann::ordered_json suns_json(const std::vector<glm::dvec3>& suns) {
+    if (suns.empty()) return nullptr;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const glm::dvec3& sun : suns) list.push_back(json_vector(sun));
+    return list;
+}
+
 std::vector<std::string> camera_arguments(const Camera& camera, const std::vector<Light>& lights) {
     std::vector<std::string> arguments{vector_argument("--eye", camera.eye),
                                        vector_argument("--target", camera.target),

@@ -19,6 +19,9 @@ nlohmann::ordered_json clip_planes_json(const Scene& scene);
 /// A list of objects with `position` or `direction`, from the scene towards the light.
 nlohmann::ordered_json lights_json(const std::vector<Light>& lights);
 
+/// The directions of the sun of an animation that is chosen, one for each frame; null if there are none.
+nlohmann::ordered_json suns_json(const std::vector<glm::dvec3>& suns);
+
 /// An option and its value. `v` must be rounded to float.
 std::string vector_argument(const std::string& option, const glm::dvec3& v);
 

@@ -8,6 +8,7 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
@@ -146,7 +147,10 @@ private:
         if (!picture_.eye)
             picture_.view.choose(model_.model, model->mesh(), glm::dvec3(*picture_.up));
         const Camera camera = make_camera(model->mesh(), model_.model, picture_);
-        Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
+        const double aspect = double(picture_.size.width) / picture_.size.height;
+        Scene scene = scene_.make_scene(
+            camera, SceneLights(picture_, model->mesh(), scene_.ground).lights(camera, aspect),
+            picture_);
         session.appearance = ViewAppearance(scene.style);
         session.appearance.background = scene.palette.background;
         if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);

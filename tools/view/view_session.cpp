@@ -8,6 +8,7 @@
 
 #include "engine/view_defaults.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/up_option.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
@@ -47,7 +48,9 @@ void ViewSession::show(Document document, double aspect) {
     Camera fitted = make_camera(subject, document.name(), defaults);
     fitted = fit_camera(fitted, subject, fitted.eye - fitted.target, aspect);
     std::vector<Light> fitted_lights;
-    if (document.model() != nullptr) fitted_lights.push_back(default_sun(fitted));
+    if (document.model() != nullptr)
+        fitted_lights = SceneLights(defaults, document.model()->mesh(), appearance.ground)
+                            .lights(fitted, aspect);
     const bool orthographic = appearance.orthographic;
     show(std::move(document), fitted, std::move(fitted_lights));
     appearance.orthographic = orthographic;

@@ -9,8 +9,8 @@ import tempfile
 import time
 import zlib
 
-from program import (PROGRAM, camera_arguments, drawn_again, fail, fail_for_memory, have_device, is_count, is_vector,
-                     png_rows, png_size, read_file, run, skip, succeed)
+from program import (LIT_PICTURE, PROGRAM, camera_arguments, drawn_again, fail, fail_for_memory, have_device, is_count,
+                     is_vector, lit_share, model, png_rows, png_size, read_file, run, skip, succeed)
 
 
 def check_render(result, output, size):
@@ -20,7 +20,7 @@ def check_render(result, output, size):
                                           for heap in result["device_heaps"])
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
     times = result["times_ms"]
-    assert set(times) == {"reading", "choosing the view", "device", "index", "lines", "drawing", "writing", "total"}
+    assert set(times) == {"reading", "choosing the view", "device", "index", "choosing the light", "lines", "drawing", "writing", "total"}
     assert math.isclose(sum(times.values()), 2 * times["total"], rel_tol=1e-6) and result["frame_ms"] <= times["drawing"]
     assert result["output"] == output and png_size(output) == size
 
@@ -49,6 +49,30 @@ def test_render_draws_every_style_camera_and_light():
             check_render(result, output, (96, 64))
             assert result["validation_messages"] is None
             assert (result["shadow_edges"] == 0) == ("--shadows" in options)
+
+
+def test_render_chooses_a_sun_that_lights_a_third_to_two_thirds():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for shape in ("shape:knot", "shape:spring", "shape:terrain", "shape:scene", "shape:torus"):
+            for options in ([], ["--eye", "back"], ["--eye", "top"]):
+                succeed("render", shape, *LIT_PICTURE, *options, "-o", output)
+                assert 1 / 3 < lit_share(output) < 2 / 3 + 0.02, (shape, options, lit_share(output))
+        # It is the default.
+        chosen = succeed("render", "shape:knot", *LIT_PICTURE, "-o", output)["lights"]
+        assert chosen == succeed("render", "shape:knot", *LIT_PICTURE, "--sun", "auto", "-o", output)["lights"]
+
+
+def test_render_lights_real_models_from_all_sides():
+    have_device()
+    models = [model(name) for name in ("horse.ply", "stanford-bunny.obj", "rocker-arm.obj", "ogre.obj")]
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for path in models:
+            for options in ([], ["--eye", "front"], ["--eye", "back"], ["--eye", "left"]):
+                succeed("render", path, *LIT_PICTURE, *options, "-o", output)
+                assert 1 / 3 < lit_share(output) < 2 / 3 + 0.02, (path, options, lit_share(output))
 
 
 def test_render_says_its_camera_and_draws_the_same_picture_from_it():
