@@ -112,7 +112,6 @@ private:
                             .has_lines = has_lines(scene_, instance),
                             .output = surface_output(scene_, parts_.target, instance),
                             .fades = instance.fade_radius > 0.0,
-                            .only_receives = !casts_shadows(scene_, instance),
                             .colors = surface_colors(scene_, instance),
                             .textured_faces = {},
                             .inks = {},
@@ -235,7 +234,7 @@ private:
                             .part_sides = 0,
                             .part_faces = 0,
                             .point = {point.x, point.y, point.z, point.w},
-                            .color = glm::vec3(light_share(scene_, l)),
+                            .color = glm::vec3(light_share(scene_, instance, l)),
                             .extrusion = 0.0f};
         if (scene_.camera.is_orthographic())
             data.extrusion = finite_extrusion(scene_.lights[l], instance, view_.bounds);

@@ -108,10 +108,25 @@ SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
     return is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
 }
 
-float light_share(const Scene& scene, std::size_t light) {
+namespace {
+
+float share_of(const Scene& scene, const Light& light) {
+    return light.share.value_or(1.0f / float(scene.lights.size()));
+}
+
+}  // namespace
+
+float light_share(const Scene& scene, const SceneInstance& instance, std::size_t light) {
+    if (instance.fade_radius > 0.0) return shadow_share(scene, light);
+    return share_of(scene, scene.lights[light]);
+}
+
+float shadow_share(const Scene& scene, std::size_t light) {
+    if (!scene.lights[light].casts_shadows) return 0.0f;
     float sum = 0.0f;
-    for (const Light& each : scene.lights) sum += each.strength;
-    return scene.lights[light].strength / sum;
+    for (const Light& each : scene.lights)
+        if (each.casts_shadows) sum += share_of(scene, each);
+    return share_of(scene, scene.lights[light]) / sum;
 }
 
 float shadow_opacity(const Scene& scene) {

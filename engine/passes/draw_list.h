@@ -78,7 +78,6 @@ struct DrawnInstance {
     bool has_segments = false;
     SurfaceOutput output = SurfaceOutput::picture;
     bool fades = false;
-    bool only_receives = false;  ///< Shadows: it casts none, from any light.
     SurfaceColors colors = SurfaceColors::one;
     /// Of SurfaceColors::textures: ranges that hold all faces.
     std::span<const TexturedFaces> textured_faces;

@@ -117,8 +117,7 @@ void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines
     for (const DrawnInstance& instance : list.instances) {
         bind(commands, (pipelines_of(list, instance).*pipelines)[instance.fades], instance);
         const DrawnLight& drawn = instance.lights[light];
-        const std::uint32_t choice = drawn.casts_shadow ? 1 : instance.only_receives ? 2 : 0;
-        set_draw(commands, layout_, list, instance, &drawn, choice);
+        set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 0);
         draw_corners(commands, instance);
     }
 }

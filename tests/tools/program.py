@@ -178,7 +178,9 @@ def camera_arguments(said):
     if said.get("ground_up"):
         options.append(f"--ground-up={text(said['ground_up'])}")
     for light in said.get("lights", ()):
-        [(kind, vector)] = light.items()
+        if not light.get("casts_shadows", True):
+            continue  # Fill and rim follow from the key.
+        (kind, vector) = next(iter(light.items()))
         options.append(("--sun=" if kind == "direction" else "--light=") + text(vector))
     return options
 

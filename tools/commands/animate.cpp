@@ -21,6 +21,7 @@
 #include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/output/camera_report.h"
 #include "tools/output/frame_output.h"
@@ -187,6 +188,8 @@ public:
             motion.suns = std::move(suns);
             first.camera = first_camera(mesh, motion);
         }
+        motion.has_fill_and_rim = picture_.is_three_point();
+        if (motion.has_fill_and_rim) add_fill_and_rim(first);
         check_scene_reach(model_.model, mesh, {&first.camera.eye, 1}, scene_.ground);
         first.instances.push_back({.octree = octree ? &*octree : nullptr,
                                    .name = model_.model,
@@ -195,7 +198,8 @@ public:
         std::optional<Ground> ground;
         if (scene_.ground) {
             ground.emplace(mesh, up, wave ? wave->amplitude : 0.0);
-            first.instances.push_back(ground->instance(first));
+            first.instances.push_back(
+                ground->instance(first, fade_of_ground(mesh, first.lights, up)));
         }
 
         Animation animation(std::move(first), mesh, motion);

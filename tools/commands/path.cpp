@@ -18,6 +18,7 @@
 #include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/output/camera_report.h"
 #include "tools/output/frame_output.h"
@@ -144,6 +145,8 @@ private:
             first.camera.fov_y_deg =
                 std::max(first.camera.fov_y_deg, 2.0 * glm::degrees(std::atan(tangent)));
         }
+        motion.has_fill_and_rim = picture_.is_three_point();
+        if (motion.has_fill_and_rim) add_fill_and_rim(first);
         first.instances.push_back({.octree = &*device.octree,
                                    .name = model_.model,
                                    .material = style_.material(picture_),
@@ -151,7 +154,8 @@ private:
         std::optional<Ground> ground;
         if (style_.ground) {
             ground.emplace(mesh, up_of(mesh, picture_), 0.0);
-            first.instances.push_back(ground->instance(first));
+            first.instances.push_back(
+                ground->instance(first, fade_of_ground(mesh, first.lights, up_of(mesh, picture_))));
         }
         Animation animation(std::move(first), mesh, std::move(motion));
         Renderer renderer(device.device->context());

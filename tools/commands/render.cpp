@@ -16,6 +16,7 @@
 #include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
@@ -93,6 +94,7 @@ public:
         if (frames_shadows(scene))
             scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights, ground_up,
                                               double(picture_.size.width) / picture_.size.height);
+        if (picture_.is_three_point()) add_fill_and_rim(scene);
         times.end("choosing the light");
         check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
@@ -100,7 +102,8 @@ public:
         std::optional<Ground> ground;
         if (options_.ground) {
             ground.emplace(mesh, ground_up, 0.0);
-            scene.instances.push_back(ground->instance(scene));
+            scene.instances.push_back(
+                ground->instance(scene, fade_of_ground(mesh, scene.lights, ground_up)));
         }
         // The ground hides no line: the model stands on it, and from below it is not drawn.
         std::optional<ShownLines> lines;

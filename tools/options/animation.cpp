@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "silhouette/error.h"
+#include "tools/options/three_point.h"
 
 namespace rimline::tools {
 
@@ -72,8 +73,13 @@ void Animation::place_camera(std::uint32_t frame) {
 }
 
 void Animation::place_lights(std::uint32_t frame) {
-    if (!motion_.suns.empty()) scene_.lights.back().vector = motion_.suns[frame];
-    if (motion_.lights == LightMotion::still) return;
+    const std::size_t sun = scene_.lights.size() - (motion_.has_fill_and_rim ? 3 : 1);
+    if (!motion_.suns.empty()) scene_.lights[sun].vector = motion_.suns[frame];
+    if (motion_.lights != LightMotion::still) move_lights(frame);
+    if (motion_.has_fill_and_rim) move_fill_and_rim(scene_);
+}
+
+void Animation::move_lights(std::uint32_t frame) {
     const bool turning = motion_.lights == LightMotion::turning;
     const glm::dvec3 axis = glm::normalize(first_camera_.up);
     const double angle_rad = glm::radians(frame * motion_.light_step_degrees);

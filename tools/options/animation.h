@@ -33,6 +33,8 @@ struct Motion {
     double light_step_degrees = 0.0;  ///< Rotation of turning lights per frame.
     /// The direction of the last light, a sun, in each frame. Empty: it moves as the others.
     std::vector<glm::dvec3> suns;
+    bool has_fill_and_rim =
+        false;  ///< The last two lights are those of three_point.h, and the sun lies before them.
     /// Deforms the first instance. It travels `wave_turns` wavelengths per frame, from its state in frame 0.
     std::optional<Wave> wave;
     double wave_turns = 0.0;
@@ -58,6 +60,7 @@ public:
 private:
     void place_camera(std::uint32_t frame);
     void place_lights(std::uint32_t frame);
+    void move_lights(std::uint32_t frame);
 
     Scene scene_;
     const Mesh& mesh_;

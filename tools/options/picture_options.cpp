@@ -46,6 +46,13 @@ void PictureOptions::add_lights_to(CLI::App& app) {
         "Direction from the model towards a directional light; repeatable. auto: one from which a "
         "third to two thirds of what the camera sees is lit (default, if no light is given)")
         ->group(k_group);
+    app.add_option(
+           "--lighting", lighting,
+           "sun: the lights above. three-point: the sun is the key light; a fill light from "
+           "the camera's other side and a rim light from behind, without shadows, are added")
+        ->check(CLI::IsMember({"sun", "three-point"}))
+        ->capture_default_str()
+        ->group(k_group);
 }
 
 void PictureOptions::add_image_to(CLI::App& app, Background kind) {

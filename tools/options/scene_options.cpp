@@ -126,6 +126,10 @@ void SceneOptions::check_usage(const PictureOptions& picture) const {
         throw UsageError("--palette: the style " + style + " has " + palette_names(style_value()) +
                          ", not '" + palette + "'" + did_you_mean(palette, names));
     }
+    const bool has_own_lights =
+        !picture.lights.empty() || picture.suns.size() + (picture.has_chosen_sun ? 1 : 0) > 1;
+    if (picture.is_three_point() && has_own_lights)
+        throw UsageError("--lighting three-point: takes one --sun and no --light");
     if (style_value() != Style::mask) return;
     const auto check = [](const char* option, const std::optional<Color>& given) {
         constexpr Color k_black{0, 0, 0}, k_white{255, 255, 255};
@@ -188,8 +192,8 @@ Ground::Ground(const Mesh& mesh, const glm::dvec3& up, double drop)
       mesh_(make_ground(mesh, up, k_ground_end * mesh.radius())),
       octree_(mesh_) {}
 
-SceneInstance Ground::instance(const Scene& scene) const {
-    SceneInstance instance = ground_instance(scene, model_, octree_);
+SceneInstance Ground::instance(const Scene& scene, double fade_radius) const {
+    SceneInstance instance = ground_instance(scene, model_, octree_, fade_radius);
     instance.translation = translation_;
     return instance;
 }

@@ -80,7 +80,7 @@ public:
     Ground(const Ground&) = delete;
     Ground& operator=(const Ground&) = delete;
 
-    SceneInstance instance(const Scene& scene) const;
+    SceneInstance instance(const Scene& scene, double fade_radius) const;
 
 private:
     const Mesh& model_;

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "engine/view_defaults.h"
 #include "tools/options/picture_scene.h"
@@ -16,15 +17,48 @@ namespace rimline::tools {
 
 namespace {
 
-// Lower suns throw endless shadows.
-constexpr double k_min_sine = 0.05;
+constexpr double k_max_tangent = 1.7320508;
 constexpr int k_outline_directions = 128;
 
-// Whether a place is before the camera and within a field of view of 90 degrees.
+// Whether a place is before the camera, and within 60 degrees of its direction on both axes.
 bool is_before(const glm::dmat3& axes, const glm::dvec3& eye, const glm::vec3& place) {
     const glm::dvec3 p = axes * (glm::dvec3(place) - eye);
-    return std::max(std::abs(p.x), std::abs(p.y)) < -p.z;
+    return std::max(std::abs(p.x), std::abs(p.y)) < -k_max_tangent * p.z;
 }
+
+// Where the shadows of positions fall.
+class ShadowCaster {
+public:
+    ShadowCaster(const Mesh& mesh, std::span<const glm::vec3> positions,
+                 const glm::dvec3& ground_up)
+        : center_(mesh.center()),
+          up_(glm::normalize(ground_up)),
+          limit_(k_framed_shadow_radii * mesh.radius()),
+          ground_(std::numeric_limits<double>::max()) {
+        for (const glm::vec3& position : positions)
+            ground_ = std::min(ground_, glm::dot(glm::dvec3(position) - center_, up_));
+    }
+
+    // From the center of the mesh; nothing if the light casts none, or it is farther away than the limit.
+    std::optional<glm::dvec3> shadow(const Light& light, const glm::vec3& position) const {
+        if (!light.casts_shadows) return std::nullopt;
+        const glm::dvec3 away = glm::dvec3(position) - center_;
+        const glm::dvec3 towards =
+            light.directional ? glm::normalize(light.vector) : light.vector - center_ - away;
+        const double rise = glm::dot(towards, up_);
+        const double height = glm::dot(away, up_) - ground_;
+        if (rise * limit_ <= 1e-9 * height * glm::length(towards)) {
+            // What stands on the ground is its own shadow.
+            return height <= 1e-9 * limit_ ? std::optional(away) : std::nullopt;
+        }
+        const glm::dvec3 shadow = away - (height / rise) * towards;
+        return glm::length(shadow) <= limit_ ? std::optional(shadow) : std::nullopt;
+    }
+
+private:
+    glm::dvec3 center_, up_;
+    double limit_, ground_;
+};
 
 // Vertices of the mesh that are the farthest ones in some direction.
 std::vector<glm::vec3> outline_positions(const Mesh& mesh) {
@@ -71,24 +105,25 @@ double tangent_of(const Camera& camera, std::span<const glm::vec3> places, doubl
 
 std::vector<glm::vec3> shadow_places(const Mesh& mesh, std::span<const glm::vec3> positions,
                                      std::span<const Light> lights, const glm::dvec3& ground_up) {
-    const glm::dvec3 up = glm::normalize(ground_up);
-    const glm::dvec3 center = mesh.center();
-    double ground = std::numeric_limits<double>::max();
-    for (const glm::vec3& position : positions)
-        ground = std::min(ground, glm::dot(glm::dvec3(position) - center, up));
     std::vector<glm::vec3> places;
-    for (const Light& light : lights) {
-        const glm::dvec3 towards = glm::normalize(light.vector);
-        const double sine = glm::dot(towards, up);
-        if (!light.directional || !light.casts_shadows || sine < k_min_sine) continue;
-        for (const glm::vec3& position : positions) {
-            const glm::dvec3 away = glm::dvec3(position) - center;
-            const glm::dvec3 shadow = away - (glm::dot(away, up) - ground) / sine * towards;
-            if (glm::length(shadow) <= k_framed_shadow_radii * mesh.radius())
-                places.emplace_back(center + shadow);
-        }
-    }
+    const ShadowCaster caster(mesh, positions, ground_up);
+    for (const Light& light : lights)
+        for (const glm::vec3& position : positions)
+            if (const std::optional<glm::dvec3> shadow = caster.shadow(light, position))
+                places.emplace_back(mesh.center() + *shadow);
     return places;
+}
+
+double fade_of_ground(const Mesh& mesh, std::span<const Light> lights,
+                      const glm::dvec3& ground_up) {
+    const ShadowCaster caster(mesh, mesh.positions(), ground_up);
+    const bool is_held = std::ranges::all_of(lights, [&](const Light& light) {
+        return !light.casts_shadows ||
+               std::ranges::all_of(mesh.positions(), [&](const glm::vec3& position) {
+                   return caster.shadow(light, position).has_value();
+               });
+    });
+    return (is_held ? k_ground_fade : k_framed_shadow_radii) * mesh.radius();
 }
 
 Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,

@@ -7,6 +7,7 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/view_camera.h"
 #include "tools/progress.h"
 
@@ -45,6 +46,7 @@ Scene make_view_scene(const Mesh& mesh, const LightedView& view, const SceneOpti
     if (style.ground && scene.shadows)
         scene.camera = zoom_with_shadows(scene.camera, mesh, scene.lights,
                                          ground_up_of(mesh, options), aspect);
+    if (options.is_three_point()) add_fill_and_rim(scene);
     return scene;
 }
 
@@ -71,7 +73,9 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
             picture_scene.instances.front().picture_lines = scene.lines->draw(
                 picture_scene.camera, size, scene.style.line_style(picture_scene.palette),
                 {context.stop, {}});
-        if (ground) picture_scene.instances.push_back(ground->instance(picture_scene));
+        if (ground)
+            picture_scene.instances.push_back(
+                ground->instance(picture_scene, fade_of_ground(mesh, picture_scene.lights, up)));
         pictures.push_back(renderer.render(picture_scene, size.width, size.height));
         scene.style.finish(scene.picture).apply(pictures.back());
     }

@@ -10,6 +10,7 @@
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
@@ -151,6 +152,7 @@ private:
         Scene scene = scene_.make_scene(
             camera, SceneLights(picture_, model->mesh(), scene_.ground).lights(camera, aspect),
             picture_);
+        if (picture_.is_three_point()) add_fill_and_rim(scene);
         session.appearance = ViewAppearance(scene.style);
         session.appearance.background = scene.palette.background;
         if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);

@@ -9,6 +9,7 @@
 #include "engine/view_defaults.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
+#include "tools/options/shadow_framing.h"
 #include "tools/options/up_option.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
@@ -168,7 +169,8 @@ Scene ViewSession::scene() const {
                       .lines_in_mesh_colors = appearance.material_lines},
          .is_solid = model.is_solid()});
     if (appearance.ground)
-        scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(camera.up)));
+        scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(camera.up),
+                                                  fade_of_ground(model.mesh(), lights, camera.up)));
     return scene;
 }
 
