@@ -91,9 +91,7 @@ public:
         const Camera camera = make_camera(mesh, model_.model, picture_);
         Scene scene = options_.make_scene(camera, choose_lights(mesh, camera, context), picture_);
         const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
-        if (frames_shadows(scene))
-            scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights, ground_up,
-                                              double(picture_.size.width) / picture_.size.height);
+        if (options_.ground) frame_ground(scene, mesh, picture_);
         if (picture_.is_three_point()) add_fill_and_rim(scene);
         times.end("choosing the light");
         check_scene_reach(model_.model, mesh, {&scene.camera.eye, 1}, options_.ground);
@@ -135,12 +133,6 @@ public:
     }
 
 private:
-    // Only a camera that the command has placed moves away.
-    bool frames_shadows(const Scene& scene) const {
-        return options_.ground && scene.shadows && !picture_.eye && !picture_.target &&
-               !scene.camera.is_orthographic();
-    }
-
     std::vector<Light> choose_lights(const Mesh& mesh, const Camera& camera,
                                      const Context& context) const {
         Progress progress(context, "choosing the light");

@@ -138,6 +138,13 @@ Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<cons
                                        towards_viewer, aspect));
 }
 
+void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options) {
+    if (!scene.shadows || options.eye || options.target || scene.camera.is_orthographic()) return;
+    scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights,
+                                      rounded_to_float(ground_up_of(mesh, options)),
+                                      double(options.size.width) / options.size.height);
+}
+
 Camera zoom_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                          const glm::dvec3& ground_up, double aspect) {
     const glm::dmat3 axes = camera_from_world(camera);

@@ -9,6 +9,7 @@
 #include "engine/scene.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/options/animation.h"
+#include "tools/options/picture_options.h"
 
 namespace rimline::tools {
 
@@ -29,6 +30,9 @@ double fade_of_ground(const Mesh& mesh, std::span<const Light> lights, const glm
 /// shadow_places(). Rounded to float (view_camera.h). O(vertices) for each sun.
 Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                           const glm::dvec3& ground_up, double aspect);
+
+/// The same for a scene with a ground, where its shadows are drawn and the command has placed the camera.
+void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options);
 
 /// The perspective camera, at its place, turned and with a lens such that the picture holds the mesh and its
 /// shadow_places(), but for those that it sees at more than 60 degrees. Unchanged if the mesh itself reaches beside or

@@ -86,6 +86,8 @@ void ViewSession::fit(double aspect) {
     appearance.orthographic = false;
     apply_lens();
     camera = fit_camera(camera, document_.subject(), camera.eye - camera.target, aspect);
+    if (document_.model() != nullptr && appearance.ground && appearance.shadows)
+        camera = frame_with_shadows(camera, document_.model()->mesh(), lights, camera.up, aspect);
     appearance.orthographic = orthographic;
     apply_lens();
 }

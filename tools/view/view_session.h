@@ -72,7 +72,7 @@ public:
     /// The bounding sphere of the document: the scale of handles and speeds. Its radius is not 0.
     SceneBounds bounds() const;
 
-    /// Moves the camera along its view direction so that it sees the whole document.
+    /// Moves the camera along its view direction so that it sees the whole document, with a ground its shadow too.
     void fit(double aspect);
     /// Applies appearance.fov_y_deg and appearance.orthographic to the camera. Objects at the target keep
     /// their size in the picture.
