@@ -73,7 +73,9 @@ struct SceneInstance {
     /// Ignored for a mesh that deforms.
     bool is_solid = false;
     /// Greater than 0: fades into the background towards this distance from fade_center (world), like a
-    /// ground without an end. Back faces are not drawn, so a viewer below the ground sees through it.
+    /// ground without an end. Back faces are not drawn, so a viewer below the ground sees through it. It is as light as
+    /// the background wherever no shadow falls, whatever the angle of the light, and lights without shadows do not
+    /// count: in shadow from all others it is in full shadow.
     double fade_radius = 0.0;
     glm::dvec3 fade_center{0.0};
 
@@ -86,6 +88,11 @@ struct Light {
     /// A position, or a direction from the scene towards the light.
     glm::dvec3 vector{0.0, 1.0, 0.0};
     bool directional = true;
+    /// Its share in the light of a fully lit surface, greater than 0. Not set: 1 by the number of lights. If the shares
+    /// add up to more than 1, surfaces may become lighter than their color.
+    std::optional<float> share;
+    /// False: it lights all that turns towards it, as a large soft light does.
+    bool casts_shadows = true;
 };
 
 enum class Style : std::uint32_t {
@@ -119,7 +126,7 @@ struct Palette {
 
 struct Scene {
     std::vector<SceneInstance> instances;
-    std::vector<Light> lights;  ///< Each adds an equal share of the light.
+    std::vector<Light> lights;
     Camera camera;
     /// The camera whose silhouettes are drawn as lines; default: `camera`. Another one freezes them, to be
     /// viewed from elsewhere (thesis, Figure 1.2). Only its eye counts, or its direction if orthographic.

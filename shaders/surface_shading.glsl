@@ -4,8 +4,8 @@
 // Surfaces in one style. Each style is its own pipeline, because a CPU device executes both sides of every
 // dynamic branch. The output is the shaded surface (as in shadow), or the light added where the stencil
 // test passes, or both at once for a single light without shadows. The sum over all lights is the fully lit
-// surface. For light, draw.choice is 1 or 2. With 1 the face's bit is also used if the light grazes the
-// face (surface_corner.glsl). 2 is for surfaces that cast no shadow.
+// surface. For light, draw.choice is 1 where the instance casts a shadow: then the face's bit is also used if
+// the light grazes the face (surface_corner.glsl).
 
 #include "draw.glsl"
 #include "hatch.glsl"
@@ -51,10 +51,8 @@ vec4 shaded_surface(vec3 lit) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
         const vec4 light_point = light.point;
         const vec3 to_light = normalize(light_point.xyz - light_point.w * position);
-        float amount = reached ? tone(dot(n, to_light)) : 0.0;
-        // A surface that only receives shadows is paper, so it gets no strokes outside shadows.
-        if (k_style == RIMLINE_STYLE_HATCH && draw.choice == 2u)
-            amount = smoothstep(0.14, 0.17, dot(n, to_light));
+        // A surface that fades into the background is the background, with shadows on it.
+        const float amount = k_fades ? 1.0 : reached ? tone(dot(n, to_light)) : 0.0;
         color.rgb += (shown(lit, amount, n) - shaded) * light.color;
     }
     if (k_fades) {

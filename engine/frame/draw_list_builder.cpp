@@ -234,11 +234,11 @@ private:
                             .part_sides = 0,
                             .part_faces = 0,
                             .point = {point.x, point.y, point.z, point.w},
-                            .color = glm::vec3(1.0f / float(scene_.lights.size())),
+                            .color = glm::vec3(light_share(scene_, instance, l)),
                             .extrusion = 0.0f};
         if (scene_.camera.is_orthographic())
             data.extrusion = finite_extrusion(scene_.lights[l], instance, view_.bounds);
-        DrawnLight light{.casts_shadow = casts_shadows(scene_, instance),
+        DrawnLight light{.casts_shadow = casts_shadows(scene_, instance, scene_.lights[l]),
                          .ends_in_one_point = point.is_direction() && data.extrusion == 0.0f};
         if (light.casts_shadow) {
             choose_volume(i, l, caster, data, light);

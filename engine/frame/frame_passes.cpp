@@ -175,7 +175,7 @@ void FramePasses::record_light(Commands commands, const Frame& frame, std::size_
         if (frame.target.backdrop)
             backdrop_pass_.record_shade(
                 commands, frame.ring_slot, frame.backdrop, frame.target.corner,
-                shadow_opacity(frame.view.scene) / static_cast<float>(list.light_count));
+                shadow_opacity(frame.view.scene) * shadow_share(frame.view.scene, light));
         frame.clock.end_pass(commands, "shadow volumes", light);
     }
     surface_pass_.record_lit(commands, list, light);

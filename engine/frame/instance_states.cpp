@@ -145,7 +145,7 @@ void InstanceStates::prepare_silhouettes(const FrameView& view) {
         for (std::size_t l = 0; l < seen.lights.size(); ++l) {
             if (state.deforming)
                 state.deforming->prepare_light(l, uploads_);
-            else
+            else if (view.scene.lights[l].casts_shadows)
                 prepare(state.lights[l], instance, seen.lights[l].point);
         }
     }
@@ -168,7 +168,8 @@ bool InstanceStates::has_silhouettes(const FrameView& view) const {
             return false;
         if (!casts_shadows(view.scene, view.scene.instances[i])) continue;
         for (std::size_t l = 0; l < state.lights.size(); ++l)
-            if (!(state.deforming ? state.deforming->has_light(l) : state.lights[l] != nullptr))
+            if (!(state.deforming ? state.deforming->has_light(l)
+                                  : state.lights[l] || !view.scene.lights[l].casts_shadows))
                 return false;
     }
     return true;

@@ -108,6 +108,27 @@ SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
     return is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
 }
 
+namespace {
+
+float share_of(const Scene& scene, const Light& light) {
+    return light.share.value_or(1.0f / float(scene.lights.size()));
+}
+
+}  // namespace
+
+float light_share(const Scene& scene, const SceneInstance& instance, std::size_t light) {
+    if (instance.fade_radius > 0.0) return shadow_share(scene, light);
+    return share_of(scene, scene.lights[light]);
+}
+
+float shadow_share(const Scene& scene, std::size_t light) {
+    if (!scene.lights[light].casts_shadows) return 0.0f;
+    float sum = 0.0f;
+    for (const Light& each : scene.lights)
+        if (each.casts_shadows) sum += share_of(scene, each);
+    return share_of(scene, scene.lights[light]) / sum;
+}
+
 float shadow_opacity(const Scene& scene) {
     return 1.0f - glm::dot(scene.palette.shade, glm::vec3(1.0f / 3.0f));
 }

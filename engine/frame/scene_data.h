@@ -31,6 +31,11 @@ bool is_layer(const Scene& scene, const PictureTarget& target);
 SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
                              const SceneInstance& instance);
 
+/// The share of a light in the light of a fully lit surface of this instance; 0 if it does not count there.
+float light_share(const Scene& scene, const SceneInstance& instance, std::size_t light);
+/// The share of a light among those that cast shadows; 0 for others.
+float shadow_share(const Scene& scene, std::size_t light);
+
 /// The opacity of a shadow that all lights cast on something without a color of its own.
 float shadow_opacity(const Scene& scene);
 

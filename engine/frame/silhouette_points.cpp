@@ -16,6 +16,9 @@ bool has_silhouette_lines(const Scene& scene, const SceneInstance& instance) {
 bool casts_shadows(const Scene& scene, const SceneInstance& instance) {
     return scene.shadows && instance.casts_shadows;
 }
+bool casts_shadows(const Scene& scene, const SceneInstance& instance, const Light& light) {
+    return casts_shadows(scene, instance) && light.casts_shadows;
+}
 
 glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& world) {
     return glm::transpose(instance.rotation) * (world - instance.translation);
@@ -45,7 +48,8 @@ HomogeneousPoint light_point(const SceneInstance& instance, const Light& light) 
 HomogeneousPoint casting_point(const Scene& scene, const SceneInstance& instance,
                                const Light& light, const CasterMeshes& casters) {
     const HomogeneousPoint point = light_point(instance, light);
-    if (!casts_shadows(scene, instance) || instance.deforming || point.is_direction()) return point;
+    if (!casts_shadows(scene, instance, light) || instance.deforming || point.is_direction())
+        return point;
     return light_off_vertices(casters.at(&instance.octree->mesh()).vertices(), point);
 }
 

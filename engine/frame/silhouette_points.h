@@ -21,6 +21,7 @@ bool has_lines(const Scene& scene, const SceneInstance& instance);
 bool has_silhouette_lines(const Scene& scene, const SceneInstance& instance);
 /// Whether its shadow is drawn.
 bool casts_shadows(const Scene& scene, const SceneInstance& instance);
+bool casts_shadows(const Scene& scene, const SceneInstance& instance, const Light& light);
 
 /// A point of the world, and a direction, in the instance's coordinates.
 glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& world);

@@ -117,7 +117,7 @@ void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines
     for (const DrawnInstance& instance : list.instances) {
         bind(commands, (pipelines_of(list, instance).*pipelines)[instance.fades], instance);
         const DrawnLight& drawn = instance.lights[light];
-        set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 2);
+        set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 0);
         draw_corners(commands, instance);
     }
 }

@@ -337,6 +337,47 @@ TEST_CASE("a ground that fades is seen through from below") {
     }
 }
 
+TEST_CASE(
+    "a ground that fades is as light as the background, in all styles and whatever the angle of "
+    "the light") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("knot", 4000));
+    const HoughOctree octree(mesh);
+    const Mesh ground_mesh(make_ground(mesh, {0, 1, 0}, 8.0 * mesh.radius()));
+    const HoughOctree ground(ground_mesh);
+    Renderer renderer(gpu->context());
+    for (const Style style : {Style::ink, Style::toon, Style::hatch}) {
+        Scene scene = scene_of(mesh, octree, style);
+        scene.shadows = false;
+        scene.lights = {{.vector = {1.0, 0.05, 0.3}}};
+        const Picture alone = renderer.render(scene, 128, 128);
+        scene.instances.push_back({.octree = &ground,
+                                   .material = {.color = scene.palette.background},
+                                   .has_lines = false,
+                                   .casts_shadows = false,
+                                   .fade_radius = 7.0 * mesh.radius(),
+                                   .fade_center = mesh.center()});
+        CHECK(agreement(renderer.render(scene, 128, 128), alone) > 0.999);
+        // A light without shadows leaves the shadows of another one as dark as they are.
+        scene.shadows = true;
+        scene.lights = {{.vector = {1.0, 1.0, 0.3}}};
+        const Picture one = renderer.render(scene, 128, 128);
+        scene.instances[0].has_surfaces = true;
+        scene.lights.push_back({.vector = {0.0, 1.0, 1.0}, .share = 0.5f, .casts_shadows = false});
+        const Picture two = renderer.render(scene, 128, 128);
+        CHECK(renderer.report().shadows.size() == 1);
+        const double equal = agreement(one, two);
+        CHECK(equal > 0.5);   // Background and ground.
+        CHECK(equal < 0.99);  // The knot is brighter.
+        double sum = 0.0, brighter = 0.0;
+        for (std::size_t i = 0; i < one.rgba.size(); i += 4) {
+            sum += one.rgba[i];
+            brighter += two.rgba[i];
+        }
+        CHECK(brighter > sum);
+    }
+}
+
 TEST_CASE("a scene without background is a picture with straight alpha") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("sphere", 2000));

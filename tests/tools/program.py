@@ -161,6 +161,15 @@ def png_size(path):
     return tuple(int.from_bytes(header[i:i + 4], "big") for i in (16, 20))
 
 
+LIT_PICTURE = ("--style", "toon", "--color", "white", "--lines", "off", "--background", "#00ff00", "--size", "160x120")
+
+
+def lit_share(path):
+    """The share of the surface in a LIT_PICTURE that light reaches: what is lighter than between shade and half tone."""
+    surface = [pixel for row in png_rows(path) for pixel in row if pixel[0] > 40 or pixel[1] < 240]
+    return sum(pixel[0] > 190 for pixel in surface) / len(surface)
+
+
 def camera_arguments(said):
     """The options of `render` that give the camera and the lights of a result."""
     text = lambda v: ",".join(f"{x:.17g}" for x in v)
@@ -169,7 +178,9 @@ def camera_arguments(said):
     if said.get("ground_up"):
         options.append(f"--ground-up={text(said['ground_up'])}")
     for light in said.get("lights", ()):
-        [(kind, vector)] = light.items()
+        if not light.get("casts_shadows", True):
+            continue  # Fill and rim follow from the key.
+        (kind, vector) = next(iter(light.items()))
         options.append(("--sun=" if kind == "direction" else "--light=") + text(vector))
     return options
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/view_defaults.h"
 #include "silhouette/field/best_views.h"
+#include "silhouette/field/sun_choice.h"
 #include "tools/bench/mesh_variants.h"
 #include "tools/options/picture_scene.h"
 #include "tools/output/contact_sheet.h"
@@ -46,11 +48,18 @@ public:
 
     std::vector<Picture> draw(const std::vector<glm::dvec3>& eyes, const char* style,
                               bool has_chosen_sun, const Context& context) {
+        const Mesh& mesh = octree_.mesh();
+        std::vector<LightedView> views;
+        for (const glm::dvec3& eye : eyes) {
+            const Camera camera = make_view_camera(mesh, eye, picture_, k_cell);
+            const std::optional<ChosenSun> sun =
+                has_chosen_sun ? choose_sun(mesh, eye, {context.stop, {}}) : std::nullopt;
+            views.push_back({eye, {sun ? Light{.vector = sun->direction} : default_sun(camera)}});
+        }
         SceneOptions scene;
         scene.style = style;
         scene.crease_degrees = k_crease_deg;
-        picture_.has_chosen_sun = has_chosen_sun;
-        return draw_views(renderer_, {model_, octree_, scene, picture_}, eyes, k_cell, context);
+        return draw_views(renderer_, {model_, octree_, scene, picture_}, views, k_cell, context);
     }
 
 private:

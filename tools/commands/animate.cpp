@@ -18,9 +18,13 @@
 #include "tools/options/path_options.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
+#include "tools/output/camera_report.h"
 #include "tools/output/frame_output.h"
 #include "tools/output/frame_sink.h"
 #include "tools/output/json_vector.h"
@@ -32,6 +36,7 @@ namespace rimline::tools {
 namespace {
 
 constexpr const char* k_default_folder = "frames";
+constexpr std::uint32_t k_framed_shots = 120;
 
 struct Totals {
     SilhouetteChanges changes;
@@ -166,8 +171,31 @@ public:
         const std::optional<Wave> wave =
             deform_.empty() ? std::nullopt : std::optional(default_wave(mesh, up, 0.0));
         const double reach = mesh.radius() + (wave ? wave->amplitude : 0.0);
-        const Motion motion = make_motion(mesh, up, reach, wave);
-        Scene first = scene_.make_scene(first_camera(mesh, motion), mesh, picture_);
+        Motion motion = make_motion(mesh, up, reach, wave);
+        const std::uint32_t frame_count =
+            motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
+        const SceneLights lights(picture_, mesh, scene_.ground, {context.stop, {}});
+        const double aspect = double(picture_.size.width) / picture_.size.height;
+        const Camera first_place = first_camera(mesh, motion);
+        Scene first = scene_.make_scene(first_place, lights.lights(first_place, aspect), picture_);
+        if (lights.chooses_sun() && motion.lights == LightMotion::still && !motion.eyes.empty()) {
+            Progress progress(context, "choosing lights");
+            motion.suns = lights.moving_sun(shots_of(first, mesh, motion, frame_count), aspect,
+                                            progress.call());
+        }
+        suns_ = motion.suns;
+        times.end("choosing the light");
+        if (frames_shadows(first)) {
+            const double factor = distance_for_shadows(
+                shots_of(first, mesh, motion, frame_count, 1 + frame_count / k_framed_shots), mesh,
+                up, aspect);
+            std::vector<glm::dvec3> suns = std::move(motion.suns);
+            motion = make_motion(mesh, up, factor * reach, wave);
+            motion.suns = std::move(suns);
+            first.camera = first_camera(mesh, motion);
+        }
+        motion.has_fill_and_rim = picture_.is_three_point();
+        if (motion.has_fill_and_rim) add_fill_and_rim(first);
         check_scene_reach(models_.name(), mesh, {&first.camera.eye, 1}, scene_.ground);
         first.instances.push_back({.octree = octree ? &*octree : nullptr,
                                    .name = models_.name(),
@@ -175,15 +203,14 @@ public:
                                    .is_solid = octree && check_solid(mesh, context)});
         std::optional<Ground> ground;
         if (scene_.ground) {
-            ground.emplace(mesh, rounded_to_float(ground_up_of(mesh, picture_)),
-                           wave ? wave->amplitude : 0.0);
-            first.instances.push_back(ground->instance(first));
+            const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
+            ground.emplace(mesh, ground_up, wave ? wave->amplitude : 0.0);
+            first.instances.push_back(
+                ground->instance(first, fade_of_ground(mesh, first.lights, ground_up)));
         }
 
         Animation animation(std::move(first), mesh, motion);
         times.end("index");
-        const std::uint32_t frame_count =
-            motion.eyes.empty() ? path_.frames : static_cast<std::uint32_t>(motion.eyes.size());
         const Result result = about_model(models_.name(), [&] {
             Renderer renderer(device.context());
             Progress progress(context, "drawing frames");
@@ -214,6 +241,12 @@ private:
                 "--eye: the camera stands there; leave out --path, --radius and --step");
         if (wave_step_option_->count() > 0 && deform_.empty())
             throw UsageError("--wave-step: belongs to --deform wave");
+    }
+
+    // Only cameras that the command has placed move away.
+    bool frames_shadows(const Scene& first) const {
+        return scene_.ground && first.shadows && !picture_.eye && !picture_.target &&
+               path_.path == "orbit" && !path_.radius && !first.camera.is_orthographic();
     }
 
     Motion make_motion(const Mesh& mesh, const glm::dvec3& up, double reach,
@@ -284,6 +317,7 @@ private:
         json["path"] = picture_.eye ? "still" : path_.path;
         json["up"] = json_vector(models_.up().up);
         json["up_from"] = up_source_name(models_.up().source);
+        json["suns"] = suns_json(suns_);
         json.update(device_json(&device));
         json.update({{"frames", std::move(frames)},
                      {"totals", std::move(sums)},
@@ -314,6 +348,7 @@ private:
     PathOptions path_;
     SceneOptions scene_;
     PictureOptions picture_;
+    std::vector<glm::dvec3> suns_;
     std::string output_ = k_default_folder;
     std::uint32_t fps_ = 30;
     double light_step_degrees_ = 0.0;

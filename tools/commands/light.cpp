@@ -1,13 +1,20 @@
-// rimline light: the directional light that shows most of what is visible from a viewpoint.
+// rimline light: the directional light that shows a view best.
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "silhouette/field/picture_sun.h"
 #include "silhouette/field/sun_choice.h"
+#include "silhouette/mesh/any_perpendicular.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/options/up_option.h"
+#include "tools/options/view_camera.h"
 #include "tools/output/json_vector.h"
 #include "tools/progress.h"
 
@@ -25,53 +32,129 @@ public:
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         add_point(app, "--eye", eye_, "Position of the viewer")->required()->group("Camera");
+        add_up_or_auto(app, up_, is_up_auto_)->group("Camera");
+        app.add_flag("--by-votes", by_votes_, "Choose by votes of the faces instead (thesis 4.6)")
+            ->group("Light");
         app.footer(
-            "Faces seen from the front vote for light at a grazing angle, which shows small "
-            "changes "
-            "of\n"
-            "slope, and against directions that leave them unlit. If no face is seen from the "
+            "Chooses the sun that `render --eye` chooses: above the horizon, so that a third to "
+            "two thirds of what\n"
+            "the camera sees are lit, and the tones are spread. Cast shadows count as dark. `sun` "
+            "is a direction\n"
+            "from the model towards the light, as in --sun.\n"
+            "With --by-votes, faces seen from the front vote for light at a grazing angle, which "
+            "shows small changes\n"
+            "of slope, and against directions that leave them unlit. If no face is seen from the "
             "front, as of a\n"
-            "sheet seen from behind, the back sides vote. `sun` is a direction from the model "
-            "towards the light,\n"
-            "as in --sun. render --sun auto chooses this light.\n\n"
+            "sheet seen from behind, the back sides vote. Votes do not know cast shadows.\n\n"
             "Examples:\n"
             "  rimline light horse.ply --eye 2,1,2\n"
-            "  rimline light shape:knot --eye 3,2,4 --json");
+            "  rimline light shape:knot --eye 3,2,4 --by-votes --json");
     }
 
     ExitStatus run(const Context& context) override {
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
-        using Clock = std::chrono::steady_clock;
-        const Clock::time_point start = Clock::now();
-        Progress progress(context, "choosing a light");
-        const std::optional<ChosenSun> sun = about_model(
-            model_.model, [&] { return choose_sun(mesh, glm::dvec3(*eye_), progress.call()); });
-        const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-        if (!sun)
-            throw Error(ErrorCode::bad_input,
-                        model_.model + ": no face turns a side towards --eye: move it");
-        const glm::dvec3& direction = sun->direction;
-        if (context.json) {
-            print_json({{"model", model_.model},
-                        {"sun", json_vector(direction)},
-                        {"score", sun->votes},
-                        {"faces", sun->faces},
-                        {"sees_backs", sun->sees_backs},
-                        {"ms", ms}});
-            return ExitStatus::success;
-        }
-        std::printf("%s\n", model_.model.c_str());
-        std::printf("  sun         %.6g,%.6g,%.6g\n", direction.x, direction.y, direction.z);
-        std::printf("  score       %.1f, by %u faces that turn %s\n", sun->votes, sun->faces,
-                    sun->sees_backs ? "their backs to the viewer" : "towards the viewer");
-        std::printf("  time        %.1f ms\n", ms);
+        if (by_votes_)
+            print_voted(mesh, context);
+        else
+            print_toned(mesh, context);
         return ExitStatus::success;
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
+    static double ms_since(Clock::time_point start) {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+    [[noreturn]] void fail_unseen() const {
+        throw Error(ErrorCode::bad_input,
+                    model_.model + ": no face turns a side towards --eye: move it");
+    }
+
+    // The frame of a picture of the default size.
+    PictureFrame frame(const Mesh& mesh) {
+        const glm::dvec3 up = settle_up(mesh, up_, is_up_auto_).up;
+        constexpr double k_aspect = 4.0 / 3.0;
+        const ViewCamera camera = camera_of_view(mesh, glm::dvec3(*eye_), up, k_aspect);
+        if (camera.eye == camera.target)
+            throw UsageError("--eye is the model's center, where it looks");
+        const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
+        const glm::dvec3 across = glm::cross(camera.up, back);
+        const glm::dvec3 right = glm::length(across) > 1e-9 * glm::length(camera.up)
+                                     ? glm::normalize(across)
+                                     : any_perpendicular(back);
+        const double half = std::tan(0.5 * glm::radians(camera.fov_y_deg));
+        return {.eye = camera.eye,
+                .right = right,
+                .up = glm::cross(back, right),
+                .back = back,
+                .half_size = {half * k_aspect, half}};
+    }
+
+    void print_toned(const Mesh& mesh, const Context& context) {
+        const PictureFrame seen = frame(mesh);
+        const Clock::time_point start = Clock::now();
+        Progress progress(context, "choosing a light");
+        const LongCall call = progress.call();
+        const std::optional<PictureSun> sun = about_model(model_.model, [&] {
+            return choose_picture_sun(SunSurvey(mesh, k_shading_crease_rad, call.part(0.0, 0.5)),
+                                      seen, {.up = glm::dvec3(*up_)}, call.part(0.5, 1.0));
+        });
+        const double ms = ms_since(start);
+        if (!sun) fail_unseen();
+        const glm::dvec3 direction = rounded_to_float(sun->direction);
+        const SunTones& tones = sun->tones;
+        if (context.json) {
+            print_json({{"model", model_.model},
+                        {"sun", json_vector(direction)},
+                        {"lit", tones.lit},
+                        {"bright", tones.bright},
+                        {"detail", tones.detail},
+                        {"spread", tones.spread},
+                        {"ms", ms}});
+            return;
+        }
+        std::printf("%s\n", model_.model.c_str());
+        print_direction(direction);
+        std::printf("  tones       %.0f%% dark, %.0f%% half bright, %.0f%% bright\n",
+                    100.0 * (1.0 - tones.lit), 100.0 * (tones.lit - tones.bright),
+                    100.0 * tones.bright);
+        std::printf("  detail      %.0f%% of it is lit\n", 100.0 * tones.detail);
+        std::printf("  time        %.1f ms\n", ms);
+    }
+
+    void print_voted(const Mesh& mesh, const Context& context) const {
+        const Clock::time_point start = Clock::now();
+        Progress progress(context, "choosing a light");
+        const std::optional<ChosenSun> sun = about_model(
+            model_.model, [&] { return choose_sun(mesh, glm::dvec3(*eye_), progress.call()); });
+        const double ms = ms_since(start);
+        if (!sun) fail_unseen();
+        if (context.json) {
+            print_json({{"model", model_.model},
+                        {"sun", json_vector(sun->direction)},
+                        {"score", sun->votes},
+                        {"faces", sun->faces},
+                        {"sees_backs", sun->sees_backs},
+                        {"ms", ms}});
+            return;
+        }
+        std::printf("%s\n", model_.model.c_str());
+        print_direction(sun->direction);
+        std::printf("  score       %.1f, by %u faces that turn %s\n", sun->votes, sun->faces,
+                    sun->sees_backs ? "their backs to the viewer" : "towards the viewer");
+        std::printf("  time        %.1f ms\n", ms);
+    }
+
+    static void print_direction(const glm::dvec3& sun) {
+        std::printf("  sun         %.6g,%.6g,%.6g\n", sun.x, sun.y, sun.z);
+    }
+
     ModelArgument model_;
-    std::optional<glm::vec3> eye_;
+    std::optional<glm::vec3> eye_, up_;
+    bool is_up_auto_ = false;
+    bool by_votes_ = false;
 };
 
 }  // namespace

@@ -15,8 +15,12 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
+#include "tools/output/camera_report.h"
 #include "tools/output/frame_output.h"
 #include "tools/output/frame_sink.h"
 #include "tools/output/json_vector.h"
@@ -108,14 +112,41 @@ private:
         return 2.0 * glm::degrees(std::atan(k_view_margin * tangent));
     }
 
+    Motion make_motion(const PlannedPath& planned, const Camera& first) const {
+        Motion motion;
+        for (const glm::dvec3& sample : planned.samples)
+            motion.eyes.push_back(HomogeneousPoint::viewpoint(glm::vec3(sample)));
+        motion.ups = planned.ups;
+        motion.distance = glm::distance(first.eye, first.target);
+        if (light_follow_) motion.lights = LightMotion::with_camera;
+        return motion;
+    }
+
     void draw(FrameSink& sink, const ViewDevice& device, const PlannedPath& planned,
-              const Context& context) const {
+              const Context& context) {
         const Mesh& mesh = device.octree->mesh();
         const Camera camera{.eye = planned.samples[0],
                             .target = mesh.center(),
                             .up = planned.ups[0],
                             .fov_y_deg = fitting_fov_deg(mesh, planned)};
-        Scene first = style_.make_scene(camera, mesh, picture_);
+        const double aspect = double(picture_.size.width) / picture_.size.height;
+        const SceneLights lights(picture_, mesh, style_.ground, {context.stop, {}});
+        Scene first = style_.make_scene(camera, lights.lights(camera, aspect), picture_);
+        Motion motion = make_motion(planned, camera);
+        if (lights.chooses_sun() && motion.lights == LightMotion::still) {
+            Progress progress(context, "choosing lights");
+            motion.suns = lights.moving_sun(shots_of(first, mesh, motion, plan_.frames), aspect,
+                                            progress.call());
+            suns_ = motion.suns;
+        }
+        if (style_.ground && first.shadows) {
+            const double tangent = tangent_for_shadows(shots_of(first, mesh, motion, plan_.frames),
+                                                       mesh, up_of(mesh, picture_), aspect);
+            first.camera.fov_y_deg =
+                std::max(first.camera.fov_y_deg, 2.0 * glm::degrees(std::atan(tangent)));
+        }
+        motion.has_fill_and_rim = picture_.is_three_point();
+        if (motion.has_fill_and_rim) add_fill_and_rim(first);
         first.instances.push_back({.octree = &*device.octree,
                                    .name = model_.model,
                                    .material = style_.material(picture_),
@@ -123,14 +154,9 @@ private:
         std::optional<Ground> ground;
         if (style_.ground) {
             ground.emplace(mesh, up_of(mesh, picture_), 0.0);
-            first.instances.push_back(ground->instance(first));
+            first.instances.push_back(
+                ground->instance(first, fade_of_ground(mesh, first.lights, up_of(mesh, picture_))));
         }
-        Motion motion;
-        for (const glm::dvec3& sample : planned.samples)
-            motion.eyes.push_back(HomogeneousPoint::viewpoint(glm::vec3(sample)));
-        motion.ups = planned.ups;
-        motion.distance = glm::distance(camera.eye, camera.target);
-        if (light_follow_) motion.lights = LightMotion::with_camera;
         Animation animation(std::move(first), mesh, std::move(motion));
         Renderer renderer(device.device->context());
         Progress progress(context, "drawing frames");
@@ -143,6 +169,7 @@ private:
         result.update(device_json(device.device_or_null()));
         result["up"] = json_vector(up_.up);
         result["up_from"] = up_source_name(up_.source);
+        result["suns"] = suns_json(suns_);
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
         print_json(result);
@@ -155,6 +182,7 @@ private:
     PictureOptions picture_;
     ChosenUp up_;
     bool light_follow_ = false;
+    std::vector<glm::dvec3> suns_;
     std::string output_;
     std::uint32_t fps_ = 30;
     CLI::Option* output_option_ = nullptr;

@@ -13,8 +13,10 @@
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
 #include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
@@ -102,19 +104,20 @@ public:
         context.checkpoint();
         times.end("index");
 
-        Scene scene =
-            options_.make_scene(make_camera(mesh, models_.name(), picture_), mesh, picture_);
+        const Camera camera = make_camera(mesh, models_.name(), picture_);
+        Scene scene = options_.make_scene(camera, choose_lights(mesh, camera, context), picture_);
         const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
-        if (frames_shadows(scene))
-            scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights, ground_up,
-                                              double(picture_.size.width) / picture_.size.height);
+        if (options_.ground) frame_ground(scene, mesh, picture_);
+        if (picture_.is_three_point()) add_fill_and_rim(scene);
+        times.end("choosing the light");
         check_scene_reach(models_.name(), mesh, {&scene.camera.eye, 1}, options_.ground);
         scene.instances.push_back(
             {.octree = &octree, .name = models_.name(), .material = options_.material(picture_)});
         std::optional<Ground> ground;
         if (options_.ground) {
             ground.emplace(mesh, ground_up, 0.0);
-            scene.instances.push_back(ground->instance(scene));
+            scene.instances.push_back(
+                ground->instance(scene, fade_of_ground(mesh, scene.lights, ground_up)));
         }
         // The ground hides no line: the model stands on it, and from below it is not drawn.
         std::optional<ShownLines> lines;
@@ -147,10 +150,13 @@ public:
     }
 
 private:
-    // Only a camera that the command has placed moves away.
-    bool frames_shadows(const Scene& scene) const {
-        return options_.ground && scene.shadows && !picture_.eye && !picture_.target &&
-               !scene.camera.is_orthographic();
+    std::vector<Light> choose_lights(const Mesh& mesh, const Camera& camera,
+                                     const Context& context) const {
+        Progress progress(context, "choosing the light");
+        const LongCall call = progress.call();
+        return SceneLights(picture_, mesh, options_.ground, call.part(0.0, 0.4))
+            .lights(camera, double(picture_.size.width) / picture_.size.height,
+                    call.part(0.4, 1.0));
     }
 
     void check_outputs() const {

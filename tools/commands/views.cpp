@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
@@ -17,6 +19,7 @@
 #include "tools/output/picture_file.h"
 #include "tools/output/same_picture.h"
 #include "tools/output/view_pictures.h"
+#include "tools/progress.h"
 #include "tools/run_times.h"
 
 namespace rimline::tools {
@@ -87,7 +90,8 @@ public:
             return choose_views(choice_, model_.model, mesh, up_.up, device, 1, context);
         });
         times.end("choosing");
-        if (folder) draw(*folder, device, chosen, context);
+        choose_lights(mesh, chosen, context);
+        if (folder) draw(*folder, device, context);
         if (folder) times.end("drawing");
         if (context.json)
             print_result(mesh, chosen, device, times);
@@ -98,11 +102,8 @@ public:
 
 private:
     // Nothing is written before everything is drawn.
-    void draw(const OutputFolder& folder, const ViewDevice& drawn, const ChosenViews& chosen,
-              const Context& context) const {
-        std::vector<glm::dvec3> eyes;
-        for (const BestView& view : chosen.best.views) eyes.push_back(view.eye);
-        const std::uint32_t columns = contact_sheet_columns(eyes.size());
+    void draw(const OutputFolder& folder, const ViewDevice& drawn, const Context& context) const {
+        const std::uint32_t columns = contact_sheet_columns(views_.size());
         about_model(model_.model, [&] {
             std::optional<ShownLines> lines;
             if (style_.draws_lines()) lines.emplace(prepare_lines(*drawn.octree, context));
@@ -110,9 +111,9 @@ private:
                                   lines ? &*lines : nullptr};
             Renderer renderer(drawn.device->context());
             const std::vector<Picture> pictures =
-                draw_views(renderer, scene, eyes, picture_.size, context);
+                draw_views(renderer, scene, views_, picture_.size, context);
             const std::vector<Picture> cells =
-                draw_views(renderer, scene, eyes, cell_size(columns), context);
+                draw_views(renderer, scene, views_, cell_size(columns), context);
             context.checkpoint();
             folder.remove_numbered("view_");
             for (std::size_t i = 0; i < pictures.size(); ++i)
@@ -144,7 +145,7 @@ private:
                       const RunTimes& times) const {
         nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
         for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
-            const Scene scene = scene_of(mesh, chosen.best.views[i]);
+            const Scene scene = make_view_scene(mesh, views_[i], style_, picture_, picture_.size);
             nlohmann::ordered_json camera = camera_json(scene.camera);
             camera.erase("eye");  // The view's own has more digits, and is rounded to this one.
             result["views"][i].update(camera);
@@ -169,7 +170,7 @@ private:
         std::printf("  in all      %s\n", times.sentence().c_str());
         print_up(up_);
         for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
-            const Scene scene = scene_of(mesh, chosen.best.views[i]);
+            const Scene scene = make_view_scene(mesh, views_[i], style_, picture_, picture_.size);
             std::vector<std::string> arguments = camera_arguments(scene.camera, scene.lights);
             if (style_.ground && ground_up(mesh) != scene.camera.up)
                 arguments.push_back(vector_argument("--ground-up", ground_up(mesh)));
@@ -183,10 +184,16 @@ private:
         return rounded_to_float(ground_up_of(mesh, picture_));
     }
 
-    // Without instances: the camera and the lights of a view's picture.
-    Scene scene_of(const Mesh& mesh, const BestView& view) const {
-        return style_.make_scene(make_view_camera(mesh, view.eye, picture_, picture_.size), mesh,
-                                 picture_);
+    void choose_lights(const Mesh& mesh, const ChosenViews& chosen, const Context& context) {
+        Progress progress(context, "choosing lights");
+        const LongCall call = progress.call();
+        const SceneLights lights(picture_, mesh, style_.ground, call.part(0.0, 0.2));
+        const double aspect = double(picture_.size.width) / picture_.size.height;
+        for (const BestView& view : chosen.best.views) {
+            call.checkpoint(0.2 + 0.8 * double(views_.size()) / double(chosen.best.views.size()));
+            const Camera camera = make_view_camera(mesh, view.eye, picture_, picture_.size);
+            views_.push_back({view.eye, lights.lights(camera, aspect)});
+        }
     }
 
     ModelArgument model_;
@@ -194,6 +201,7 @@ private:
     SceneOptions style_;
     PictureOptions picture_;
     ChosenUp up_;
+    std::vector<LightedView> views_;
     std::string output_;
     CLI::Option* output_option_ = nullptr;
     const CLI::App* app_ = nullptr;

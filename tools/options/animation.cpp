@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "silhouette/error.h"
+#include "tools/options/three_point.h"
 
 namespace rimline::tools {
 
@@ -72,7 +73,13 @@ void Animation::place_camera(std::uint32_t frame) {
 }
 
 void Animation::place_lights(std::uint32_t frame) {
-    if (motion_.lights == LightMotion::still) return;
+    const std::size_t sun = scene_.lights.size() - (motion_.has_fill_and_rim ? 3 : 1);
+    if (!motion_.suns.empty()) scene_.lights[sun].vector = motion_.suns[frame];
+    if (motion_.lights != LightMotion::still) move_lights(frame);
+    if (motion_.has_fill_and_rim) move_fill_and_rim(scene_);
+}
+
+void Animation::move_lights(std::uint32_t frame) {
     const bool turning = motion_.lights == LightMotion::turning;
     const glm::dvec3 axis = glm::normalize(first_camera_.up);
     const double angle_rad = glm::radians(frame * motion_.light_step_degrees);
@@ -89,6 +96,18 @@ void Animation::place_lights(std::uint32_t frame) {
         scene_.lights[l].vector = directional ? moved(first) : to + moved(first - from);
         check_range(scene_.lights[l].vector, "a light");
     }
+}
+
+std::vector<Shot> shots_of(const Scene& first, const Mesh& mesh, Motion motion, std::uint32_t count,
+                           std::uint32_t stride) {
+    motion.wave.reset();
+    Animation animation(first, mesh, std::move(motion));
+    std::vector<Shot> shots;
+    for (std::uint32_t frame = 0; frame < count; ++frame) {
+        const Scene& scene = animation.at(frame);
+        if (frame % stride == 0) shots.push_back({scene.camera, scene.lights});
+    }
+    return shots;
 }
 
 }  // namespace rimline::tools

@@ -31,9 +31,19 @@ struct Motion {
     std::vector<glm::dvec3> ups;  ///< The up axis in each frame. Empty: that of the first camera.
     LightMotion lights = LightMotion::still;
     double light_step_degrees = 0.0;  ///< Rotation of turning lights per frame.
+    /// The direction of the last light, a sun, in each frame. Empty: it moves as the others.
+    std::vector<glm::dvec3> suns;
+    bool has_fill_and_rim =
+        false;  ///< The last two lights are those of three_point.h, and the sun lies before them.
     /// Deforms the first instance. It travels `wave_turns` wavelengths per frame, from its state in frame 0.
     std::optional<Wave> wave;
     double wave_turns = 0.0;
+};
+
+/// Camera and lights of a frame.
+struct Shot {
+    Camera camera;
+    std::vector<Light> lights;
 };
 
 class Animation {
@@ -50,6 +60,7 @@ public:
 private:
     void place_camera(std::uint32_t frame);
     void place_lights(std::uint32_t frame);
+    void move_lights(std::uint32_t frame);
 
     Scene scene_;
     const Mesh& mesh_;
@@ -58,5 +69,9 @@ private:
     std::vector<Light> first_lights_;
     glm::dvec3 back_;  // From the target to the eye, of length 1.
 };
+
+/// Of every `stride`-th of the first `count` frames. `first` needs no instances. Throws as Animation::at().
+std::vector<Shot> shots_of(const Scene& first, const Mesh& mesh, Motion motion, std::uint32_t count,
+                           std::uint32_t stride = 1);
 
 }  // namespace rimline::tools

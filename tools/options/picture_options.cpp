@@ -43,8 +43,15 @@ void PictureOptions::add_lights_to(CLI::App& app) {
         ->group(k_group);
     add_directions_or_auto(
         app, "--sun", suns, has_chosen_sun,
-        "Direction from the model towards a directional light; repeatable. auto: "
-        "the light that shows most of what the camera sees")
+        "Direction from the model towards a directional light; repeatable. auto: one from which a "
+        "third to two thirds of what the camera sees is lit (default, if no light is given)")
+        ->group(k_group);
+    app.add_option(
+           "--lighting", lighting,
+           "sun: the lights above. three-point: the sun is the key light; a fill light from "
+           "the camera's other side and a rim light from behind, without shadows, are added")
+        ->check(CLI::IsMember({"sun", "three-point"}))
+        ->capture_default_str()
         ->group(k_group);
 }
 

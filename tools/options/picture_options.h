@@ -25,10 +25,11 @@ struct PictureOptions {
     std::optional<double> fov_degrees;   ///< Vertical. Not set: fov().
     std::optional<double> ortho_height;
 
-    // Lights. The command chooses one if none is given.
+    // Lights. The command chooses a sun if none is given.
     std::vector<glm::vec3> lights;  ///< Positions of point lights.
     std::vector<glm::vec3> suns;    ///< Directions from the model towards the light.
-    bool has_chosen_sun = false;    ///< One more sun, computed for the camera (sun_choice.h).
+    std::string lighting = "sun";   ///< sun or three-point.
+    bool has_chosen_sun = false;    ///< One more sun, computed for the camera (scene_lights.h).
 
     // Image.
     ImageSize size{1280, 960};
@@ -42,6 +43,8 @@ struct PictureOptions {
 
     /// --fov or its default. A camera with an eye and neither target nor --fov shows the whole model instead.
     double fov() const { return fov_degrees.value_or(35.0); }
+
+    bool is_three_point() const { return lighting == "three-point"; }
 
     void add_camera_to(CLI::App& app);
     /// The same without eye and target.

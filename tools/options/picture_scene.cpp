@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <optional>
 
 #include "silhouette/lines/fitted_eye.h"
 #include "tools/command.h"
@@ -74,15 +75,20 @@ Camera make_camera(const Subject& subject, const std::string& model,
     return rounded_to_float(camera);
 }
 
-SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree) {
+SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree,
+                              double fade_radius) {
+    // Strokes of Style::hatch in the shadow are those of the model.
+    const std::optional<glm::vec3> line_color =
+        scene.instances.empty() ? std::nullopt : scene.instances.front().material.line_color;
     return {.octree = &octree,
             .material = {.color = scene.style == Style::mask ? glm::vec3(1.0f)
-                                                             : scene.palette.background},
+                                                             : scene.palette.background,
+                         .line_color = line_color},
             // On no background only the shadows are left of it.
             .has_surfaces = scene.has_background,
             .has_lines = false,
             .casts_shadows = false,
-            .fade_radius = k_ground_fade * mesh.radius(),
+            .fade_radius = fade_radius,
             .fade_center = mesh.center()};
 }
 

@@ -38,7 +38,8 @@ Camera rounded_to_float(const Camera& camera);
 Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
 
 /// An instance of the mesh make_ground(mesh, up, k_ground_end * radius), of which `octree` is the octree. It
-/// receives shadows in the style and the palette of `scene`; without a background only these are drawn, black.
-SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree);
+/// receives shadows in the style, the palette and the line color of `scene`; without a background only these are drawn, black.
+SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree,
+                              double fade_radius);
 
 }  // namespace rimline::tools

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
+#include <utility>
 
 #include "engine/view_defaults.h"
-#include "silhouette/field/sun_choice.h"
-#include "silhouette/mesh/any_perpendicular.h"
 #include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
-#include "tools/options/view_camera.h"
 
 namespace rimline::tools {
 
@@ -57,11 +54,7 @@ void SceneOptions::add_to(CLI::App& app) {
         ->check(CLI::IsMember({"auto", "fail", "off"}))
         ->capture_default_str()
         ->group(k_group);
-    app.add_flag(
-           "--ground", ground,
-           "Draw a ground that receives shadows. --sun auto is then at least 15 degrees above "
-           "it")
-        ->group(k_group);
+    app.add_flag("--ground", ground, "Draw a ground that receives shadows")->group(k_group);
 }
 
 void SceneOptions::add_palette_to(CLI::App& app) {
@@ -137,6 +130,10 @@ void SceneOptions::check_usage(const PictureOptions& picture) const {
         throw UsageError(
             "--line-color material: with --paint it takes the colors of files; leave out --color "
             "and --materials off");
+    const bool has_own_lights =
+        !picture.lights.empty() || picture.suns.size() + (picture.has_chosen_sun ? 1 : 0) > 1;
+    if (picture.is_three_point() && has_own_lights)
+        throw UsageError("--lighting three-point: takes one --sun and no --light");
     if (style_value() != Style::mask) return;
     const auto check = [](const char* option, const std::optional<Color>& given) {
         constexpr Color k_black{0, 0, 0}, k_white{255, 255, 255};
@@ -171,25 +168,14 @@ Material SceneOptions::material(const PictureOptions& picture) const {
     return material;
 }
 
-glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up) {
-    constexpr double k_min_height_rad = 15.0 * std::numbers::pi / 180.0;
-    const glm::dvec3 upwards = glm::normalize(up);
-    const glm::dvec3 direction = glm::normalize(sun);
-    const double height = glm::dot(direction, upwards);
-    if (height >= std::sin(k_min_height_rad)) return sun;
-    const glm::dvec3 level = direction - height * upwards;
-    const glm::dvec3 towards =
-        glm::length(level) > 1e-6 ? glm::normalize(level) : any_perpendicular(upwards);
-    return std::cos(k_min_height_rad) * towards + std::sin(k_min_height_rad) * upwards;
-}
-
-Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
+Scene SceneOptions::make_scene(const Camera& camera, std::vector<Light> lights,
                                const PictureOptions& picture) const {
     const StyleDefaults defaults = style_defaults(style_value());
     const LineStyle shown = line_style();
     const NamedPalette* named = named_palette();
     const glm::vec3 paper = background(picture);
     Scene scene{
+        .lights = std::move(lights),
         .camera = camera,
         .style = style_value(),
         .palette = named ? engine_palette(*named, paper) : default_palette(style_value(), paper),
@@ -201,20 +187,6 @@ Scene SceneOptions::make_scene(const Camera& camera, const Mesh& mesh,
         .hidden_line_strength = hidden ? defaults.hidden_line_strength : 0.0f,
         .crease_angle_deg = float(shown.crease_degrees),
         .only_clear_creases = !shown.all_creases};
-    for (const glm::vec3& light : picture.lights)
-        scene.lights.push_back({.vector = glm::dvec3(light), .directional = false});
-    for (const glm::vec3& sun : picture.suns)
-        scene.lights.push_back({.vector = glm::dvec3(sun), .directional = true});
-    if (picture.has_chosen_sun)
-        if (const std::optional<ChosenSun> sun = choose_sun(mesh, camera.eye)) {
-            const glm::dvec3 up = ground_up_of(mesh, picture);
-            const glm::dvec3 lit = ground ? above_ground(sun->direction, up) : sun->direction;
-            // Rounded to float as --sun is, so that a direction which is printed gives the same picture.
-            scene.lights.push_back({.vector = rounded_to_float(lit), .directional = true});
-        }
-    if (scene.lights.empty())
-        scene.lights.push_back(
-            {.vector = rounded_to_float(default_sun(scene.camera).vector), .directional = true});
     return scene;
 }
 
@@ -224,8 +196,8 @@ Ground::Ground(const Mesh& mesh, const glm::dvec3& up, double drop)
       mesh_(make_ground(mesh, up, k_ground_end * mesh.radius())),
       octree_(mesh_) {}
 
-SceneInstance Ground::instance(const Scene& scene) const {
-    SceneInstance instance = ground_instance(scene, model_, octree_);
+SceneInstance Ground::instance(const Scene& scene, double fade_radius) const {
+    SceneInstance instance = ground_instance(scene, model_, octree_, fade_radius);
     instance.translation = translation_;
     return instance;
 }

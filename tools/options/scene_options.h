@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/scene.h"
 #include "silhouette/hough/hough_octree.h"
@@ -43,9 +44,9 @@ struct SceneOptions {
     /// Options of still pictures, whose lines have exact visibility.
     void add_still_lines_to(CLI::App& app);
 
-    /// A scene in this style with this camera, the lights of `picture` and no instances. --sun auto is
-    /// computed for `mesh`.
-    Scene make_scene(const Camera& camera, const Mesh& mesh, const PictureOptions& picture) const;
+    /// A scene in this style with this camera and these lights (scene_lights.h), and no instances.
+    Scene make_scene(const Camera& camera, std::vector<Light> lights,
+                     const PictureOptions& picture) const;
     /// For lines of exact visibility in a scene with this palette.
     LineStyle line_style(const Palette& shown_palette) const;
     bool draws_lines() const { return lines ? *lines == "on" : style != "mask"; }
@@ -71,9 +72,6 @@ private:
     glm::vec3 surface_color(const PictureOptions& picture) const;
 };
 
-/// The direction of a sun if it is at least 15 degrees above the ground; else the nearest direction that is.
-glm::dvec3 above_ground(const glm::dvec3& sun, const glm::dvec3& up);
-
 /// A ground under a mesh. Owns the mesh and the octree of its instance.
 class Ground {
 public:
@@ -83,7 +81,7 @@ public:
     Ground(const Ground&) = delete;
     Ground& operator=(const Ground&) = delete;
 
-    SceneInstance instance(const Scene& scene) const;
+    SceneInstance instance(const Scene& scene, double fade_radius) const;
 
 private:
     const Mesh& model_;

@@ -1,47 +1,194 @@
 #include "tools/options/shadow_framing.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
-#include <vector>
+#include <numbers>
+#include <optional>
 
 #include "engine/view_defaults.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/view_camera.h"
 
 namespace rimline::tools {
 
 namespace {
 
-// Lower suns throw endless shadows.
-constexpr double k_min_sine = 0.05;
+constexpr double k_max_tangent = 1.7320508;
+constexpr int k_outline_directions = 128;
+
+// Whether a place is before the camera, and within 60 degrees of its direction on both axes.
+bool is_before(const glm::dmat3& axes, const glm::dvec3& eye, const glm::vec3& place) {
+    const glm::dvec3 p = axes * (glm::dvec3(place) - eye);
+    return std::max(std::abs(p.x), std::abs(p.y)) < -k_max_tangent * p.z;
+}
+
+// Where the shadows of positions fall.
+class ShadowCaster {
+public:
+    ShadowCaster(const Mesh& mesh, std::span<const glm::vec3> positions,
+                 const glm::dvec3& ground_up)
+        : center_(mesh.center()),
+          up_(glm::normalize(ground_up)),
+          limit_(k_framed_shadow_radii * mesh.radius()),
+          ground_(std::numeric_limits<double>::max()) {
+        for (const glm::vec3& position : positions)
+            ground_ = std::min(ground_, glm::dot(glm::dvec3(position) - center_, up_));
+    }
+
+    // From the center of the mesh; nothing if the light casts none, or it is farther away than the limit.
+    std::optional<glm::dvec3> shadow(const Light& light, const glm::vec3& position) const {
+        if (!light.casts_shadows) return std::nullopt;
+        const glm::dvec3 away = glm::dvec3(position) - center_;
+        const glm::dvec3 towards =
+            light.directional ? glm::normalize(light.vector) : light.vector - center_ - away;
+        const double rise = glm::dot(towards, up_);
+        const double height = glm::dot(away, up_) - ground_;
+        if (rise * limit_ <= 1e-9 * height * glm::length(towards)) {
+            // What stands on the ground is its own shadow.
+            return height <= 1e-9 * limit_ ? std::optional(away) : std::nullopt;
+        }
+        const glm::dvec3 shadow = away - (height / rise) * towards;
+        return glm::length(shadow) <= limit_ ? std::optional(shadow) : std::nullopt;
+    }
+
+private:
+    glm::dvec3 center_, up_;
+    double limit_, ground_;
+};
+
+// Vertices of the mesh that are the farthest ones in some direction.
+std::vector<glm::vec3> outline_positions(const Mesh& mesh) {
+    // Directions of a spiral over the sphere, evenly spread.
+    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    std::vector<glm::vec3> outline;
+    if (mesh.positions().empty()) return outline;
+    for (int i = 0; i < k_outline_directions; ++i) {
+        const double height = 1.0 - (2.0 * i + 1.0) / k_outline_directions;
+        const double level = std::sqrt(1.0 - height * height);
+        const glm::vec3 direction(level * std::cos(i * turn), height, level * std::sin(i * turn));
+        outline.push_back(*std::ranges::max_element(
+            mesh.positions(), {}, [&](const glm::vec3& p) { return glm::dot(p, direction); }));
+    }
+    return outline;
+}
+
+struct FramedShot {
+    Camera camera;
+    std::vector<glm::vec3> places;
+};
+std::vector<FramedShot> framed_shots(std::span<const Shot> shots, const Mesh& mesh,
+                                     const glm::dvec3& ground_up) {
+    const std::vector<glm::vec3> outline = outline_positions(mesh);
+    std::vector<FramedShot> framed;
+    for (const Shot& shot : shots)
+        framed.push_back({shot.camera, shadow_places(mesh, outline, shot.lights, ground_up)});
+    return framed;
+}
+
+// Of half the vertical field of view that holds the places before the camera.
+double tangent_of(const Camera& camera, std::span<const glm::vec3> places, double aspect) {
+    const glm::dmat3 axes = camera_from_world(camera);
+    double tangent = 0.0;
+    for (const glm::vec3& place : places) {
+        if (!is_before(axes, camera.eye, place)) continue;
+        const glm::dvec3 p = axes * (glm::dvec3(place) - camera.eye);
+        tangent = std::max({tangent, std::abs(p.x) / -p.z / aspect, std::abs(p.y) / -p.z});
+    }
+    return tangent;
+}
 
 }  // namespace
 
+std::vector<glm::vec3> shadow_places(const Mesh& mesh, std::span<const glm::vec3> positions,
+                                     std::span<const Light> lights, const glm::dvec3& ground_up) {
+    std::vector<glm::vec3> places;
+    const ShadowCaster caster(mesh, positions, ground_up);
+    for (const Light& light : lights)
+        for (const glm::vec3& position : positions)
+            if (const std::optional<glm::dvec3> shadow = caster.shadow(light, position))
+                places.emplace_back(mesh.center() + *shadow);
+    return places;
+}
+
+double fade_of_ground(const Mesh& mesh, std::span<const Light> lights,
+                      const glm::dvec3& ground_up) {
+    const ShadowCaster caster(mesh, mesh.positions(), ground_up);
+    const bool is_held = std::ranges::all_of(lights, [&](const Light& light) {
+        return !light.casts_shadows ||
+               std::ranges::all_of(mesh.positions(), [&](const glm::vec3& position) {
+                   return caster.shadow(light, position).has_value();
+               });
+    });
+    return (is_held ? k_ground_fade : k_framed_shadow_radii) * mesh.radius();
+}
+
 Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                           const glm::dvec3& ground_up, double aspect) {
-    const glm::dvec3 up = glm::normalize(ground_up);
-    const glm::dvec3 center = mesh.center();
-    double ground = std::numeric_limits<double>::max();
-    for (const glm::vec3& position : mesh.positions())
-        ground = std::min(ground, glm::dot(glm::dvec3(position) - center, up));
-    std::vector<glm::vec3> points(mesh.positions().begin(), mesh.positions().end());
+    std::vector<glm::vec3> points = shadow_places(mesh, mesh.positions(), lights, ground_up);
     double radius = mesh.radius();
-    for (const Light& light : lights) {
-        const glm::dvec3 towards = glm::normalize(light.vector);
-        const double sine = glm::dot(towards, up);
-        if (!light.directional || sine < k_min_sine) continue;
-        for (const glm::vec3& position : mesh.positions()) {
-            const glm::dvec3 away = glm::dvec3(position) - center;
-            const glm::dvec3 shadow = away - (glm::dot(away, up) - ground) / sine * towards;
-            const double distance = glm::length(shadow);
-            if (distance > k_framed_shadow_radii * mesh.radius()) continue;
-            radius = std::max(radius, distance);
-            points.emplace_back(center + shadow);
-        }
-    }
+    for (const glm::vec3& place : points)
+        radius = std::max(radius, glm::distance(glm::dvec3(place), mesh.center()));
+    points.insert(points.end(), mesh.positions().begin(), mesh.positions().end());
     const glm::dvec3 towards_viewer = camera.eye - camera.target;
-    return rounded_to_float(
-        fit_camera(camera, Subject(points, center, radius, mesh.up()), towards_viewer, aspect));
+    return rounded_to_float(fit_camera(camera, Subject(points, mesh.center(), radius, mesh.up()),
+                                       towards_viewer, aspect));
+}
+
+void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options) {
+    if (!scene.shadows || options.eye || options.target || scene.camera.is_orthographic()) return;
+    scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights,
+                                      rounded_to_float(ground_up_of(mesh, options)),
+                                      double(options.size.width) / options.size.height);
+}
+
+Camera zoom_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
+                         const glm::dvec3& ground_up, double aspect) {
+    const glm::dmat3 axes = camera_from_world(camera);
+    std::vector<glm::vec3> points = shadow_places(mesh, mesh.positions(), lights, ground_up);
+    std::erase_if(points,
+                  [&](const glm::vec3& place) { return !is_before(axes, camera.eye, place); });
+    points.insert(points.end(), mesh.positions().begin(), mesh.positions().end());
+    const std::optional<FittedLens> lens =
+        fit_lens(points, mesh.center(), camera.eye, camera.up, aspect);
+    if (!lens) return camera;
+    Camera zoomed = camera;
+    zoomed.target = lens->target;
+    zoomed.up = lens->up;
+    zoomed.fov_y_deg = field_of_view_deg(*lens);
+    return rounded_to_float(zoomed);
+}
+
+double tangent_for_shadows(std::span<const Shot> shots, const Mesh& mesh,
+                           const glm::dvec3& ground_up, double aspect) {
+    double tangent = 0.0;
+    for (const FramedShot& shot : framed_shots(shots, mesh, ground_up))
+        tangent = std::max(tangent, tangent_of(shot.camera, shot.places, aspect));
+    return k_view_margin * tangent;
+}
+
+double distance_for_shadows(std::span<const Shot> shots, const Mesh& mesh,
+                            const glm::dvec3& ground_up, double aspect) {
+    constexpr double k_max_factor = 4.0;
+    const std::vector<FramedShot> framed = framed_shots(shots, mesh, ground_up);
+    const auto holds = [&](double factor) {
+        return std::ranges::all_of(framed, [&](const FramedShot& shot) {
+            Camera camera = shot.camera;
+            camera.eye = camera.target + factor * (camera.eye - camera.target);
+            const double tangent = std::tan(0.5 * glm::radians(camera.fov_y_deg));
+            return k_view_margin * tangent_of(camera, shot.places, aspect) <= tangent;
+        });
+    };
+    if (holds(1.0)) return 1.0;
+    double low = 1.0, high = k_max_factor;
+    for (int i = 0; i < 20; ++i) {
+        const double middle = 0.5 * (low + high);
+        (holds(middle) ? high : low) = middle;
+    }
+    return high;
 }
 
 }  // namespace rimline::tools

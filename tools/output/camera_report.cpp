@@ -1,5 +1,6 @@
 #include "tools/output/camera_report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tools/options/scene_file.h"
@@ -40,8 +41,23 @@ nlohmann::ordered_json clip_planes_json(const Scene& scene) {
 
 nlohmann::ordered_json lights_json(const std::vector<Light>& lights) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Light& light : lights)
-        list.push_back({{light.directional ? "direction" : "position", json_vector(light.vector)}});
+    const bool is_uneven =
+        std::ranges::any_of(lights, [](const Light& light) { return light.share.has_value(); });
+    for (const Light& light : lights) {
+        nlohmann::ordered_json entry{
+            {light.directional ? "direction" : "position", json_vector(light.vector)}};
+        if (is_uneven)
+            entry.update(
+                {{"share", light.share.value_or(1.0f)}, {"casts_shadows", light.casts_shadows}});
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+nlohmann::ordered_json suns_json(const std::vector<glm::dvec3>& suns) {
+    if (suns.empty()) return nullptr;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const glm::dvec3& sun : suns) list.push_back(json_vector(sun));
     return list;
 }
 
@@ -59,7 +75,8 @@ nlohmann::ordered_json scene_camera_json(const Camera& camera) {
 nlohmann::ordered_json scene_lights_json(const std::vector<Light>& lights) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Light& light : lights)
-        list.push_back({{light.directional ? "sun" : "lamp", short_vector(light.vector)}});
+        if (light.casts_shadows)  // Others follow from these (three_point.h).
+            list.push_back({{light.directional ? "sun" : "lamp", short_vector(light.vector)}});
     return list;
 }
 
@@ -70,7 +87,9 @@ std::vector<std::string> camera_arguments(const Camera& camera, const std::vecto
     arguments.push_back(camera.is_orthographic() ? "--ortho " + exact_text(camera.ortho_height)
                                                  : "--fov " + exact_text(camera.fov_y_deg));
     for (const Light& light : lights)
-        arguments.push_back(vector_argument(light.directional ? "--sun" : "--light", light.vector));
+        if (light.casts_shadows)  // Others follow from these (three_point.h).
+            arguments.push_back(
+                vector_argument(light.directional ? "--sun" : "--light", light.vector));
     return arguments;
 }
 

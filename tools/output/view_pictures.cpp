@@ -6,6 +6,8 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/view_camera.h"
 #include "tools/progress.h"
 
@@ -36,10 +38,24 @@ Camera make_view_camera(const Mesh& mesh, const glm::dvec3& eye, const PictureOp
         .eye = camera.eye, .target = camera.target, .up = camera.up, .fov_y_deg = camera.fov_y_deg};
 }
 
+Scene make_view_scene(const Mesh& mesh, const LightedView& view, const SceneOptions& style,
+                      const PictureOptions& options, ImageSize size) {
+    const double aspect = double(size.width) / size.height;
+    Scene scene =
+        style.make_scene(make_view_camera(mesh, view.eye, options, size), view.lights, options);
+    if (style.ground && scene.shadows)
+        scene.camera = zoom_with_shadows(scene.camera, mesh, scene.lights,
+                                         ground_up_of(mesh, options), aspect);
+    if (options.is_three_point()) add_fill_and_rim(scene);
+    return scene;
+}
+
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
-                                std::span<const glm::dvec3> eyes, ImageSize size,
+                                std::span<const LightedView> views, ImageSize size,
                                 const Context& context) {
     const Mesh& mesh = scene.octree.mesh();
+    std::vector<glm::dvec3> eyes;
+    for (const LightedView& view : views) eyes.push_back(view.eye);
     check_scene_reach(scene.model, mesh, eyes, scene.style.ground);
     const glm::dvec3 up = up_of(mesh, scene.picture);
     std::optional<Ground> ground;
@@ -47,17 +63,19 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
     Progress progress(context, "drawing views");
     const LongCall call = progress.call();
     std::vector<Picture> pictures;
-    for (const glm::dvec3& eye : eyes) {
-        call.checkpoint(double(pictures.size()) / double(eyes.size()));
-        const Camera camera = make_view_camera(mesh, eye, scene.picture, size);
-        Scene picture_scene = scene.style.make_scene(camera, mesh, scene.picture);
+    for (const LightedView& view : views) {
+        call.checkpoint(double(pictures.size()) / double(views.size()));
+        Scene picture_scene = make_view_scene(mesh, view, scene.style, scene.picture, size);
         picture_scene.instances.push_back({.octree = &scene.octree,
                                            .name = scene.model,
                                            .material = scene.style.material(scene.picture)});
         if (scene.lines && picture_scene.lines)
             picture_scene.instances.front().picture_lines = scene.lines->draw(
-                camera, size, scene.style.line_style(picture_scene.palette), {context.stop, {}});
-        if (ground) picture_scene.instances.push_back(ground->instance(picture_scene));
+                picture_scene.camera, size, scene.style.line_style(picture_scene.palette),
+                {context.stop, {}});
+        if (ground)
+            picture_scene.instances.push_back(
+                ground->instance(picture_scene, fade_of_ground(mesh, picture_scene.lights, up)));
         pictures.push_back(renderer.render(picture_scene, size.width, size.height));
         scene.style.finish(scene.picture).apply(pictures.back());
     }

@@ -53,15 +53,24 @@ struct ViewScene {
     ShownLines* lines = nullptr;  ///< Null: without exact visibility.
 };
 
+/// An eye, and the lights of its picture.
+struct LightedView {
+    glm::dvec3 eye;
+    std::vector<Light> lights;
+};
+
 /// The camera of a view's picture: it stands at `eye` and shows the whole model in a picture of this size.
 Camera make_view_camera(const Mesh& mesh, const glm::dvec3& eye, const PictureOptions& options,
                         ImageSize size);
+/// The scene of a view's picture, without instances. With a ground the picture holds the shadows too
+/// (shadow_framing.h).
+Scene make_view_scene(const Mesh& mesh, const LightedView& view, const SceneOptions& style,
+                      const PictureOptions& options, ImageSize size);
 
-/// One picture per eye, from make_view_camera(). Each shows the whole model with its up axis upwards. --sun
-/// auto is computed for each eye. Throws what Renderer throws, and Error{too_large} if the model exceeds the
+/// One picture per view, from make_view_scene(). Each shows the whole model with its up axis upwards. Throws what Renderer throws, and Error{too_large} if the model exceeds the
 /// range of coordinates.
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
-                                std::span<const glm::dvec3> eyes, ImageSize size,
+                                std::span<const LightedView> views, ImageSize size,
                                 const Context& context);
 
 }  // namespace rimline::tools

@@ -8,8 +8,11 @@
 #include "tools/options/model_list.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
+#include "tools/options/shadow_framing.h"
 #include "tools/options/standard_input.h"
+#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
@@ -173,7 +176,12 @@ private:
         if (!picture_.eye)
             picture_.view.choose(models_.name(), model->mesh(), glm::dvec3(*picture_.up));
         const Camera camera = make_camera(model->mesh(), models_.name(), picture_);
-        Scene scene = scene_.make_scene(camera, model->mesh(), picture_);
+        const double aspect = double(picture_.size.width) / picture_.size.height;
+        Scene scene = scene_.make_scene(
+            camera, SceneLights(picture_, model->mesh(), scene_.ground).lights(camera, aspect),
+            picture_);
+        if (scene_.ground) frame_ground(scene, model->mesh(), picture_);
+        if (picture_.is_three_point()) add_fill_and_rim(scene);
         session.appearance = ViewAppearance(scene.style);
         session.appearance.background = scene.palette.background;
         if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
@@ -188,7 +196,7 @@ private:
         session.appearance.shadows = scene.shadows;
         session.appearance.shadow_method = scene.shadow_method;
         session.appearance.ground = scene_.ground;
-        session.show(std::move(document), camera, std::move(scene.lights));
+        session.show(std::move(document), scene.camera, std::move(scene.lights));
         std::optional<glm::dvec3> from;
         if (silhouette_from_) from = glm::dvec3(*silhouette_from_);
         freeze(session, from);

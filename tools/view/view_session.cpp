@@ -13,6 +13,8 @@
 #include "engine/view_defaults.h"
 #include "silhouette/lines/fitted_eye.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/scene_lights.h"
+#include "tools/options/shadow_framing.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
@@ -137,7 +139,9 @@ void ViewSession::show(Document document, double aspect) {
     Camera fitted = make_camera(subject, document.name(), defaults);
     fitted = fit_camera(fitted, subject, fitted.eye - fitted.target, aspect);
     std::vector<Light> fitted_lights;
-    if (document.model() != nullptr) fitted_lights.push_back(default_sun(fitted));
+    if (document.model() != nullptr)
+        fitted_lights = SceneLights(defaults, document.model()->mesh(), appearance.ground)
+                            .lights(fitted, aspect);
     const bool orthographic = appearance.orthographic;
     show(std::move(document), fitted, std::move(fitted_lights));
     appearance.orthographic = orthographic;
@@ -172,11 +176,20 @@ void ViewSession::fit(const FreeArea& area) {
     appearance.orthographic = false;
     apply_lens();
     camera = fit_camera(camera, document_.subject(), camera.eye - camera.target, area.aspect());
+    const bool frames_shadow =
+        document_.model() != nullptr && appearance.ground && appearance.shadows;
+    if (frames_shadow)
+        camera =
+            frame_with_shadows(camera, document_.model()->mesh(), lights, camera.up, area.aspect());
     appearance.orthographic = orthographic;
     apply_lens();
     // Away from the window's middle a perspective picture is another one: near parts move farther. It converges.
     constexpr int k_steps = 5;
     const glm::dvec2 middle(area.left + 0.5 * area.width(), 0.5 * area.window.y);
+    if (frames_shadow) {
+        pan(camera, {(middle.x - 0.5 * area.window.x) / area.window.y, 0.0});
+        return;
+    }
     for (int step = 0; step < k_steps; ++step) {
         const std::optional<PictureBox> box = box_of(camera, document_.subject(), area.window);
         if (!box) return;
@@ -269,9 +282,10 @@ Scene ViewSession::scene() const {
                       .line_color = appearance.line_color,
                       .lines_in_mesh_colors = appearance.material_lines},
          .is_solid = model.is_solid()});
+    const glm::dvec3 ground_up = model.scene_up().value_or(camera.up);
     if (appearance.ground)
-        scene.instances.push_back(ground_instance(
-            scene, model.mesh(), model.ground(model.scene_up().value_or(camera.up))));
+        scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(ground_up),
+                                                  fade_of_ground(model.mesh(), lights, ground_up)));
     return scene;
 }
 

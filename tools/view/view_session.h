@@ -85,8 +85,8 @@ public:
     /// The bounding sphere of the document: the scale of handles and speeds. Its radius is not 0.
     SceneBounds bounds() const;
 
-    /// Moves the camera, but does not turn it, so that the whole document is in the middle of a rectangle of the
-    /// picture. O(positions).
+    /// Moves the camera, but does not turn it, so that the whole document, with a ground its shadow too, is in the
+    /// middle of a rectangle of the picture. O(positions).
     void fit(const FreeArea& area);
     /// Applies appearance.fov_y_deg and appearance.orthographic to the camera. Objects at the target keep
     /// their size in the picture.

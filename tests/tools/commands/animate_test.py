@@ -1,5 +1,6 @@
 """rimline animate."""
 import json
+import math
 import os
 import shutil
 import signal
@@ -9,7 +10,7 @@ import tempfile
 import time
 import zlib
 
-from program import PROGRAM, SMALL, fail, fail_for_memory, have_device, is_count, png_rows, png_size, run, skip, succeed
+from program import LIT_PICTURE, PROGRAM, SMALL, fail, fail_for_memory, have_device, is_count, lit_share, png_rows, png_size, run, skip, succeed
 
 
 def check_animate(result, output, frame_count, size):
@@ -76,6 +77,43 @@ def test_animate_streams_what_track_finds_and_draws_what_render_draws():
         one, other = (sum(png_rows(path), []) for path in (rendered, os.path.join(output, "frame_0000.png")))
         # animate leaves out the backs of solids, of which single pixels may show at silhouettes.
         assert len(one) == len(other) and sum(a != b for a, b in zip(one, other)) < len(one) // 100
+
+
+def test_no_frame_of_an_animation_is_dark_and_the_sun_turns_slowly():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "frames")
+        for command in (["animate"], ["path", "--no-ratio"]):
+            for model in ("shape:knot", "shape:scene:4000", "shape:terrain"):
+                result = succeed(command[0], model, *command[1:], "-o", output, *LIT_PICTURE, "--frames", "16")
+                shares = [lit_share(os.path.join(output, name)) for name in sorted(os.listdir(output))]
+                assert len(shares) == 16 and min(shares) > 1 / 3, (command, model, shares)
+                suns = result["suns"]
+                assert len(suns) == 16 and all(math.isclose(math.hypot(*sun), 1, rel_tol=1e-6) for sun in suns)
+                if command == ["animate"]:
+                    turns = [math.degrees(math.acos(min(1, sum(a * b for a, b in zip(sun, after)))))
+                             for sun, after in zip(suns, suns[1:] + suns[:1])]
+                    assert 0 < max(turns) < 2 * 360 / 16, (model, turns)
+        # A sun that is given stays.
+        assert succeed("animate", "shape:knot:1000", "-o", output, *SMALL, "--frames", "2", "--sun", "1,2,3")["suns"] is None
+
+
+def test_animate_with_a_ground_keeps_its_size_and_holds_all_shadows():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "frames")
+        picture = ("--style", "toon", "--color", "white", "--lines", "off", "--background", "#00ff00", "--size", "160x120")
+        for command in (["animate"], ["path", "--no-ratio"]):
+            succeed(command[0], "shape:spring:4000", *command[1:], "-o", output, *picture, "--ground", "--frames", "12")
+            shadows = 0
+            for name in sorted(os.listdir(output)):
+                rows = png_rows(os.path.join(output, name))
+                border = rows[0] + rows[-1] + [row[0] for row in rows] + [row[-1] for row in rows]
+                # Shadow on the green ground is a darker green.
+                assert all(pixel[1] > 240 for pixel in border), (command, name)
+                shadows += any(pixel[0] < 40 and pixel[1] < 200 for row in rows for pixel in row)
+            # A path may look from under the ground, which is not drawn then.
+            assert shadows == 12 or command[0] == "path" and shadows > 6, (command, shadows)
 
 
 def test_animate_is_silent_under_validation():

@@ -9,8 +9,8 @@ import tempfile
 import time
 import zlib
 
-from program import (PROGRAM, camera_arguments, drawn_again, fail, fail_for_memory, have_device, is_count, is_vector,
-                     png_rows, png_size, read_file, run, skip, succeed)
+from program import (LIT_PICTURE, PROGRAM, camera_arguments, drawn_again, fail, fail_for_memory, have_device, is_count,
+                     is_vector, lit_share, model, png_rows, png_size, read_file, run, skip, succeed)
 
 
 def check_render(result, output, size):
@@ -20,7 +20,7 @@ def check_render(result, output, size):
                                           for heap in result["device_heaps"])
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
     times = result["times_ms"]
-    assert set(times) == {"reading", "choosing the view", "device", "index", "lines", "drawing", "writing", "total"}
+    assert set(times) == {"reading", "choosing the view", "device", "index", "choosing the light", "lines", "drawing", "writing", "total"}
     assert math.isclose(sum(times.values()), 2 * times["total"], rel_tol=1e-6) and result["frame_ms"] <= times["drawing"]
     assert result["output"] == output and png_size(output) == size
 
@@ -51,18 +51,60 @@ def test_render_draws_every_style_camera_and_light():
             assert (result["shadow_edges"] == 0) == ("--shadows" in options)
 
 
+def test_render_chooses_a_sun_that_lights_a_third_to_two_thirds():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for shape in ("shape:knot", "shape:spring", "shape:terrain", "shape:scene", "shape:torus"):
+            for options in ([], ["--eye", "back"], ["--eye", "top"]):
+                succeed("render", shape, *LIT_PICTURE, *options, "-o", output)
+                assert 1 / 3 < lit_share(output) < 2 / 3 + 0.02, (shape, options, lit_share(output))
+        # It is the default.
+        chosen = succeed("render", "shape:knot", *LIT_PICTURE, "-o", output)["lights"]
+        assert chosen == succeed("render", "shape:knot", *LIT_PICTURE, "--sun", "auto", "-o", output)["lights"]
+
+
+def test_three_point_lighting_brightens_what_is_dark():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        draw = ("render", "shape:knot", *LIT_PICTURE, "-o", output)
+        one = succeed(*draw)["lights"]
+        dark = sorted(sum(pixel) for row in png_rows(output) for pixel in row if pixel[0] > 40 or pixel[1] < 240)
+        three = succeed(*draw, "--lighting", "three-point")["lights"]
+        brighter = sorted(sum(pixel) for row in png_rows(output) for pixel in row if pixel[0] > 40 or pixel[1] < 240)
+        assert [light["casts_shadows"] for light in three] == [True, False, False]
+        assert len(one) == 1 and one[0]["direction"] == three[0]["direction"]
+        # The median of the darker half.
+        assert brighter[len(brighter) // 4] > dark[len(dark) // 4] + 30
+        fail(2, *draw, "--lighting", "three-point", "--light", "1,2,3")
+        fail(2, *draw, "--lighting", "three-point", "--sun", "1,2,3", "--sun", "3,2,1")
+        fail(2, *draw, "--lighting", "studio")
+
+
+def test_render_lights_real_models_from_all_sides():
+    have_device()
+    models = [model(name) for name in ("horse.ply", "stanford-bunny.obj", "rocker-arm.obj", "ogre.obj")]
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for path in models:
+            for options in ([], ["--eye", "front"], ["--eye", "back"], ["--eye", "left"]):
+                succeed("render", path, *LIT_PICTURE, *options, "-o", output)
+                assert 1 / 3 < lit_share(output) < 2 / 3 + 0.02, (path, options, lit_share(output))
+
+
 def test_render_says_its_camera_and_draws_the_same_picture_from_it():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
         output, other = os.path.join(folder, "a b.png"), os.path.join(folder, "b.png")
         for options in ([], ["--eye", "0.3,2.1,-4.7"], ["--eye", "3,2,4", "--target", "0.1,0.2,0.3"], ["--ortho", "2.7"],
-                        ["--up", "1,2,3", "--sun", "auto", "--ground"], ["--light", "1,2.3,4", "--sun", "0.1,1,0.7"]):
+                        ["--up", "1,2,3", "--sun", "auto", "--ground"], ["--lighting", "three-point", "--ground"], ["--light", "1,2.3,4", "--sun", "0.1,1,0.7"]):
             draw = ("render", "shape:knot:2000", "--size", "96x64", "--style", "toon", "--background", "#102030")
             said = succeed(*draw, "-o", output, *options)
             assert all(is_vector(said[name]) for name in ("eye", "target", "up"))
             assert (said["fov"] is None) == ("--ortho" in options) != (said["ortho"] is None)
             assert 0 < said["near"] and (said["far"] is None or said["far"] > said["near"])
-            ground = [option for option in options if option == "--ground"]
+            ground = [option for option in options if option in ("--ground", "--lighting", "three-point")]
             succeed(*draw, "-o", other, *camera_arguments(said), *ground)
             assert read_file(output) == read_file(other), options
             os.remove(other)

@@ -52,10 +52,11 @@ def test_views_are_drawn_from_where_they_are_and_written_together():
         for i in (1, 2, 3):
             assert png_size(os.path.join(output, f"view_{i}.png")) == (64, 48)
         assert png_size(os.path.join(output, "contact_sheet.png")) == (8 + 2 * 72, 8 + 2 * 56)
-        # Light and ground are of the pictures only.
-        without = [{k: v for k, v in view.items() if k not in ("lights", "ground_up")} for view in result["views"]]
+        # Light, ground and lens are of the pictures only.
+        lens = ("lights", "ground_up", "target", "up", "fov")
+        without = [{k: v for k, v in view.items() if k not in lens} for view in result["views"]]
         again = succeed("views", "shape:scene:3000", "-k", "3")["views"]
-        assert [{k: v for k, v in view.items() if k != "lights"} for view in again] == without
+        assert [{k: v for k, v in view.items() if k not in lens} for view in again] == without
 
 
 def test_views_say_their_cameras_and_render_draws_the_same_pictures():

@@ -51,22 +51,41 @@ TEST_CASE("the frame holds the model and its shadow on the ground, and nothing m
     }
 }
 
-TEST_CASE("lamps, and suns that are low or under the ground, do not change the frame") {
+TEST_CASE("the frame holds the shadow of a lamp, and endless shadows fade out within three radii") {
     const Mesh mesh(make_built_in_shape("knot", 2000));
     const glm::dvec3 up(0, 1, 0);
     const Camera camera =
         fit_camera({.fov_y_deg = 35.0}, mesh, default_view_direction(up), k_aspect);
-    const std::vector<Light> lights{{.vector = {3, 2, 1}, .directional = false},
-                                    {.vector = {1, 0.01, 0}, .directional = true},
-                                    {.vector = {1, -1, 0}, .directional = true}};
-    const Camera framed = frame_with_shadows(camera, mesh, lights, up, k_aspect);
-    CHECK(glm::distance(framed.eye, camera.eye) < 1e-5 * mesh.radius());
-    CHECK(glm::distance(framed.target, camera.target) < 1e-5 * mesh.radius());
-    // A long shadow is held as far as three radii.
-    const Light low{.vector = {1, 0.2, 0}, .directional = true};
-    const Camera far = frame_with_shadows(camera, mesh, {&low, 1}, up, k_aspect);
-    CHECK(glm::distance(far.eye, mesh.center()) > 1.2 * glm::distance(camera.eye, mesh.center()));
-    CHECK(glm::distance(far.eye, mesh.center()) < 4.0 * glm::distance(camera.eye, mesh.center()));
+    const auto farther = [&](const Light& light) {
+        const Camera framed = frame_with_shadows(camera, mesh, {&light, 1}, up, k_aspect);
+        return glm::distance(framed.eye, framed.target) / glm::distance(camera.eye, camera.target);
+    };
+    const auto fade = [&](const Light& light) {
+        return fade_of_ground(mesh, {&light, 1}, up) / mesh.radius();
+    };
+    const Light lamp{.vector = mesh.center() + mesh.radius() * glm::dvec3(3, 5, 1),
+                     .directional = false};
+    CHECK(farther(lamp) > 1.02);
+    CHECK(fade(lamp) == doctest::Approx(7.0));
+    double ground = 1e9;
+    for (const glm::vec3& p : mesh.positions()) ground = std::min(ground, double{p.y});
+    const Camera framed = frame_with_shadows(camera, mesh, {&lamp, 1}, up, k_aspect);
+    for (const glm::vec3& p : mesh.positions()) {
+        const glm::dvec3 ray = glm::dvec3(p) - lamp.vector;
+        CHECK(place_in_picture(framed, lamp.vector + (ground - lamp.vector.y) / ray.y * ray) <
+              0.96);
+    }
+    // A low sun, a lamp as high as the mesh, and a light from below.
+    for (const Light& low : {Light{.vector = {1, 0.05, 0}},
+                             Light{.vector = mesh.center() + mesh.radius() * glm::dvec3(3, 0, 1),
+                             .directional = false},
+                             Light{.vector = {1, -1, 0}}}) {
+        CHECK(fade(low) == doctest::Approx(3.0));
+        CHECK(farther(low) < 4.0);
+    }
+    Light soft{.vector = {1, 0.05, 0}, .casts_shadows = false};
+    CHECK(fade(soft) == doctest::Approx(7.0));
+    CHECK(farther(soft) == doctest::Approx(1.0));
 }
 
 }  // namespace

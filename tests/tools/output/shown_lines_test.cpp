@@ -9,6 +9,7 @@
 
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tools/options/scene_options.h"
 
 namespace rimline::tools {
 namespace {
