@@ -167,12 +167,16 @@ public:
         if (slice_) file.emplace(output_, model_.model);
 
         const Mesh mesh = model_.load_mesh(context);
+        std::optional<Progress> progress;
+        progress.emplace(context, "grouping planes");
         const UnitPlanes planes(mesh);
         const NamedFunction& function = *find_named_function(function_);
         const TangentialField field(planes, function.function,
                                     {tolerance_, weight_ == "area" ? FieldOptions::Weight::area
                                                                    : FieldOptions::Weight::count});
         context.checkpoint();
+        progress.emplace(context, "voting");
+        context.times.end("planes");
         DiscountedField votes(field);
         for (const glm::vec3& point : discounts_)
             votes.discount(field.frame().from_model(glm::dvec3(point)));
@@ -188,9 +192,11 @@ public:
             {"error_bound", votes.error_bound()},
         };
         add_values(field.frame(), votes, object);
+        context.times.end("votes");
+        progress.reset();
         if (slice_) draw_slice(function, votes, *file, object, context);
         if (context.json)
-            print_json(object);
+            print_json(context, std::move(object));
         else
             print(object, field.plane_count(), votes.error_bound());
         return ExitStatus::success;
@@ -227,6 +233,7 @@ private:
         std::vector<double> values(grid.points.size());
         Progress progress(context, "summing votes");
         votes.values(grid.points, values, progress.call());
+        context.times.end("votes");
         double minimum = INFINITY;
         double maximum = -INFINITY;
         std::size_t best = 0;
@@ -241,6 +248,7 @@ private:
                         "--slice: that plane does not meet the function's domain, which ends " +
                             short_number(function.max_radius, 0.1) + " from the center");
         write_picture(file, draw(grid, values, minimum, maximum));
+        context.times.end("writing");
         const glm::dvec3 at = votes.field().frame().to_model(grid.points[best]);
         object["slice"] = {{"axis", std::string(1, static_cast<char>('x' + slice_->axis))},
                            {"value", slice_->value},

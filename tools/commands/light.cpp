@@ -48,17 +48,18 @@ public:
         const std::optional<ChosenSun> sun = about_model(
             model_.model, [&] { return choose_sun(mesh, glm::dvec3(*eye_), progress.call()); });
         const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        context.times.end("choosing the sun");
         if (!sun)
             throw Error(ErrorCode::bad_input,
                         model_.model + ": no face turns a side towards --eye: move it");
         const glm::dvec3& direction = sun->direction;
         if (context.json) {
-            print_json({{"model", model_.model},
-                        {"sun", json_vector(direction)},
-                        {"score", sun->votes},
-                        {"faces", sun->faces},
-                        {"sees_backs", sun->sees_backs},
-                        {"ms", ms}});
+            print_json(context, {{"model", model_.model},
+                                 {"sun", json_vector(direction)},
+                                 {"score", sun->votes},
+                                 {"faces", sun->faces},
+                                 {"sees_backs", sun->sees_backs},
+                                 {"ms", ms}});
             return ExitStatus::success;
         }
         std::printf("%s\n", model_.model.c_str());

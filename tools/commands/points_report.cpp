@@ -34,7 +34,7 @@ BorderTruth compare_borders(const CloudAnalysis& analysis) {
     return truth;
 }
 
-void print_object(const PointsReport& report) {
+void print_object(const Context& context, const PointsReport& report) {
     const CloudAnalysis& analysis = report.analysis;
     const PointCloud& cloud = analysis.cloud;
     const auto count = [&](PointLabel label) { return analysis.surface.count(label); };
@@ -92,7 +92,7 @@ void print_object(const PointsReport& report) {
         result["picture_ms"] = picture->ms;
     }
     if (!report.without_lists) add_lists(analysis, result);
-    print_json(result);
+    print_json(context, std::move(result));
 }
 
 void print_summary(const PointsReport& report) {

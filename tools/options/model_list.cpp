@@ -309,6 +309,7 @@ Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, boo
         return load(picture, textures, keeps_file_colors, begin);
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
+    context.times.end("reading");
     return make_mesh(name_, source, context);
 }
 
