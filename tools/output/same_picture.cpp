@@ -9,11 +9,12 @@ namespace rimline::tools {
 namespace {
 
 // Options that a chosen camera and lights replace, those of other subcommands, and those that change no picture.
-constexpr std::array<std::string_view, 27> k_left_out{
-    "--eye",       "--target", "--up",    "--ground-up", "--fov",     "--ortho",     "--azimuth",
-    "--elevation", "--below",  "--light", "--sun",       "--output",  "-k",          "--by-area",
-    "--no-ratio",  "--json",   "--seed",  "--validate",  "--threads", "MODEL",       "--pass-times",
-    "--at",        "--turn",   "--scale", "--paint",     "--camera",  "--save-scene"};
+constexpr std::array<std::string_view, 28> k_left_out{
+    "--eye",     "--target",    "--up",         "--ground-up", "--fov",  "--ortho",
+    "--azimuth", "--elevation", "--below",      "--light",     "--sun",  "--output",
+    "-k",        "--by-area",   "--no-ratio",   "--json",      "--seed", "--validate",
+    "--threads", "MODEL",       "--pass-times", "--at",        "--turn", "--scale",
+    "--paint",   "--camera",    "--save-scene", "--verbose"};
 
 }  // namespace
 
