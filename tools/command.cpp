@@ -35,6 +35,11 @@ ExitStatus report_check(const std::string& failure) {
     return ExitStatus::check_failed;
 }
 
+void print_json(const Context& context, nlohmann::ordered_json object) {
+    object["times_ms"] = context.times.json();
+    print_json(object);
+}
+
 void print_json(const nlohmann::ordered_json& object) {
     const std::string text = object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     std::fwrite(text.data(), 1, text.size(), stdout);

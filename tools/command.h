@@ -7,7 +7,6 @@
 // declare its make function below, and list it in main.cpp.
 
 #include <CLI/App.hpp>
-#include <chrono>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include <string>
 
 #include "silhouette/error.h"
+#include "tools/run_times.h"
 
 namespace rimline::tools {
 
@@ -40,7 +40,8 @@ public:
 struct Context {
     bool json;             ///< Standard output holds one JSON object and nothing else.
     std::stop_token stop;  ///< Set by Ctrl-C.
-    std::chrono::steady_clock::time_point started{};  ///< When the program began.
+    /// Of this run. Commands end their steps; what they share ends its own.
+    mutable RunTimes times{RunTimes::Clock::now()};
 
     /// Throws Error{cancelled} after Ctrl-C.
     void checkpoint() const { LongCall{stop, {}}.checkpoint(0.0); }
@@ -71,6 +72,8 @@ ExitStatus report_check(const std::string& failure);
 
 /// Writes one JSON object to standard output. Bytes of file names that are not UTF-8 are replaced.
 void print_json(const nlohmann::ordered_json& object);
+/// The same with `times_ms` of the run as its last value.
+void print_json(const Context& context, nlohmann::ordered_json object);
 
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_silhouette_command();

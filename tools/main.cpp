@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -29,6 +28,7 @@
 #include "tools/options/option_types.h"
 #include "tools/output/output_file.h"
 #include "tools/output/summary_stream.h"
+#include "tools/run_times.h"
 #include "tools/shell_completion.h"
 #include "tools/usage_words.h"
 
@@ -114,7 +114,7 @@ std::string document(const rimline::tools::CommandRow& table, const std::string&
 }
 
 ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
-    const auto started = std::chrono::steady_clock::now();
+    const auto started = rimline::tools::RunTimes::Clock::now();
     CLI::App app("Finds the silhouettes of 3D models, keeps them up to date, and draws with them.",
                  "rimline");
     app.set_version_flag("--version", k_version, "Print the version and exit");
@@ -123,12 +123,14 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     app.footer(k_footer);
     app.formatter(std::make_shared<rimline::tools::HelpFormatter>());
 
-    bool json = false, quiet = false;
+    bool json = false, quiet = false, verbose = false;
     std::uint32_t threads = 0;
     const std::vector<std::unique_ptr<Command>> commands = make_commands();
     const auto add_shared_options = [&](CLI::App& sub) {
         sub.add_flag("--json", json, k_json_description)->group("Output");
         sub.add_flag("--quiet", quiet, "Print no summary, warnings or progress")->group("Output");
+        sub.add_flag("--verbose", verbose, "Print to standard error where the time went")
+            ->group("Output");
         rimline::tools::add_count(sub, "--threads", threads, 1, 1024,
                                   "Threads of the parallel parts (default: all)")
             ->default_str("")
@@ -177,7 +179,7 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
             flush_output();
             return ExitStatus::success;
         }
-        return report_usage(rimline::tools::usage_words(e, app), app);
+        return report_usage(rimline::tools::first_usage_words(e, app), app);
     }
     if (!completion.empty() || wants_manual) {
         std::fputs(document(table, completion).c_str(), stdout);
@@ -204,9 +206,12 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     try {
         if (quiet) rimline::tools::be_quiet();
         if (quiet && !json) rimline::tools::drop_summary();
-        const ExitStatus status =
-            (*command)->run(Context{.json = json, .stop = std::move(stop), .started = started});
+        const Context context{
+            .json = json, .stop = std::move(stop), .times = rimline::tools::RunTimes(started)};
+        const ExitStatus status = (*command)->run(context);
         flush_output();
+        context.times.end("the rest");
+        if (verbose) std::fputs(context.times.table().c_str(), stderr);
         return status;
     } catch (const UsageError& e) {
         return report_usage(e.what(), app);

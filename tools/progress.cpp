@@ -6,13 +6,24 @@
 
 namespace rimline::tools {
 
+namespace {
+
+constexpr std::chrono::milliseconds k_min_time(500);
+
+}  // namespace
+
 Progress::Progress(const Context& context, std::string task)
     : stop_(context.stop),
       task_(std::move(task)),
-      on_terminal_(isatty(STDERR_FILENO) == 1 && !is_quiet()) {}
+      on_terminal_(isatty(STDERR_FILENO) == 1 && !is_quiet()) {
+    if (on_terminal_)
+        late_ = std::jthread([this](const std::stop_token& ended) { show_late(ended); });
+}
 
 Progress::~Progress() {
-    if (shown_percent_ >= 0) std::fputs("\r\033[K", stderr);
+    late_.request_stop();
+    if (late_.joinable()) late_.join();
+    if (is_shown_) std::fputs("\r\033[K", stderr);
 }
 
 LongCall Progress::call() {
@@ -23,10 +34,20 @@ LongCall Progress::call() {
 
 void Progress::show(double done) {
     const int percent = static_cast<int>(100.0 * done);
-    constexpr std::chrono::milliseconds k_min_time(500);
+    const std::lock_guard lock(mutex_);
     if (percent == shown_percent_ || Clock::now() - start_ < k_min_time) return;
     shown_percent_ = percent;
+    is_shown_ = true;
     std::fprintf(stderr, "\r\033[K%s %d%%", task_.c_str(), percent);
+    std::fflush(stderr);
+}
+
+void Progress::show_late(const std::stop_token& ended) {
+    std::unique_lock lock(mutex_);
+    ends_.wait_for(lock, ended, k_min_time, [] { return false; });
+    if (ended.stop_requested() || is_shown_) return;
+    is_shown_ = true;
+    std::fprintf(stderr, "\r\033[K%s", task_.c_str());
     std::fflush(stderr);
 }
 

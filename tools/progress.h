@@ -1,12 +1,16 @@
 #pragma once
 
 // One line on standard error that shows the progress of a long call. It is rewritten in place and erased at
-// the end. It appears only on a terminal, and only if the call takes longer than half a second.
+// the end. It appears only on a terminal, and only if the call takes longer than half a second; then also if the call
+// has not said yet how much of it is done.
 
 #include <chrono>
+#include <condition_variable>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "tools/command.h"
 
@@ -26,12 +30,17 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     void show(double done);
+    void show_late(const std::stop_token& ended);
 
     std::stop_token stop_;
     std::string task_;
     bool on_terminal_;
     Clock::time_point start_ = Clock::now();
+    std::mutex mutex_;  // Of what follows; calls may report from several threads.
+    std::condition_variable_any ends_;
+    bool is_shown_ = false;
     int shown_percent_ = -1;
+    std::jthread late_;  // Shows the task of a call that reports nothing.
 };
 
 /// Work in several parts takes a BeginCall. It calls it before each part with the name of the task, and

@@ -39,6 +39,18 @@ nlohmann::ordered_json RunTimes::json() const {
     return object;
 }
 
+std::string RunTimes::table() const {
+    std::string text;
+    const auto add = [&](const std::string& name, double ms) {
+        std::array<char, 96> line{};
+        std::snprintf(line.data(), line.size(), "  %-20s %9.3f s\n", name.c_str(), 1e-3 * ms);
+        text += line.data();
+    };
+    for (const Step& step : steps_) add(step.name, step.ms);
+    add("in all", total_ms());
+    return text;
+}
+
 std::string RunTimes::sentence() const {
     constexpr double k_least_ms = 5.0;
     std::string text = as_seconds(total_ms()) + " s";

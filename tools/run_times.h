@@ -25,6 +25,8 @@ public:
 
     /// The steps and their sum, in ms: {"reading": 12.5, ..., "total": 100.2}.
     nlohmann::ordered_json json() const;
+    /// One line for each step, and one for their sum: "  reading     0.104 s".
+    std::string table() const;
     /// "0.66 s: reading 0.10, drawing 0.41"; without steps of less than 5 ms.
     std::string sentence() const;
 

@@ -80,4 +80,18 @@ std::string usage_words(const CLI::ParseError& error, const CLI::App& app) {
     return message;
 }
 
+std::string first_usage_words(const CLI::ParseError& error, const CLI::App& app) {
+    const bool is_of_value = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr ||
+                             dynamic_cast<const CLI::ConversionError*>(&error) != nullptr ||
+                             dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
+    // CLI11 reads values in the order in which options were added. Those that are right may be read again.
+    if (is_of_value)
+        for (CLI::Option* option : parsed_chain(app).back()->parse_order()) try {
+                option->run_callback();
+            } catch (const CLI::ParseError& first) {
+                return usage_words(first, app);
+            }
+    return usage_words(error, app);
+}
+
 }  // namespace rimline::tools

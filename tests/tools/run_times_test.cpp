@@ -9,6 +9,16 @@
 namespace rimline::tools {
 namespace {
 
+TEST_CASE("the table has each step and the sum") {
+    RunTimes times(RunTimes::Clock::now() - std::chrono::milliseconds(500));
+    times.end("reading");
+    const std::string table = times.table();
+    CHECK(table.starts_with("  reading "));
+    CHECK(table.find("0.50") != std::string::npos);
+    CHECK(table.find("\n  in all ") != std::string::npos);
+    CHECK(table.ends_with(" s\n"));
+}
+
 TEST_CASE("the steps of a run add up to the time since it began") {
     const auto started = RunTimes::Clock::now() - std::chrono::milliseconds(250);
     RunTimes times(started);

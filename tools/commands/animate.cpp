@@ -143,7 +143,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        RunTimes times(context.started);
+        RunTimes& times = context.times;
         models_.settle(picture_, ModelList::FirstCamera::not_used);
         scene_.has_painted_models = models_.has_paint();
         check_usage();
@@ -156,10 +156,10 @@ public:
         const Mesh mesh =
             models_.load_mesh(picture_, scene_.textures(), scene_.shows_file_colors(), context);
         context.checkpoint();
-        times.end("reading");
         if (!picture_.eye) {
             Progress progress(context, "choosing the first view");
             picture_.view.choose(models_.name(), mesh, models_.up().up, progress.call());
+            times.end("choosing the view");
         }
         const DrawingDevice device(picture_);
         times.end("device");
@@ -221,7 +221,7 @@ public:
         });
         times.end("drawing");
         if (context.json)
-            print_result(device, result, times);
+            print_result(context, device, result);
         else
             print_summary(device, result.frames, times);
         return ExitStatus::success;
@@ -297,8 +297,8 @@ private:
         return camera;
     }
 
-    void print_result(const DrawingDevice& device, const Result& result,
-                      const RunTimes& times) const {
+    void print_result(const Context& context, const DrawingDevice& device,
+                      const Result& result) const {
         nlohmann::ordered_json frames = nlohmann::ordered_json::array();
         Totals totals;
         for (const FrameReport& report : result.frames) {
@@ -319,11 +319,9 @@ private:
         json["up_from"] = up_source_name(models_.up().source);
         json["suns"] = suns_json(suns_);
         json.update(device_json(&device));
-        json.update({{"frames", std::move(frames)},
-                     {"totals", std::move(sums)},
-                     {"times_ms", times.json()},
-                     {"output", output_}});
-        print_json(json);
+        json.update(
+            {{"frames", std::move(frames)}, {"totals", std::move(sums)}, {"output", output_}});
+        print_json(context, std::move(json));
     }
 
     void print_summary(const DrawingDevice& device, const std::vector<FrameReport>& reports,

@@ -100,8 +100,13 @@ public:
 
     void add_options(CLI::App& app) override {
         model_.add_to(app);
-        app.add_option("-o,--output", output_, "Drawing to write: FILE.svg, .pdf, .dxf or .json")
+        app.add_option("-o,--output", output_,
+                       "Drawing to write: FILE.svg, .pdf, .dxf or .json; - is standard output")
             ->type_name("FILE")
+            ->capture_default_str()
+            ->group("Output");
+        app.add_option("--as", standard_format_, "Format of a drawing that goes to standard output")
+            ->check(CLI::IsMember({"svg", "pdf", "dxf", "json"}))
             ->capture_default_str()
             ->group("Output");
         app.add_flag("--source", has_sources_,
@@ -131,7 +136,9 @@ public:
     ExitStatus run(const Context& context) override {
         check_options();
         const double aspect = page_.aspect();  // Reports margins without space before the work.
-        const DrawingFormat format = drawing_format_of(output_);
+        check_output(context, output_);
+        const DrawingFormat format =
+            drawing_format_of(output_ == k_standard_output ? "." + standard_format_ : output_);
         if (!has_curves(format) && (lines_.color || lines_.has_material_colors))
             throw UsageError("--line-color: only drawings in SVG and PDF have colors");
         OutputFile file(output_, model_.model);
@@ -152,6 +159,7 @@ public:
             return draw_views(context, mesh, cameras, parts, page, format, totals, views);
         });
         context.checkpoint();
+        context.times.end("drawing lines");
         switch (format) {
             case DrawingFormat::svg: file.write(drawing_svg(drawing)); break;
             case DrawingFormat::pdf: file.write(drawing_pdf(drawing)); break;
@@ -166,8 +174,9 @@ public:
         }
         context.checkpoint();
         file.commit();
+        context.times.end("writing");
         if (context.json)
-            print_result(mesh, cameras, page, totals);
+            print_result(context, mesh, cameras, page, totals);
         else
             print_summary(page, totals);
         return report_check(totals.check.first_difference.empty()
@@ -222,6 +231,7 @@ private:
             return LineSurface(mesh, LineSurface::Contacts::found, progress.call());
         }();
         totals.surface_ms = milliseconds_since(start);
+        context.times.end("contacts");
 
         PageDrawing drawing{.title = "Lines of " + model_.model,
                             .size_mm = page.size_mm,
@@ -317,8 +327,9 @@ private:
         return by_kind;
     }
 
-    void print_result(const Mesh& mesh, const std::vector<LineCamera>& cameras,
-                      const DrawingPage& page, const DrawnTotals& totals) const {
+    void print_result(const Context& context, const Mesh& mesh,
+                      const std::vector<LineCamera>& cameras, const DrawingPage& page,
+                      const DrawnTotals& totals) const {
         const LineReport& report = totals.report;
         nlohmann::ordered_json views = nlohmann::ordered_json::array();
         for (const LineCamera& camera : cameras) views.push_back(camera_json(camera));
@@ -353,7 +364,7 @@ private:
                                 {"wrong_visibility", totals.check.wrong_visibility},
                                 {"missing_edges", totals.check.missing_edges},
                                 {"repeated_edges", totals.check.repeated_edges}};
-        print_json(result);
+        print_json(context, std::move(result));
     }
 
     void print_summary(const DrawingPage& page, const DrawnTotals& totals) const {
@@ -383,7 +394,7 @@ private:
     }
 
     ModelArgument model_;
-    std::string output_ = "rimline.svg";
+    std::string output_ = "rimline.svg", standard_format_ = "svg";
     bool has_sources_ = false;
     bool verifies_ = false;
     LineCameraOptions camera_;

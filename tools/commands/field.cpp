@@ -107,12 +107,16 @@ public:
         if (slice_) file.emplace(output_, model_.model);
 
         const Mesh mesh = model_.load_mesh(context);
+        std::optional<Progress> progress;
+        progress.emplace(context, "grouping planes");
         const UnitPlanes planes(mesh);
         const NamedFunction& function = *find_named_function(function_);
         const TangentialField field(planes, function.function,
                                     {tolerance_, weight_ == "area" ? FieldOptions::Weight::area
                                                                    : FieldOptions::Weight::count});
         context.checkpoint();
+        progress.emplace(context, "voting");
+        context.times.end("planes");
         DiscountedField votes(field);
         for (const glm::vec3& point : discounts_)
             votes.discount(field.frame().from_model(glm::dvec3(point)));
@@ -128,9 +132,11 @@ public:
             {"error_bound", votes.error_bound()},
         };
         add_values(field.frame(), votes, object);
+        context.times.end("votes");
+        progress.reset();
         if (slice_) draw(mesh, function, votes, *file, object, context);
         if (context.json)
-            print_json(object);
+            print_json(context, std::move(object));
         else
             print(object, field.plane_count(), votes.error_bound());
         return ExitStatus::success;
@@ -174,6 +180,7 @@ private:
             Progress progress(context, "summing votes");
             votes.values(grid.points(), values, progress.call());
         }
+        context.times.end("votes");
         const auto [least, greatest] = std::ranges::minmax_element(values);
         const UnitFrame& frame = votes.field().frame();
         const glm::dvec3 at =
@@ -188,6 +195,7 @@ private:
                                                  short_number(coordinate, 0.01 * frame.radius),
                                         .unit = weight_ == "area" ? "votes x area" : "votes"},
                                        progress.call()));
+        context.times.end("drawing");
         object["slice"] = {{"axis", axis_name()},      {"value", slice_->value},
                            {"coordinate", coordinate}, {"least", *least},
                            {"greatest", *greatest},    {"greatest_at", json_vector(at)},

@@ -155,6 +155,7 @@ public:
         const Mesh mesh = make_mesh(model_.model, source, context);
         const Extent extent =
             source.triangles.empty() ? extent_of(source.positions) : extent_of(mesh);
+        context.times.end("measuring");
         if (!context.json) {
             if (cloud)
                 print_cloud(mesh.file_vertex_count(), extent, *cloud);

@@ -102,17 +102,18 @@ private:
                                       seen, {.up = glm::dvec3(*up_)}, call.part(0.5, 1.0));
         });
         const double ms = ms_since(start);
+        context.times.end("choosing the light");
         if (!sun) fail_unseen();
         const glm::dvec3 direction = rounded_to_float(sun->direction);
         const SunTones& tones = sun->tones;
         if (context.json) {
-            print_json({{"model", model_.model},
-                        {"sun", json_vector(direction)},
-                        {"lit", tones.lit},
-                        {"bright", tones.bright},
-                        {"detail", tones.detail},
-                        {"spread", tones.spread},
-                        {"ms", ms}});
+            print_json(context, {{"model", model_.model},
+                                 {"sun", json_vector(direction)},
+                                 {"lit", tones.lit},
+                                 {"bright", tones.bright},
+                                 {"detail", tones.detail},
+                                 {"spread", tones.spread},
+                                 {"ms", ms}});
             return;
         }
         std::printf("%s\n", model_.model.c_str());
@@ -130,14 +131,15 @@ private:
         const std::optional<ChosenSun> sun = about_model(
             model_.model, [&] { return choose_sun(mesh, glm::dvec3(*eye_), progress.call()); });
         const double ms = ms_since(start);
+        context.times.end("choosing the light");
         if (!sun) fail_unseen();
         if (context.json) {
-            print_json({{"model", model_.model},
-                        {"sun", json_vector(sun->direction)},
-                        {"score", sun->votes},
-                        {"faces", sun->faces},
-                        {"sees_backs", sun->sees_backs},
-                        {"ms", ms}});
+            print_json(context, {{"model", model_.model},
+                                 {"sun", json_vector(sun->direction)},
+                                 {"score", sun->votes},
+                                 {"faces", sun->faces},
+                                 {"sees_backs", sun->sees_backs},
+                                 {"ms", ms}});
             return;
         }
         std::printf("%s\n", model_.model.c_str());

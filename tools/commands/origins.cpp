@@ -179,6 +179,7 @@ private:
         if (time_) times_us = time_extractions(mesh, tried, chosen.trials, viewpoints_, context);
         if (literal_ && literal.empty())
             literal.push_back(count_literal_work(mesh, chosen.found.origins, viewpoints_, context));
+        context.times.end("choosing origins");
         report(mesh, chosen, trial, literal, times_us, search_ms, context);
         return ExitStatus::success;
     }
@@ -248,7 +249,7 @@ private:
             object["trials"] = std::move(trials);
         }
         if (!output_.empty()) object["output"] = output_;
-        print_json(object);
+        print_json(context, std::move(object));
     }
 
     ModelArgument model_;

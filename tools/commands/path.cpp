@@ -83,12 +83,16 @@ public:
         about_model(model_.model, [&] {
             const ChosenViews chosen =
                 choose_views(choice_, model_.model, mesh, up_.up, device, 2, context);
+            context.times.end("choosing the views");
             const PlannedPath planned = plan_.plan(chosen, up_of(mesh, picture_), context);
+            context.times.end("planning");
             if (sink) draw(*sink, device, planned, context);
+            if (sink) context.times.end("drawing");
             if (context.json)
-                print_result(mesh, chosen, planned, device);
+                print_result(context, mesh, chosen, planned, device);
             else {
                 print_path(sink ? output_ : model_.model, chosen, planned);
+                std::printf("  in all      %s\n", context.times.sentence().c_str());
                 print_up(up_);
             }
         });
@@ -163,8 +167,8 @@ private:
         draw_frames(animation, plan_.frames, renderer, picture_.size, sink, progress.call());
     }
 
-    void print_result(const Mesh& mesh, const ChosenViews& chosen, const PlannedPath& planned,
-                      const ViewDevice& device) const {
+    void print_result(const Context& context, const Mesh& mesh, const ChosenViews& chosen,
+                      const PlannedPath& planned, const ViewDevice& device) const {
         nlohmann::ordered_json result = path_json(model_.model, mesh, chosen, planned);
         result.update(device_json(device.device_or_null()));
         result["up"] = json_vector(up_.up);
@@ -172,7 +176,7 @@ private:
         result["suns"] = suns_json(suns_);
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
-        print_json(result);
+        print_json(context, std::move(result));
     }
 
     ModelArgument model_;

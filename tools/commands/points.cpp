@@ -144,10 +144,11 @@ public:
             file->write(format_labels(
                 {analysis.cloud, analysis.surface, analysis.weights, analysis.silhouette}));
             file->commit();
+            context.times.end("writing");
         }
         const PointsReport report{analysis, cloud_.model, export_, output_, without_lists_};
         if (context.json)
-            print_object(report);
+            print_object(context, report);
         else
             print_summary(report);
         const std::uint32_t differences = analysis.turn ? analysis.turn->differences : 0;
@@ -179,10 +180,12 @@ private:
         analysis.umbrellas_ms = ms_since(start);
         if (options.method == PointSurfaceOptions::Method::robust)
             analysis.hole_limit = hole_limit(analysis.surface, options.gap_ratio);
+        context.times.end("umbrellas");
         start = Clock::now();
         Progress feature_progress(context, "weighing features of " + cloud_.model);
         analysis.weights = feature_weights(analysis.surface, feature_progress.call());
         analysis.features_ms = ms_since(start);
+        context.times.end("features");
         if (needs_index()) name_errors([&] { analyze_silhouette(context, analysis, drawing); });
         if (!analysis.cloud.triangles().empty()) analysis.truth = compare_borders(analysis);
         context.checkpoint();
@@ -195,11 +198,13 @@ private:
         Progress progress(context, "indexing umbrellas of " + cloud_.model);
         const UmbrellaIndex umbrellas(analysis.surface, progress.call());
         analysis.index_ms = ms_since(start);
+        context.times.end("index");
         std::optional<HomogeneousPoint> point;
         if (direction_) point = umbrellas.direction(glm::dvec3(*direction_));
         if (from_) point = umbrellas.viewpoint(*from_);
         if (drawing) {
             context.checkpoint();
+            const Progress drawing_progress(context, "drawing the picture");
             analysis.picture =
                 draw_points({.name = cloud_.model,
                              .cloud = analysis.cloud,
@@ -215,8 +220,12 @@ private:
                              .options = picture_},
                             *drawing);
             point = analysis.picture->silhouette_point;
+            context.times.end("drawing");
         }
-        if (turn_frames_ > 0) analysis.turn = turn(context, analysis, umbrellas);
+        if (turn_frames_ > 0) {
+            analysis.turn = turn(context, analysis, umbrellas);
+            context.times.end("turning");
+        }
         analysis.is_verified = verify_;
         analysis.has_silhouette = has_silhouette();
         if (!has_silhouette()) return;
@@ -227,6 +236,7 @@ private:
         analysis.consensus = silhouette.consensus_edges();
         analysis.arcs = chain(analysis.consensus).size();
         analysis.silhouette_ms = ms_since(start);
+        context.times.end("silhouette");
     }
 
     PointTurn turn(const Context& context, const CloudAnalysis& analysis,

@@ -44,7 +44,7 @@ std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_rati
     return HoleLimit{gap_ratio * *middle, gap_ratio * std::ranges::max(scales)};
 }
 
-void print_object(const PointsReport& report) {
+void print_object(const Context& context, const PointsReport& report) {
     const CloudAnalysis& analysis = report.analysis;
     const PointCloud& cloud = analysis.cloud;
     const auto count = [&](PointLabel label) { return analysis.surface.count(label); };
@@ -106,7 +106,7 @@ void print_object(const PointsReport& report) {
         result["picture_ms"] = picture->ms;
     }
     if (!report.without_lists) add_lists(analysis, result);
-    print_json(result);
+    print_json(context, std::move(result));
 }
 
 void print_summary(const PointsReport& report) {

@@ -90,7 +90,7 @@ struct PointsReport {
     std::string export_file, picture_file;  ///< Empty if not written.
     bool without_lists = false;
 };
-void print_object(const PointsReport& report);
+void print_object(const Context& context, const PointsReport& report);
 void print_summary(const PointsReport& report);
 
 }  // namespace rimline::tools

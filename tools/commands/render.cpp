@@ -83,7 +83,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        RunTimes times(context.started);
+        RunTimes& times = context.times;
         models_.settle(picture_, ModelList::FirstCamera::used);
         options_.has_painted_models = models_.has_paint();
         options_.check_usage(picture_);
@@ -95,15 +95,14 @@ public:
         const Mesh mesh =
             models_.load_mesh(picture_, options_.textures(), options_.shows_file_colors(), context);
         context.checkpoint();
-        times.end("reading");
         choose_view(mesh, context);
         times.end("choosing the view");
         const DrawingDevice device(picture_);
         times.end("device");
         const HoughOctree octree = build_octree(models_.name(), mesh, context);
         context.checkpoint();
-        times.end("index");
 
+        times.end("index");
         const Camera camera = make_camera(mesh, models_.name(), picture_);
         Scene scene = options_.make_scene(camera, choose_lights(mesh, camera, context), picture_);
         const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
@@ -129,7 +128,10 @@ public:
         }
         times.end("lines");
         Renderer renderer(device.context(), {.pass_times = pass_times_});
-        Picture picture = renderer.render(scene, picture_.size.width, picture_.size.height);
+        Picture picture = [&] {
+            const Progress progress(context, "drawing the picture");
+            return renderer.render(scene, picture_.size.width, picture_.size.height);
+        }();
         context.checkpoint();
         times.end("drawing");
         options_.finish(picture_).apply(picture);
@@ -143,7 +145,7 @@ public:
             report.creases = lines->crease_count();
         }
         if (context.json)
-            print_result(device, renderer, report, scene, ground_up, times);
+            print_result(context, device, renderer, report, scene, ground_up);
         else
             print_summary(device, report, scene, ground_up, times);
         return ExitStatus::success;
@@ -220,9 +222,9 @@ private:
         return passes;
     }
 
-    void print_result(const DrawingDevice& device, const Renderer& renderer,
-                      const FrameReport& report, const Scene& scene, const glm::dvec3& ground_up,
-                      const RunTimes& times) const {
+    void print_result(const Context& context, const DrawingDevice& device, const Renderer& renderer,
+                      const FrameReport& report, const Scene& scene,
+                      const glm::dvec3& ground_up) const {
         nlohmann::ordered_json result = models_.json();
         result.update(device_json(&device));
         result.update({{"silhouette", report.silhouette},
@@ -236,7 +238,6 @@ private:
                        {"tracker_memory_bytes", renderer.tracker_bytes()},
                        {"device_heaps", heaps_of(device.context())},
                        {"frame_ms", report.frame_ms},
-                       {"times_ms", times.json()},
                        {"output", output_}});
         result.update(camera_json(scene.camera));
         result["up_from"] = up_source_name(models_.up().source);
@@ -244,7 +245,7 @@ private:
         result["lights"] = lights_json(scene.lights);
         if (options_.ground || !models_.is_plain()) result["ground_up"] = json_vector(ground_up);
         if (pass_times_) result["passes"] = passes_of(report);
-        print_json(result);
+        print_json(context, std::move(result));
     }
 
     void print_summary(const DrawingDevice& device, const FrameReport& report, const Scene& scene,

@@ -128,10 +128,16 @@ public:
         seed_option_ =
             add_count(app, "--seed", seed_, 0, 0xffffffffu, "Of a method's random numbers")
                 ->group("Method");
-        output_option_ = app.add_option("-o,--output", output_,
-                                        "Write the lines with their faces: FILE.obj, .ply or .svg")
-                             ->type_name("FILE")
-                             ->group("Output");
+        output_option_ =
+            app.add_option(
+                   "-o,--output", output_,
+                   "Write the lines with their faces: FILE.obj, .ply or .svg; - is standard output")
+                ->type_name("FILE")
+                ->group("Output");
+        app.add_option("--as", standard_format_, "Format of lines that go to standard output")
+            ->check(CLI::IsMember({"obj", "ply", "svg"}))
+            ->capture_default_str()
+            ->group("Output");
         app.add_flag("--borders", with_borders_, "Write border edges too, marked as such")
             ->group("Output");
         app.add_flag("--no-concave", without_concave_,
@@ -162,7 +168,9 @@ public:
         std::optional<OutputFile> file;
         LineFormat format{};
         if (output_option_->count() > 0) {
-            format = line_format_of(output_);
+            check_output(context, output_);
+            format =
+                line_format_of(output_ == k_standard_output ? "." + standard_format_ : output_);
             file.emplace(output_, model_.model);
         }
 
@@ -184,14 +192,16 @@ public:
             remove_concave_edges(concave_edge_bits(mesh), extraction.edges);
         }
         context.checkpoint();
+        context.times.end("finding edges");
 
         const std::vector<FileEdge> edges = in_file_order(mesh, extraction.edges);
         if (file) {
             file->write(format_lines(mesh, point, edges, format));
             file->commit();
         }
+        context.times.end("writing");
         if (context.json)
-            print_result(mesh, extraction, edges);
+            print_result(context, mesh, extraction, edges);
         else
             print_summary(mesh, extraction);
         return ExitStatus::success;
@@ -248,7 +258,7 @@ private:
         return tools::format_lines({mesh, point, silhouette, borders, title}, format);
     }
 
-    void print_result(const Mesh& mesh, const Extraction& extraction,
+    void print_result(const Context& context, const Mesh& mesh, const Extraction& extraction,
                       const std::vector<FileEdge>& edges) const {
         nlohmann::ordered_json counters{{"box_checks", extraction.counters.box_checks},
                                         {"face_checks", extraction.counters.face_checks},
@@ -269,7 +279,7 @@ private:
             nlohmann::ordered_json& list = result["edges"] = nlohmann::ordered_json::array();
             for (const FileEdge& e : edges) list.push_back(e.vertices);
         }
-        print_json(result);
+        print_json(context, std::move(result));
     }
 
     void print_summary(const Mesh& mesh, const Extraction& extraction) const {
@@ -296,7 +306,7 @@ private:
     const CLI::Option* origin_option_ = nullptr;
     std::uint32_t seed_ = 1;
     const CLI::Option* seed_option_ = nullptr;
-    std::string output_;
+    std::string output_, standard_format_ = "svg";
     const CLI::Option* output_option_ = nullptr;
     bool with_borders_ = false;
     bool without_concave_ = false;

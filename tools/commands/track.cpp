@@ -160,8 +160,9 @@ public:
         const Track track = about_model(model_.model, [&] {
             return follow(model_.model, mesh, origins_, points, verify_, context);
         });
+        context.times.end("tracking");
         if (context.json)
-            print_result(track);
+            print_result(context, track);
         else
             print_summary(track);
         return report_check(track.difference.empty() ? "" : model_.model + ": " + track.difference);
@@ -170,18 +171,18 @@ public:
 private:
     bool verified(const Track& track) const { return verify_ && track.difference.empty(); }
 
-    void print_result(const Track& track) const {
+    void print_result(const Context& context, const Track& track) const {
         nlohmann::ordered_json frames = nlohmann::ordered_json::array();
         for (const Frame& frame : track.frames) frames.push_back(to_json(frame));
         nlohmann::ordered_json totals = to_json(track.totals);
         totals["max_us"] = track.max_us;
-        print_json({{"model", model_.model},
-                    {"path", path_.path},
-                    {"build_ms", track.build_ms},
-                    {"extraction_us", track.extraction_us},
-                    {"frames", std::move(frames)},
-                    {"totals", std::move(totals)},
-                    {"verified", verified(track)}});
+        print_json(context, {{"model", model_.model},
+                             {"path", path_.path},
+                             {"build_ms", track.build_ms},
+                             {"extraction_us", track.extraction_us},
+                             {"frames", std::move(frames)},
+                             {"totals", std::move(totals)},
+                             {"verified", verified(track)}});
     }
 
     void print_summary(const Track& track) const {

@@ -76,16 +76,14 @@ public:
 
     ExitStatus run(const Context& context) override {
         style_.check_usage(picture_);
-        RunTimes times(context.started);
+        RunTimes& times = context.times;
         std::optional<OutputFolder> folder;
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
         const Mesh mesh =
             model_.load_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
-        times.end("reading");
         up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
-        times.end("device and index");
         const ChosenViews chosen = about_model(model_.model, [&] {
             return choose_views(choice_, model_.model, mesh, up_.up, device, 1, context);
         });
@@ -94,7 +92,7 @@ public:
         if (folder) draw(*folder, device, context);
         if (folder) times.end("drawing");
         if (context.json)
-            print_result(mesh, chosen, device, times);
+            print_result(context, mesh, chosen, device);
         else
             print_summary(mesh, chosen, times);
         return ExitStatus::success;
@@ -141,8 +139,8 @@ private:
         return {width, std::max(1u, static_cast<std::uint32_t>(height))};
     }
 
-    void print_result(const Mesh& mesh, const ChosenViews& chosen, const ViewDevice& device,
-                      const RunTimes& times) const {
+    void print_result(const Context& context, const Mesh& mesh, const ChosenViews& chosen,
+                      const ViewDevice& device) const {
         nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
         for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
             const Scene scene = make_view_scene(mesh, views_[i], style_, picture_, picture_.size);
@@ -153,11 +151,10 @@ private:
             if (style_.ground) result["views"][i]["ground_up"] = json_vector(ground_up(mesh));
         }
         result.update(device_json(device.device_or_null()));
-        result["times_ms"] = times.json();
         result["up_from"] = up_source_name(up_.source);
         result["output"] = nullptr;
         if (output_option_->count() > 0) result["output"] = output_;
-        print_json(result);
+        print_json(context, std::move(result));
     }
 
     void print_summary(const Mesh& mesh, const ChosenViews& chosen, const RunTimes& times) const {

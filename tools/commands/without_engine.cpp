@@ -46,7 +46,7 @@ public:
                                            {"up", json_vector(camera.up)},
                                            {"fov", camera.fov_y_deg}});
             }
-            print_json(result);
+            print_json(context, std::move(result));
         } else {
             std::printf("%s\n", model_.model.c_str());
             print_views(chosen);
@@ -74,9 +74,11 @@ public:
         about_model(model_.model, [&] {
             const ChosenViews chosen =
                 choice_.choose(model_.model, mesh, choose_up(mesh, {}, false).up, {}, 2, context);
+            context.times.end("choosing the views");
             const PlannedPath planned = plan_.plan(chosen, choose_up(mesh, {}, false).up, context);
+            context.times.end("planning");
             if (context.json)
-                print_json(path_json(model_.model, mesh, chosen, planned));
+                print_json(context, path_json(model_.model, mesh, chosen, planned));
             else
                 print_path(model_.model, chosen, planned);
         });

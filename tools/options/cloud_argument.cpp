@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "silhouette/mesh/formats/point_file.h"
+#include "tools/options/standard_input.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -15,11 +16,15 @@ void CloudArgument::add_to(CLI::App& app) {
                check_model_name(text);
                model = text;
            },
-           "File of points (PLY, OBJ, XYZ, PTS); with --as-points, any model")
+           "File of points (PLY, OBJ, XYZ, PTS), or - for standard input; with --as-points, any "
+           "model")
         ->type_name("")
         ->required();
     add_flags_to(app);
     add_subdivide(app, subdivide)->group("Cloud");
+    app.add_option("--format", format, "Format of a CLOUD from standard input")
+        ->check(CLI::IsMember({"ply", "obj", "xyz", "pts", "stl", "off", "glb"}))
+        ->group("Cloud");
 }
 
 void CloudArgument::add_flags_to(CLI::App& app) {
@@ -31,13 +36,21 @@ void CloudArgument::add_flags_to(CLI::App& app) {
 }
 
 PointCloud CloudArgument::load(const Context& context) const {
-    return follow_progress(context, [&](const BeginCall& begin) { return load(begin); });
+    PointCloud cloud =
+        follow_progress(context, [&](const BeginCall& begin) { return load(begin); });
+    context.times.end("reading");
+    return cloud;
 }
 
 PointCloud CloudArgument::load(const BeginCall& begin) const {
     PointSource source;
     if (is_built_in_shape(model) || subdivide > 0)
-        source = points_of(load_model(model, subdivide, FaceRequirement::faces_or_points, begin));
+        source = points_of(load_model(model, subdivide, FaceRequirement::faces_or_points, begin,
+                                      TexturePictures::skip, format));
+    else if (model == k_standard_input)
+        source =
+            read_cloud_from_standard_input(format, drop_bad ? BadPoints::keep : BadPoints::refuse,
+                                           begin("reading standard input"));
     else
         source = read_point_file(model, drop_bad ? BadPoints::keep : BadPoints::refuse,
                                  begin("reading " + model));

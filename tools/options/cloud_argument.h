@@ -15,6 +15,7 @@ namespace rimline::tools {
 struct CloudArgument {
     std::string model;
     std::uint32_t subdivide = 0;
+    std::string format = {};  ///< Of standard input.
     bool as_points = false;
     bool drop_bad = false;
 

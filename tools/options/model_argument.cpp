@@ -123,6 +123,7 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
         return load_model(model, subdivide, requirement, begin, textures, format);
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
+    context.times.end("reading");
     return source;
 }
 
@@ -138,6 +139,7 @@ Mesh make_mesh(const std::string& model, const MeshSource& source, const Context
         Mesh mesh(source, Welding::equal_positions, progress.call());
         if (mesh.radius() > 0.0 && mesh.radius() < k_min_radius)
             throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
+        context.times.end("joining faces");
         return mesh;
     });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -10,14 +11,14 @@
 #include <memory>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "silhouette/srgb.h"
 #include "tools/options/default_view.h"
+#include "tools/options/exact_text.h"
 #include "tools/options/option_types.h"
 #include "tools/options/standard_input.h"
-#include "tools/output/output_file.h"
-#include "tools/output/same_picture.h"
 
 namespace rimline::tools {
 
@@ -253,7 +254,8 @@ bool ModelList::has_paint() const noexcept {
 
 void ModelList::check_output_is_no_input(const std::string& output) const {
     const auto check = [&](const std::string& input) {
-        if (input != k_standard_input && is_same_file(output, input))
+        std::error_code ignored;
+        if (input != k_standard_input && std::filesystem::equivalent(output, input, ignored))
             throw UsageError(output + " is an input");
     };
     if (scene_) check(scene_->path);
@@ -309,6 +311,7 @@ Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, boo
         return load(picture, textures, keeps_file_colors, begin);
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
+    context.times.end("reading");
     return make_mesh(name_, source, context);
 }
 

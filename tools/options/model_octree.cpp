@@ -15,7 +15,9 @@ HoughOctree build_octree(const std::string& model, const Mesh& mesh, const Conte
                          const HoughOctreeOptions& options) {
     return about_model(model, [&] {
         Progress progress(context, "building the octree");
-        return HoughOctree(mesh, options, progress.call());
+        HoughOctree octree(mesh, options, progress.call());
+        context.times.end("index");
+        return octree;
     });
 }
 

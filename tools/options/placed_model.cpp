@@ -14,9 +14,9 @@
 #include "silhouette/error.h"
 #include "silhouette/mesh/any_perpendicular.h"
 #include "silhouette/mesh/homogeneous_point.h"
+#include "tools/options/exact_text.h"
 #include "tools/options/option_types.h"
 #include "tools/options/up_option.h"
-#include "tools/output/same_picture.h"
 
 namespace rimline::tools {
 

@@ -17,10 +17,10 @@
 #include "silhouette/error.h"
 #include "tools/command.h"
 #include "tools/nearest_name.h"
+#include "tools/options/exact_text.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/options/standard_input.h"
-#include "tools/output/same_picture.h"
 #include "tools/usage_words.h"
 
 namespace rimline::tools {

@@ -10,12 +10,13 @@
 
 namespace rimline::tools {
 
-MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
-                               const LongCall& call) {
-    if (format.empty())
-        throw UsageError("MODEL: standard input needs --format ply, obj, stl, off or glb");
+namespace {
+
+constexpr const char* k_input_name = "standard input";
+
+std::string bytes_of_standard_input(const LongCall& call) {
     if (isatty(STDIN_FILENO) == 1)
-        throw UsageError("MODEL: standard input is a terminal; send a file to it");
+        throw UsageError("standard input is a terminal; send a file to it");
     constexpr std::size_t k_chunk = std::size_t{1} << 20;
     std::string bytes;
     for (;;) {
@@ -29,7 +30,25 @@ MeshSource read_standard_input(const std::string& format, FaceRequirement requir
                                            std::generic_category().message(errno));
         if (got == 0) break;
     }
-    return read_mesh_bytes("standard input", std::move(bytes), "." + format, requirement, call);
+    return bytes;
+}
+
+}  // namespace
+
+MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
+                               const LongCall& call) {
+    if (format.empty())
+        throw UsageError("MODEL: standard input needs --format ply, obj, stl, off or glb");
+    return read_mesh_bytes(k_input_name, bytes_of_standard_input(call), "." + format, requirement,
+                           call);
+}
+
+PointSource read_cloud_from_standard_input(const std::string& format, BadPoints bad,
+                                           const LongCall& call) {
+    if (format.empty())
+        throw UsageError(
+            "CLOUD: standard input needs --format ply, obj, xyz, pts, stl, off or glb");
+    return read_point_bytes(k_input_name, bytes_of_standard_input(call), "." + format, bad, call);
 }
 
 }  // namespace rimline::tools

@@ -5,11 +5,16 @@
 #include <string>
 
 #include "silhouette/mesh/formats/mesh_file.h"
+#include "silhouette/mesh/formats/point_file.h"
 
 namespace rimline::tools {
 
 /// The MODEL that stands for standard input.
 constexpr const char* k_standard_input = "-";
+
+/// Reads standard input to its end, for a cloud. `format` may be xyz or pts, too.
+PointSource read_cloud_from_standard_input(const std::string& format, BadPoints bad,
+                                           const LongCall& call);
 
 /// Reads standard input to its end. Throws UsageError without a format, or if standard input is a terminal, and
 /// Error as read_mesh_bytes(). `format` is ply, obj, stl, off or glb.

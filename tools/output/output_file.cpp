@@ -123,7 +123,7 @@ void OutputFile::close_descriptor() noexcept {
 void check_output(const Context& context, const std::string& output) {
     if (context.json && output == k_standard_output)
         throw UsageError(
-            "--json: standard output is the picture's with -o -; leave out one of them");
+            "--json: standard output is that of the file with -o -; leave out one of them");
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {

@@ -27,6 +27,7 @@ ViewDevice::ViewDevice(const std::string& model, const Mesh& mesh, const Picture
                        bool draws, const Context& context) {
     if (!draws) return;
     device.emplace(options);
+    context.times.end("device");
     octree.emplace(build_octree(model, mesh, context));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
@@ -71,6 +72,20 @@ FileFormat format_of(const SourceFile& file, const std::string& extension) {
              "the format is not known; it should be OBJ, PLY, STL, OFF, glTF, GLB, XYZ or PTS");
 }
 
+std::string_view extension_of(FileFormat format) {
+    switch (format) {
+        case FileFormat::ply: return ".ply";
+        case FileFormat::stl_text:
+        case FileFormat::stl_binary: return ".stl";
+        case FileFormat::off: return ".off";
+        case FileFormat::obj: return ".obj";
+        case FileFormat::gltf: return ".gltf";
+        case FileFormat::glb: return ".glb";
+        case FileFormat::point_text: break;
+    }
+    return ".xyz";
+}
+
 SourceFile with_text(SourceFile file) {
     // The byte order mark that some editors write before UTF-8 text.
     if (file.bytes.starts_with("\xef\xbb\xbf")) file.text_begin = 3;
@@ -85,5 +100,14 @@ KnownFile::KnownFile(const std::filesystem::path& path, const LongCall& call)
 
 KnownFile::KnownFile(SourceFile source, const std::string& extension)
     : file(with_text(std::move(source))), format(format_of(file, extension)) {}
+
+KnownFile known_bytes(const std::string& name, std::string bytes, const std::string& extension) {
+    KnownFile known(SourceFile{name, std::move(bytes), {}, 0}, extension);
+    const std::string_view found = extension_of(known.format);
+    if (found != (extension == ".pts" ? ".xyz" : extension))
+        bad_file(name, "its content is " + std::string(found.substr(1)) + ", not " +
+                           extension.substr(std::min<std::size_t>(extension.size(), 1)));
+    return known;
+}
 
 }  // namespace rimline

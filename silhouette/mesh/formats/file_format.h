@@ -3,6 +3,7 @@
 // The format of a file: decided by its content, and by its name if the content does not decide.
 
 #include <filesystem>
+#include <string>
 
 #include "silhouette/mesh/formats/source_file.h"
 
@@ -21,5 +22,8 @@ struct KnownFile {
     SourceFile file;
     FileFormat format;
 };
+
+/// Bytes that must have the format of `extension`; else Error{bad_input}. ".xyz" and ".pts" are one format.
+KnownFile known_bytes(const std::string& name, std::string bytes, const std::string& extension);
 
 }  // namespace rimline

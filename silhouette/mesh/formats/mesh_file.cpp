@@ -42,20 +42,6 @@ MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, con
     return source;
 }
 
-std::string_view extension_of(FileFormat format) {
-    switch (format) {
-        case FileFormat::ply: return ".ply";
-        case FileFormat::stl_text:
-        case FileFormat::stl_binary: return ".stl";
-        case FileFormat::off: return ".off";
-        case FileFormat::obj: return ".obj";
-        case FileFormat::gltf: return ".gltf";
-        case FileFormat::glb: return ".glb";
-        case FileFormat::point_text: break;
-    }
-    return ".xyz";
-}
-
 }  // namespace
 
 MeshSource read_mesh_file(const std::filesystem::path& path, FaceRequirement requirement,
@@ -73,12 +59,7 @@ MeshSource read_mesh_bytes(std::string name, std::string bytes, const std::strin
                            FaceRequirement requirement, const LongCall& call) {
     try {
         call.checkpoint(0.0);
-        const KnownFile known(SourceFile{name, std::move(bytes), {}, 0}, extension);
-        const std::string_view found = extension_of(known.format);
-        if (found != extension)
-            bad_file(name, "its content is " + std::string(found.substr(1)) + ", not " +
-                               extension.substr(std::min<std::size_t>(extension.size(), 1)));
-        return checked_mesh(known, requirement, call);
+        return checked_mesh(known_bytes(name, std::move(bytes), extension), requirement, call);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::too_large, name + ": there is not enough memory to read it");
     }

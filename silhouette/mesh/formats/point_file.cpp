@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
+#include <utility>
 
 #include "silhouette/mesh/formats/file_format.h"
 #include "silhouette/mesh/formats/readers.h"
@@ -32,6 +33,13 @@ PointSource read_points(const KnownFile& known, BadPoints bad, const LongCall& c
     else if (records.has_faces)
         source.triangles = read_mesh(known, bad, {call.stop, {}}).triangles;
     return std::move(source);
+}
+
+PointSource checked_points(const KnownFile& known, BadPoints bad, const LongCall& call) {
+    PointSource source = read_points(known, bad, call);
+    if (source.positions.empty()) bad_file(known.file.name, "no points: there is nothing in it");
+    call.checkpoint(1.0);
+    return source;
 }
 
 }  // namespace
@@ -69,15 +77,20 @@ PointSource read_point_file(const std::filesystem::path& path, BadPoints bad,
                             const LongCall& call) {
     try {
         call.checkpoint(0.0);
-        const KnownFile known(path, call);
-        PointSource source = read_points(known, bad, call);
-        if (source.positions.empty())
-            bad_file(known.file.name, "no points: there is nothing in it");
-        call.checkpoint(1.0);
-        return source;
+        return checked_points(KnownFile(path, call), bad, call);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::too_large,
                     path.string() + ": there is not enough memory to read it");
+    }
+}
+
+PointSource read_point_bytes(std::string name, std::string bytes, const std::string& extension,
+                             BadPoints bad, const LongCall& call) {
+    try {
+        call.checkpoint(0.0);
+        return checked_points(known_bytes(name, std::move(bytes), extension), bad, call);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::too_large, name + ": there is not enough memory to read it");
     }
 }
 

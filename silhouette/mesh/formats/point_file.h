@@ -19,6 +19,7 @@
 // Points are numbered as in the file, from 0, as in mesh_file.h.
 
 #include <filesystem>
+#include <string>
 
 #include "silhouette/error.h"
 #include "silhouette/mesh/point_source.h"
@@ -29,5 +30,9 @@ namespace rimline {
 /// few times its length in memory. A PLY or OBJ with faces is parsed twice.
 PointSource read_point_file(const std::filesystem::path& path, BadPoints bad = BadPoints::refuse,
                             const LongCall& call = {});
+
+/// The same for the bytes of a file, as read_mesh_bytes() takes them. `extension` may be ".xyz" or ".pts", too.
+PointSource read_point_bytes(std::string name, std::string bytes, const std::string& extension,
+                             BadPoints bad = BadPoints::refuse, const LongCall& call = {});
 
 }  // namespace rimline

@@ -20,7 +20,9 @@ def check_render(result, output, size):
                                           for heap in result["device_heaps"])
     assert result["frame_ms"] > 0 and result["device"] and result["driver"]
     times = result["times_ms"]
-    assert set(times) == {"reading", "choosing the view", "device", "index", "choosing the light", "lines", "drawing", "writing", "total"}
+    steps = {"reading", "joining faces", "choosing the view", "device", "index", "choosing the light", "lines", "drawing",
+             "writing", "total"}
+    assert set(times) == steps, times
     assert math.isclose(sum(times.values()), 2 * times["total"], rel_tol=1e-6) and result["frame_ms"] <= times["drawing"]
     assert result["output"] == output and png_size(output) == size
 

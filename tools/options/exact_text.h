@@ -1,0 +1,16 @@
+#pragma once
+
+// Values as the words of a command line that are parsed to the same values.
+
+#include <string>
+
+namespace rimline::tools {
+
+/// A number that parses to the same value. A float is parsed as options are: as a double that is rounded.
+std::string exact_text(float value);
+std::string exact_text(double value);
+
+/// `text` as one word of a POSIX shell.
+std::string quoted_for_shell(const std::string& text);
+
+}  // namespace rimline::tools
