@@ -367,7 +367,7 @@ std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const Pict
         best = i;
         best_score = score;
     }
-    return PictureSun{suns[best], tones[best]};
+    return PictureSun{suns[best], tones[best], best_score};
 }
 
 std::vector<glm::dvec3> choose_moving_sun(const SunSurvey& survey,

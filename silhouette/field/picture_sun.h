@@ -55,6 +55,7 @@ struct SunTones {
 struct PictureSun {
     glm::dvec3 direction;  ///< Of length 1, from the mesh towards the light.
     SunTones tones;
+    double score;  ///< 0 to 1, the product above.
 };
 
 /// A place of a mesh that a camera sees.

@@ -109,6 +109,7 @@ private:
         if (context.json) {
             print_json(context, {{"model", model_.model},
                                  {"sun", json_vector(direction)},
+                                 {"score", sun->score},
                                  {"lit", tones.lit},
                                  {"bright", tones.bright},
                                  {"detail", tones.detail},

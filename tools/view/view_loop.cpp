@@ -218,8 +218,10 @@ bool ViewLoop::draw() {
     std::optional<WindowRenderer::Frame> frame;
     try {
         ViewPicture picture = session_.picture(exact_size(is_fine));
-        Scene* const scene = std::get_if<Scene>(&picture);
-        if (scene && !quality(is_fine).shadows) scene->shadows = false;
+        if (Scene* const scene = std::get_if<Scene>(&picture)) {
+            if (!quality(is_fine).shadows) scene->shadows = false;
+            scene->line_width_px /= static_cast<float>(quality(is_fine).divisor);
+        }
         frame = renderer_.draw(picture, context_.drawing(), quality(is_fine), captures_next_);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_area().aspect()))

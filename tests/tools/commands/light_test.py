@@ -11,6 +11,7 @@ def test_light_is_where_render_puts_an_auto_sun():
     light = succeed("light", "shape:knot:3000", *eye)
     assert math.isclose(math.hypot(*light["sun"]), 1.0, rel_tol=1e-6)
     assert 1 / 3 < light["lit"] < 2 / 3 and 0 < light["bright"] < light["lit"] and 0.5 < light["spread"] <= 1
+    assert 0 < light["score"] <= light["spread"]
     voted = succeed("light", "shape:knot:3000", *eye, "--by-votes")
     assert 0 < voted["score"] <= voted["faces"] < 3000 and not voted["sees_backs"]
     assert math.isclose(math.hypot(*voted["sun"]), 1.0) and voted["sun"] != light["sun"]
