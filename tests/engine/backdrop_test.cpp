@@ -404,7 +404,8 @@ TEST_CASE("surfaces stand in what the host has drawn, and cast their shadows on 
     }
 }
 
-TEST_CASE("shadows limited to where they can be seen fall on a backdrop as others do") {
+TEST_CASE("shadows limited to where they can be seen fall on a backdrop as others do" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Place place;
     Model caster(make_built_in_shape("box", 12));

@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-LABELS = ("long", "threads")
+LABELS = ("long", "threads", "plain")
 # A suite begins, a suite ends, or a case has a name of one or more string literals.
 PLACES = re.compile(r'TEST_SUITE(?:_BEGIN)?\("(?P<suite>[^"]*)"\)|(?P<end>^(?:TEST_SUITE_END|}))'
                     r'|TEST_CASE\w*\(\s*(?P<name>(?:"(?:[^"\\]|\\.)*"\s*)+)', re.MULTILINE)

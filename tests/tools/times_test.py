@@ -146,13 +146,13 @@ def terminal_of(*arguments):
 
 def test_long_work_shows_progress_on_a_terminal():
     with tempfile.TemporaryDirectory() as folder:
-        shown = terminal_of("field", "shape:knot:100000", "--slice", "z=0", "--tolerance", "0", "--resolution", "96", "-o",
+        shown = terminal_of("field", "shape:knot:100000", "--slice", "z=0", "--tolerance", "0", "--resolution", "256", "-o",
                             os.path.join(folder, "a.png"))
         assert "\r\x1b[Ksumming votes" in shown and "%" in shown, shown
         # The last line is erased.
         assert shown.rstrip().endswith("\x1b[K"), shown[-80:]
         assert terminal_of("info", "shape:box") == ""
-        assert terminal_of("field", "shape:knot:100000", "--slice", "z=0", "--tolerance", "0", "--resolution", "96", "-o",
+        assert terminal_of("field", "shape:knot:100000", "--slice", "z=0", "--tolerance", "0", "--resolution", "256", "-o",
                            os.path.join(folder, "a.png"), "--quiet") == ""
 
 

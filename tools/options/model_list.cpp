@@ -256,7 +256,7 @@ void ModelList::check_output_is_no_input(const std::string& output) const {
     const auto check = [&](const std::string& input) {
         std::error_code ignored;
         if (input != k_standard_input && std::filesystem::equivalent(output, input, ignored))
-            throw UsageError(output + " is an input");
+            throw UsageError(output + ": this is the model itself; name another file to write");
     };
     if (scene_) check(scene_->path);
     for (const PlacedModel& model : models_) check(model.model);

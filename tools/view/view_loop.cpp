@@ -128,7 +128,8 @@ void ViewLoop::save(const PanelRequests::Save& save) {
         if (const ModelDocument* model = session_.document().model())
             for (const PlacedModel& placed : model->models())
                 if (is_same_file(save.path, placed.model))
-                    throw UsageError(save.path + " is an input");
+                    throw UsageError(save.path +
+                                     ": this is the model itself; name another file to write");
         const std::vector<std::byte> png = encode_png(
             renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});

@@ -68,7 +68,8 @@ MeshSource grid_boxes(std::uint64_t seed) {
     return source;
 }
 
-TEST_CASE("lines of built-in shapes are hidden where a count of faces says") {
+TEST_CASE("lines of built-in shapes are hidden where a count of faces says" *
+          doctest::test_suite("plain")) {
     for (const char* shape : {"sphere", "torus", "knot", "box", "spring", "terrain", "scene"}) {
         CAPTURE(shape);
         const Mesh mesh(make_built_in_shape(shape, shape == std::string("box") ? 12 : 3000));

@@ -188,7 +188,7 @@ def test_options_go_before_what_a_scene_file_says():
         assert "leave out --eye" in fail(2, "render", scene, "--camera", "far", "--eye", "1,2,3")
         assert "stands alone" in fail(2, "render", scene, BOX)
         assert "places and refines" in fail(2, "render", scene, "--at", "1,2,3")
-        assert "is an input" in fail(2, "render", scene, "--save-scene", scene, "-o", output)
+        assert "is the model itself" in fail(2, "render", scene, "--save-scene", scene, "-o", output)
         assert "FILE.json" in fail(2, "render", BOX, "--save-scene", "a.png")
 
 
