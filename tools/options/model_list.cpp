@@ -325,12 +325,15 @@ nlohmann::ordered_json ModelList::json() const {
 }
 
 std::string ModelList::words() const {
-    if (scene_ || is_plain()) return quoted_for_shell(name_);
+    return scene_ ? quoted_for_shell(name_) : words_of(models_);
+}
+
+std::string words_of(std::span<const PlacedModel> models) {
     std::string words;
     const auto add = [&](const std::string& option, const std::string& value) {
         words += " " + option + (value.starts_with('-') ? "=" : " ") + quoted_for_shell(value);
     };
-    for (const PlacedModel& model : models_) {
+    for (const PlacedModel& model : models) {
         words += (words.empty() ? "" : " ") + quoted_for_shell(model.model);
         if (model.at != glm::vec3(0.0f))
             add("--at", exact_text(model.at.x) + "," + exact_text(model.at.y) + "," +

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@
 #include "tools/progress.h"
 
 namespace rimline::tools {
+
+/// The words of a command line, quoted for a shell, that give these models at their places.
+std::string words_of(std::span<const PlacedModel> models);
 
 class ModelList {
 public:

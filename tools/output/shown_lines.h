@@ -24,6 +24,8 @@ public:
                         LineSurface::Contacts contacts = LineSurface::Contacts::found,
                         const LongCall& call = {});
 
+    const LineSurface& surface() const noexcept { return surface_; }
+
     /// The lines of a picture, valid until the next call. Null where the eye lies at the end of the range of
     /// coordinates, so that no point lies beside it. Throws Error{cancelled}.
     const PictureLines* draw(const Camera& camera, ImageSize size, const LineStyle& style,

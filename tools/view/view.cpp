@@ -197,6 +197,7 @@ private:
         session.appearance.shadow_method = scene.shadow_method;
         session.appearance.ground = scene_.ground;
         session.show(std::move(document), scene.camera, std::move(scene.lights));
+        if (picture_.lights.empty() && picture_.suns.empty()) session.note_chosen_sun();
         std::optional<glm::dvec3> from;
         if (silhouette_from_) from = glm::dvec3(*silhouette_from_);
         freeze(session, from);

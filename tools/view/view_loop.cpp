@@ -39,10 +39,16 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
       context_(window),
       renderer_(instance, window, options_.device, context_.font_texture()),
       loader_([] { Window::wake(); }),
+      gallery_([] { Window::wake(); }),
+      recent_(recent_files_path()),
       coarseness_(renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU) {
     panel_.visible = options_.panel;
     hough_.open = options_.inspector;
     if (options_.panel && options_.fits) fit();
+    if (options_.panel) {
+        find_views();
+        recent_.add(session_.document().name());
+    }
 }
 
 ViewLoop::~ViewLoop() = default;
@@ -83,9 +89,12 @@ bool ViewLoop::show_loaded() {
         return false;
     }
     panel_.message.clear();
+    gallery_.clear();
     session_.show(std::move(result->document), free_area().aspect());
     frames_of_document_ = 0;
     fit();
+    find_views();
+    recent_.add(session_.document().name());
     window_.set_title("Rimline - " + session_.document().name());
     const std::vector<std::string>& warnings = session_.document().warnings();
     if (!warnings.empty())
@@ -108,6 +117,9 @@ void ViewLoop::apply_keys() {
             case GLFW_KEY_G: session_.appearance.ground = !session_.appearance.ground; break;
             case GLFW_KEY_I: hough_.open = !hough_.open; break;
             case GLFW_KEY_P: requests_.save = panel_.picture_request(); break;
+            case GLFW_KEY_C:
+                if (!session_.is_cloud()) requests_.copy_command = true;
+                break;
             case GLFW_KEY_X:
                 if (!session_.is_cloud()) requests_.save_scene = panel_.scene_request();
                 break;
@@ -130,6 +142,7 @@ void ViewLoop::save(const PanelRequests::Save& save) {
                 if (is_same_file(save.path, placed.model))
                     throw UsageError(save.path +
                                      ": this is the model itself; name another file to write");
+        session_.round_to_options();
         const std::vector<std::byte> png = encode_png(
             renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
@@ -154,10 +167,28 @@ void ViewLoop::save_scene(const PanelRequests::Save& save) {
     }
 }
 
+void ViewLoop::find_views() {
+    gallery_.clear();
+    if (const ModelDocument* model = session_.document().model())
+        gallery_.find(*model, model->scene_up().value_or(session_.camera.up));
+}
+
+void ViewLoop::copy_command() {
+    const PanelRequests::Save picture = panel_.picture_request();
+    glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
+    panel_.show_message("the command is in the clipboard", false);
+}
+
 void ViewLoop::execute(const PanelRequests& requests) {
     if (requests.cancel) loader_.cancel();
     if (requests.open) loader_.open(*requests.open);
-    if (requests.fit) fit();
+    if (requests.look_from) session_.look_from(*requests.look_from);
+    if (requests.fit || requests.look_from) fit();
+    const bool is_dark = requests.look_from && !session_.is_cloud() && session_.has_chosen_sun();
+    if (requests.choose_sun || is_dark) session_.choose_sun(free_area().aspect());
+    if (requests.copy_command) copy_command();
+    if (requests.fit || requests.look_from || requests.choose_sun)
+        frames_due_ = k_frames_after_event;
     if (requests.save) save(*requests.save);
     if (requests.save_scene) save_scene(*requests.save_scene);
 }
@@ -173,10 +204,15 @@ void ViewLoop::build_panel() {
     }
     if (options_.panel && panel_.visible) {
         draw_marks(session_, size, input_.light());
+        draw_axes(session_.camera, free_area());
+        const std::vector<GalleryView> gallery = gallery_.views();
         panel_.draw(session_, input_, hough_,
                     {.counters = counters_,
                      .loading = loader_.stage(),
                      .device = renderer_.device_facts().name,
+                     .recent = recent_.names(),
+                     .gallery = gallery,
+                     .finds_views = gallery_.is_finding(),
                      .scale = window_.content_scale()},
                     requests_);
     }
@@ -225,6 +261,7 @@ bool ViewLoop::draw() {
         }
         frame = renderer_.draw(picture, context_.drawing(), quality(is_fine), captures_next_);
     } catch (const Error& error) {
+        gallery_.clear();
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_area().aspect()))
             throw;
         panel_.show_message(error.what(), true);

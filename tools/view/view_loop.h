@@ -56,6 +56,7 @@ public:
     void open(const std::string& model) { loader_.open(model); }
     bool is_loading() const { return loader_.stage().has_value(); }
     const std::string& message() const noexcept { return panel_.message; }
+    const ViewGallery& gallery() const noexcept { return gallery_; }
 
     WindowRenderer& renderer() noexcept { return renderer_; }
     /// Captures the next frame as the window shows it. run() captures the last of its frames.
@@ -76,6 +77,8 @@ private:
     void save(const PanelRequests::Save& save);
     void save_scene(const PanelRequests::Save& save);
     void fit();
+    void find_views();
+    void copy_command();
     void build_panel();
     bool draw();
     double waiting_time() const;
@@ -89,6 +92,8 @@ private:
     PanelContext context_;
     WindowRenderer renderer_;
     ModelLoader loader_;
+    ViewGallery gallery_;  // Refers to the session's document.
+    RecentFiles recent_;
     ViewPanel panel_;
     ViewInput input_;
     HoughPanel hough_;

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -116,6 +117,28 @@ void draw_marks(const ViewSession& session, const glm::dvec2& size,
     if (session.frozen())
         draw_frozen(list, *session.frozen(), view, size.x / size.y, 0.5 * session.bounds().radius);
     if (!session.is_cloud()) draw_lights(list, session, view, chosen);
+}
+
+void draw_axes(const Camera& camera, const FreeArea& area) {
+    constexpr double k_length = 26.0;
+    constexpr std::array<ImU32, 3> k_colors{IM_COL32(190, 60, 40, 255), IM_COL32(60, 140, 50, 255),
+                                            IM_COL32(40, 90, 190, 255)};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const glm::dvec2 center(area.left + 44.0, area.window.y - 44.0);
+    const glm::dmat3 to_axes = camera_from_world(camera);
+    // From the farthest to the nearest.
+    std::array<int, 3> order{0, 1, 2};
+    std::ranges::sort(order, {}, [&](int axis) { return to_axes[axis].z; });
+    for (const int axis : order) {
+        const glm::dvec2 end = center + k_length * glm::dvec2(to_axes[axis].x, -to_axes[axis].y);
+        const ImU32 color = k_colors[static_cast<std::size_t>(axis)];
+        stroke(list, center, end, color, 2.0f);
+        const glm::dvec2 along = end - center;
+        const glm::dvec2 beyond =
+            glm::length(along) > 4.0 ? 9.0 * glm::normalize(along) : glm::dvec2(9.0, 0.0);
+        const char name[2] = {static_cast<char>('x' + axis), '\0'};
+        list.AddText(vec(end + beyond - glm::dvec2(4.0, 8.0)), color, name);
+    }
 }
 
 }  // namespace rimline::tools

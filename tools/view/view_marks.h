@@ -13,4 +13,7 @@ namespace rimline::tools {
 void draw_marks(const ViewSession& session, const glm::dvec2& size,
                 std::optional<std::size_t> chosen);
 
+/// The coordinate axes as the camera sees them, in the lower left corner of the area.
+void draw_axes(const Camera& camera, const FreeArea& area);
+
 }  // namespace rimline::tools

@@ -11,6 +11,7 @@
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/view_option.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
 
@@ -108,13 +109,23 @@ void ViewPanel::draw_model(const ViewSession& session, const Status& status,
     ImGui::SameLine();
     if ((ImGui::Button("Open", {-1.0f, 0.0f}) || entered) && path_[0] != '\0')
         requests.open = path_.data();
-    ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::BeginCombo("##shapes", "built-in shapes")) {
+    ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
+    if (ImGui::BeginCombo("##shapes", "recent and built-in")) {
+        for (const std::string& name : status.recent)
+            if (ImGui::Selectable(name.c_str())) requests.open = name;
+        if (!status.recent.empty()) ImGui::Separator();
         for (const std::string_view shape : k_built_in_shapes)
             if (ImGui::Selectable(std::string(shape).c_str()))
                 requests.open = "shape:" + std::string(shape);
         ImGui::EndCombo();
     }
+    ImGui::SameLine();
+    if (ImGui::Button(browses_ ? "Close" : "Browse", {-1.0f, 0.0f})) browses_ = !browses_;
+    if (browses_)
+        if (const auto chosen = browser_.draw(200.0f * status.scale)) {
+            requests.open = *chosen;
+            browses_ = false;
+        }
 }
 
 void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests& requests) {
@@ -127,6 +138,7 @@ void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests&
     if (ImGui::Button("Fit (F)", {-1.0f, 0.0f})) requests.fit = true;
     if (input.flies) ImGui::TextDisabled("W A S D, Q E down and up, Shift: faster");
 
+    draw_directions(session, requests);
     int up = axis_of(session.camera.up);
     if (choose("up", k_axes, up) && up < 3) {
         glm::dvec3 axis(0.0);
@@ -147,6 +159,69 @@ void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests&
     } else if (ImGui::Button("Freeze the silhouette (Z)", {-1.0f, 0.0f})) {
         session.freeze();
     }
+}
+
+void ViewPanel::draw_directions(const ViewSession& session, PanelRequests& requests) {
+    constexpr std::array<std::pair<const char*, NamedView>, 7> k_views{
+        {{"front", NamedView::front},
+         {"left", NamedView::left},
+         {"right", NamedView::right},
+         {"back", NamedView::back},
+         {"top", NamedView::top},
+         {"bottom", NamedView::bottom},
+         {"3/4", NamedView::three_quarter}}};
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    for (std::size_t i = 0; i < k_views.size(); ++i) {
+        const auto& [label, view] = k_views[i];
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float width = ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x;
+        // On in the line, where it has room.
+        if (i > 0 && ImGui::GetItemRectMax().x + style.ItemSpacing.x + width < end)
+            ImGui::SameLine();
+        if (ImGui::SmallButton(label)) {
+            ViewOption option;
+            option.name = view;
+            requests.look_from = option.given(session.camera.up);
+        }
+    }
+}
+
+void ViewPanel::draw_gallery(const Status& status, PanelRequests& requests) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float whole = ImGui::GetContentRegionAvail().x;
+    const float side = (whole - gap * (ViewGallery::k_views - 1)) / ViewGallery::k_views;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < status.gallery.size(); ++i) {
+        const GalleryView& view = status.gallery[i];
+        ImGui::PushID(static_cast<int>(i));
+        if (i > 0) ImGui::SameLine(0.0f, gap);
+        if (ImGui::InvisibleButton("view", {side, side})) requests.look_from = view.towards_viewer;
+        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
+        if (ImGui::IsItemHovered())
+            list.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_CheckMark), 3.0f, 0, 2.0f);
+        // The toolkit's polylines have spikes where they turn sharply.
+        const auto place = [&](const glm::vec2& p) {
+            return ImVec2(low.x + side * (0.5f + 0.46f * p.x), low.y + side * (0.5f - 0.46f * p.y));
+        };
+        for (const std::vector<glm::vec2>& stroke : view.strokes)
+            for (std::size_t p = 0; p + 1 < stroke.size(); ++p)
+                list.AddLine(place(stroke[p]), place(stroke[p + 1]),
+                             ImGui::GetColorU32(ImGuiCol_Text), 1.2f);
+        ImGui::PopID();
+    }
+    if (status.finds_views) ImGui::TextDisabled("finding the best views");
+}
+
+void ViewPanel::draw_camera(const ViewSession& session, PanelRequests& requests) {
+    const auto vector = [](const glm::dvec3& v) {
+        char text[80];
+        std::snprintf(text, sizeof text, "%.4g, %.4g, %.4g", v.x, v.y, v.z);
+        return std::string(text);
+    };
+    row("eye", vector(session.camera.eye));
+    row("target", vector(session.camera.target));
+    if (ImGui::Button("Copy as command (C)", {-1.0f, 0.0f})) requests.copy_command = true;
 }
 
 void ViewPanel::draw_appearance(ViewSession& session) {
@@ -202,13 +277,13 @@ void ViewPanel::draw_colors(ViewSession& session) {
     ImGui::Checkbox("lines too", &appearance.material_lines);
 }
 
-void ViewPanel::draw_lights(ViewSession& session) {
+void ViewPanel::draw_lights(ViewSession& session, PanelRequests& requests) {
     begin_model_only(session, "a cloud has no faces to cast shadows");
-    draw_enabled_lights(session);
+    draw_enabled_lights(session, requests);
     end_model_only();
 }
 
-void ViewPanel::draw_enabled_lights(ViewSession& session) {
+void ViewPanel::draw_enabled_lights(ViewSession& session, PanelRequests& requests) {
     int shadows =
         session.appearance.shadows ? 1 + static_cast<int>(session.appearance.shadow_method) : 0;
     if (choose("shadows", k_shadows, shadows)) {
@@ -235,8 +310,12 @@ void ViewPanel::draw_enabled_lights(ViewSession& session) {
     }
     if (removed) session.remove_light(*removed);
     constexpr std::size_t k_max_lights = 8;
-    if (session.lights.size() < k_max_lights && ImGui::Button("Add a light", {-1.0f, 0.0f}))
-        session.add_light();
+    if (session.lights.size() < k_max_lights) {
+        if (ImGui::Button("Add a light", {-0.5f * ImGui::GetWindowWidth(), 0.0f}))
+            session.add_light();
+        ImGui::SameLine();
+    }
+    if (ImGui::Button("Choose the sun", {-1.0f, 0.0f})) requests.choose_sun = true;
     if (!session.lights.empty()) ImGui::TextDisabled("drag the handles; the wheel pushes them");
 }
 
@@ -329,12 +408,20 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
     }
     if (section("Model")) draw_model(session, status, requests);
     if (!session.is_empty()) {
-        if (section("View")) draw_view(session, input, requests);
+        if (section("View")) {
+            if (!status.gallery.empty() || status.finds_views) draw_gallery(status, requests);
+            draw_view(session, input, requests);
+        }
         if (section("Style")) draw_appearance(session);
-        if (section("Light")) draw_lights(session);
+        if (section("Light")) draw_lights(session, requests);
         begin_model_only(session, "Hough space is shown of models");
         ImGui::Checkbox("Hough space (I)", &hough.open);
         end_model_only();
+        if (section("Camera", false)) {
+            begin_model_only(session, "commands draw models");
+            draw_camera(session, requests);
+            end_model_only();
+        }
         if (section("Picture", false)) draw_picture(session, requests);
         if (section("Frame", false)) draw_counters(session, status);
     }

@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "tools/view/file_browser.h"
 #include "tools/view/hough_panel.h"
 #include "tools/view/model_loader.h"
 #include "tools/view/view_counters.h"
+#include "tools/view/view_gallery.h"
 #include "tools/view/view_input.h"
 #include "tools/view/view_session.h"
 
@@ -20,6 +22,9 @@ struct PanelRequests {
     std::optional<std::string> open;  ///< The model to open.
     bool cancel = false;              ///< Cancel the load.
     bool fit = false;                 ///< Fit the model into the picture.
+    bool choose_sun = false;          ///< Light the model for the camera.
+    bool copy_command = false;  ///< Put a command line that draws the picture into the clipboard.
+    std::optional<glm::dvec3> look_from;  ///< Turn the camera: the direction towards the viewer.
     struct Save {
         std::string path;
         ImageSize size;
@@ -47,6 +52,9 @@ public:
         const ViewCounters& counters;
         std::optional<ModelLoader::Stage> loading;
         std::string device;
+        const std::vector<std::string>& recent;   ///< Files to open again.
+        const std::vector<GalleryView>& gallery;  ///< Views to choose from.
+        bool finds_views;                         ///< More are being found.
         float scale;  ///< The desktop's text scale; 1 is the usual size.
     };
     /// Draws the panel. A check box opens and closes `hough`, which the caller draws.
@@ -60,14 +68,19 @@ public:
 private:
     void draw_model(const ViewSession& session, const Status& status, PanelRequests& requests);
     void draw_view(ViewSession& session, ViewInput& input, PanelRequests& requests);
+    static void draw_directions(const ViewSession& session, PanelRequests& requests);
+    static void draw_gallery(const Status& status, PanelRequests& requests);
+    static void draw_camera(const ViewSession& session, PanelRequests& requests);
     void draw_appearance(ViewSession& session);
     static void draw_colors(ViewSession& session);
-    void draw_lights(ViewSession& session);
-    void draw_enabled_lights(ViewSession& session);
+    void draw_lights(ViewSession& session, PanelRequests& requests);
+    void draw_enabled_lights(ViewSession& session, PanelRequests& requests);
     void draw_picture(const ViewSession& session, PanelRequests& requests);
     void draw_counters(const ViewSession& session, const Status& status);
 
     std::array<char, 1024> path_{};
+    FileBrowser browser_;
+    bool browses_ = false;
     std::array<char, 1024> picture_path_{"view.png"};
     std::array<char, 1024> scene_path_{"scene.json"};
     std::array<int, 2> picture_size_{1920, 1440};

@@ -12,6 +12,8 @@
 
 #include "engine/view_defaults.h"
 #include "silhouette/lines/fitted_eye.h"
+#include "silhouette/mesh/ground_axes.h"
+#include "tools/options/model_list.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/shadow_framing.h"
@@ -144,6 +146,7 @@ void ViewSession::show(Document document, double aspect) {
                             .lights(fitted, aspect);
     const bool orthographic = appearance.orthographic;
     show(std::move(document), fitted, std::move(fitted_lights));
+    if (!is_cloud()) note_chosen_sun();
     appearance.orthographic = orthographic;
     apply_lens();
 }
@@ -200,6 +203,67 @@ void ViewSession::fit(const FreeArea& area) {
         const double radius = bounds().radius;
         if (excess > 1.0) zoom(camera, excess, 0.0, 1e3 * radius);
     }
+}
+
+void ViewSession::look_from(const glm::dvec3& towards_viewer) {
+    const glm::dvec3 up = glm::normalize(camera.up);
+    glm::dvec3 direction = glm::normalize(towards_viewer);
+    // Straight from above, the front is below.
+    const double limit = std::sin(glm::radians(k_max_elevation_deg));
+    const double height = std::clamp(glm::dot(direction, up), -limit, limit);
+    const glm::dvec3 level = direction - glm::dot(direction, up) * up;
+    const glm::dvec3 front = -ground_axes(up).second;
+    const glm::dvec3 horizontal = glm::length(level) > 1e-6 ? glm::normalize(level) : front;
+    direction = std::sqrt(1.0 - height * height) * horizontal + height * up;
+    const double distance = glm::distance(camera.eye, camera.target);
+    camera.target = bounds().center;
+    camera.eye = camera.target + distance * direction;
+}
+
+void ViewSession::choose_sun(double aspect) {
+    PictureOptions options;
+    options.up = glm::vec3(camera.up);
+    lights =
+        SceneLights(options, document_.model()->mesh(), appearance.ground).lights(camera, aspect);
+    note_chosen_sun();
+}
+
+bool ViewSession::has_chosen_sun() const {
+    return lights.size() == 1 && lights[0].directional && lights[0].vector == chosen_sun_;
+}
+
+void ViewSession::round_to_options() {
+    camera = rounded_to_float(camera);
+    for (Light& light : lights) light.vector = rounded_to_float(light.vector);
+}
+
+std::string ViewSession::command(ImageSize size, const std::string& output) const {
+    const std::vector<PlacedModel>& models = document_.model()->models();
+    const Camera rounded = rounded_to_float(camera);
+    std::vector<Light> rounded_lights = lights;
+    for (Light& light : rounded_lights) light.vector = rounded_to_float(light.vector);
+    std::vector<std::string> arguments = camera_arguments(rounded, rounded_lights);
+    std::string command = "rimline render ";
+    if (models.size() > 1 || models.front().is_placed()) {
+        // After several models it would belong to the last one.
+        const std::string up = vector_argument("--up", rounded.up);
+        std::erase(arguments, up);
+        command += up + " ";
+    }
+    command += words_of(models);
+    const nlohmann::ordered_json picture = picture_json(appearance, size);
+    for (const auto& [key, value] : picture.items()) {
+        if (value.is_boolean()) {
+            const bool is_flag = key == "hidden" || key == "ground";
+            command += " --" + key + (is_flag ? "" : value.get<bool>() ? " on" : " off");
+            continue;
+        }
+        command += " --" + key + " " +
+                   quoted_for_shell(value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    for (const std::string& argument : arguments) command += " " + argument;
+    if (lights.empty()) command += " --shadows off";
+    return command + " -o " + quoted_for_shell(output);
 }
 
 void ViewSession::apply_lens() {

@@ -88,6 +88,20 @@ public:
     /// Moves the camera, but does not turn it, so that the whole document, with a ground its shadow too, is in the
     /// middle of a rectangle of the picture. O(positions).
     void fit(const FreeArea& area);
+    /// Turns the camera about the document's center so that it looks from this direction (towards the viewer, not zero), at
+    /// most k_max_elevation_deg above or below the horizon.
+    void look_from(const glm::dvec3& towards_viewer);
+    /// The sun that is chosen for the camera (scene_lights.h) in place of all lights. For models only; about a tenth of a
+    /// second for 100,000 faces.
+    void choose_sun(double aspect);
+    /// Whether the only light is a sun that was chosen: where the camera jumps, another one is to be chosen.
+    bool has_chosen_sun() const;
+    /// For a sun that the caller has chosen.
+    void note_chosen_sun() { chosen_sun_ = lights.back().vector; }
+    /// Rounds camera and lights as options are parsed, so that command() draws the same picture.
+    void round_to_options();
+    /// A command line that draws the picture without the window. For models that are not of a scene file.
+    std::string command(ImageSize size, const std::string& output) const;
     /// Applies appearance.fov_y_deg and appearance.orthographic to the camera. Objects at the target keep
     /// their size in the picture.
     void apply_lens();
@@ -120,6 +134,7 @@ private:
     Document document_;
     Document previous_;
     std::optional<Camera> frozen_;
+    std::optional<glm::dvec3> chosen_sun_;
 };
 
 }  // namespace rimline::tools

@@ -204,6 +204,57 @@ TEST_CASE("between panels the model is whole, in the middle of what they leave, 
     }
 }
 
+TEST_CASE("the camera looks from where it is told to, level, and never straight along its axis") {
+    ViewSession session;
+    session.show(open("shape:knot"), 1.2);
+    const glm::dvec3 up = session.camera.up;
+    for (const glm::dvec3& wanted : {glm::dvec3(0, 0, 1), {1, 0.4, -0.3}, {0, 1, 0}, {0, -2, 0}}) {
+        session.look_from(wanted);
+        CHECK(session.camera.up == up);
+        CHECK(session.camera.target == session.bounds().center);
+        const glm::dvec3 direction = glm::normalize(session.camera.eye - session.camera.target);
+        CHECK(glm::dot(direction, glm::normalize(wanted)) > 0.9998);
+        CHECK(std::abs(glm::dot(direction, up)) < 0.9999);
+    }
+    // From above, the front is below.
+    session.look_from({0, 1, 0});
+    CHECK(session.camera.eye.z > session.camera.target.z);
+}
+
+TEST_CASE("the chosen sun takes the place of all lights and lights what the camera sees") {
+    ViewSession session;
+    session.show(open("shape:knot"), 1.2);
+    session.add_light();
+    CHECK_FALSE(session.has_chosen_sun());
+    session.choose_sun(1.2);
+    REQUIRE(session.lights.size() == 1);
+    CHECK(session.has_chosen_sun());
+    CHECK(session.lights[0].directional);
+    CHECK(glm::dot(session.lights[0].vector, session.camera.eye - session.camera.target) > 0.0);
+    const glm::dvec3 sun = session.lights[0].vector;
+    session.look_from(session.camera.target - session.camera.eye);
+    session.choose_sun(1.2);
+    CHECK(glm::dot(session.lights[0].vector, session.camera.eye - session.camera.target) > 0.0);
+    CHECK(session.lights[0].vector != sun);
+}
+
+TEST_CASE(
+    "the command of a window says what differs from the style's own, and all of camera and "
+    "lights") {
+    ViewSession session;
+    session.appearance.set_style(Style::toon);
+    session.appearance.ground = true;
+    session.appearance.line_width_px = 3.5f;
+    session.show(open("shape:knot"), {.eye = {3, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
+                 {{.vector = {1, 2, 0.5}, .directional = true},
+                  {.vector = {3, 1, 1}, .directional = false}});
+    CHECK(session.command({320, 240}, "my picture.png") ==
+          "rimline render shape:knot --style toon --lines on --line-width 3.5 --ground --size "
+          "320x240 "
+          "--eye 3,2,4 --target 0,0.5,0 --up 0,1,0 --fov 30 --sun 1,2,0.5 --light 3,1,1 -o 'my "
+          "picture.png'");
+}
+
 TEST_CASE("what cannot be drawn gives way to the model before it") {
     ViewSession session;
     CHECK_FALSE(session.show_previous(1.0));

@@ -1,0 +1,103 @@
+#include "tools/view/file_browser.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> k_endings{".ply", ".obj", ".stl", ".off", ".gltf",
+                                                    ".glb", ".xyz", ".pts", ".txt"};
+
+bool is_model_name(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::ranges::find(k_endings, ending) != k_endings.end();
+}
+
+}  // namespace
+
+std::filesystem::path recent_files_path() {
+    const auto folder = [](const char* name) -> std::filesystem::path {
+        const char* const value = std::getenv(name);
+        return value && *value == '/' ? value : "";
+    };
+    if (const std::filesystem::path state = folder("XDG_STATE_HOME"); !state.empty())
+        return state / "rimline" / "recent";
+    if (const std::filesystem::path home = folder("HOME"); !home.empty())
+        return home / ".local" / "state" / "rimline" / "recent";
+    return {};
+}
+
+RecentFiles::RecentFiles(std::filesystem::path file) : file_(std::move(file)) {
+    std::ifstream in(file_);
+    for (std::string line; names_.size() < k_most && std::getline(in, line);)
+        if (!line.empty()) names_.push_back(line);
+}
+
+void RecentFiles::add(const std::string& name) {
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::absolute(name, error);
+    if (error || !std::filesystem::is_regular_file(path, error)) return;  // A built-in shape.
+    const std::string text = path.lexically_normal().string();
+    if (text.find('\n') != std::string::npos) return;
+    std::erase(names_, text);
+    names_.insert(names_.begin(), text);
+    if (names_.size() > k_most) names_.resize(k_most);
+    if (file_.empty()) return;
+    std::filesystem::create_directories(file_.parent_path(), error);
+    std::ofstream out(file_);
+    for (const std::string& recent : names_) out << recent << '\n';
+}
+
+FolderListing list_folder(const std::filesystem::path& folder) {
+    FolderListing listing;
+    std::error_code error;
+    std::filesystem::directory_iterator entry(folder, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) continue;
+        std::error_code unreadable;
+        if (entry->is_directory(unreadable))
+            listing.folders.push_back(name);
+        else if (is_model_name(entry->path()))
+            listing.files.push_back(name);
+    }
+    std::ranges::sort(listing.folders);
+    std::ranges::sort(listing.files);
+    return listing;
+}
+
+void FileBrowser::enter(const std::filesystem::path& folder) {
+    folder_ = folder;
+    listing_ = list_folder(folder);
+}
+
+std::optional<std::string> FileBrowser::draw(float height) {
+    if (folder_.empty()) {
+        std::error_code error;
+        enter(std::filesystem::current_path(error));
+    }
+    std::optional<std::string> chosen;
+    std::optional<std::filesystem::path> entered;
+    ImGui::TextDisabled("%s", folder_.string().c_str());
+    ImGui::BeginChild("files", {0.0f, height}, true);
+    if (folder_.has_parent_path() && ImGui::Selectable("..")) entered = folder_.parent_path();
+    for (const std::string& name : listing_.folders)
+        if (ImGui::Selectable((name + "/").c_str())) entered = folder_ / name;
+    for (const std::string& name : listing_.files)
+        if (ImGui::Selectable(name.c_str())) chosen = (folder_ / name).string();
+    ImGui::EndChild();
+    if (entered) enter(*entered);
+    return chosen;
+}
+
+}  // namespace rimline::tools
