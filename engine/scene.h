@@ -32,10 +32,11 @@ struct Material {
     /// Color of its lines, and of the strokes that shade it in Style::hatch; default: the palette's ink.
     /// Each further color of lines in a scene costs one draw over the whole picture.
     std::optional<glm::vec3> line_color;
-    /// Whether each line has a dark shade of the material of its face instead (silhouette/mesh/material_inks.h), or a
-    /// pale one where the palette's ink is lighter than its background. In the styles that show colors. Lines of
-    /// faces without a material have the color above, and all lines by a path that tests every edge (line_path.h). At
-    /// most k_max_material_inks colors. Not for SceneInstance::picture_lines, which have colors of their own.
+    /// Whether each line has a dark shade of the material of its face instead
+    /// (silhouette/mesh/material_inks.h), or a pale one where the palette's ink is lighter than its background.
+    /// In the styles that show colors. Lines of faces without a material have the color above, and all lines by
+    /// a path that tests every edge (line_path.h). At most k_max_material_inks colors. Not for
+    /// SceneInstance::picture_lines, which have colors of their own.
     bool lines_in_mesh_colors = false;
 };
 
@@ -49,10 +50,10 @@ struct SceneInstance {
     /// DeviceFacts::round_to_nearest_float32.
     const Mesh* deforming = nullptr;
     Deformation deformation;  ///< Of `deforming`, in this frame.
-    /// Of `deforming`. False: its shadow is right where at most 254 of its triangles are in a row from a light, which
-    /// is assumed. True: it is right whatever is in a row, as that of a mesh that does not deform. Then the CPU
-    /// computes the positions of a wave, and in each frame, for each light, face bits and a bound: about 50 ns
-    /// a face.
+    /// Of `deforming`. False: its shadow is right where at most 254 of its triangles are in a row from a light,
+    /// which is assumed. True: it is right whatever is in a row, as that of a mesh that does not deform. Then
+    /// the CPU computes the positions of a wave, and in each frame, for each light, face bits and a bound:
+    /// about 50 ns a face.
     bool has_deep_shadows = false;
     glm::dmat3 rotation{1.0};  ///< Orthonormal, without reflection.
     glm::dvec3 translation{0.0};
@@ -72,10 +73,10 @@ struct SceneInstance {
     /// surfaces. The picture differs only in single pixels of silhouettes that showed a back by rounding.
     /// Ignored for a mesh that deforms.
     bool is_solid = false;
-    /// Greater than 0: fades into the background towards this distance from fade_center (world), like a
-    /// ground without an end. Back faces are not drawn, so a viewer below the ground sees through it. It is as light as
-    /// the background wherever no shadow falls, whatever the angle of the light, and lights without shadows do not
-    /// count: in shadow from all others it is in full shadow.
+    /// Greater than 0: fades into the background towards this distance from fade_center (world), like a ground
+    /// without an end. Back faces are not drawn, so a viewer below the ground sees through it. It is as light
+    /// as the background wherever no shadow falls, whatever the angle of the light, and lights without shadows
+    /// do not count: in shadow from all others it is in full shadow.
     double fade_radius = 0.0;
     glm::dvec3 fade_center{0.0};
 
@@ -88,8 +89,8 @@ struct Light {
     /// A position, or a direction from the scene towards the light.
     glm::dvec3 vector{0.0, 1.0, 0.0};
     bool directional = true;
-    /// Its share in the light of a fully lit surface, greater than 0. Not set: 1 by the number of lights. If the shares
-    /// add up to more than 1, surfaces may become lighter than their color.
+    /// Its share in the light of a fully lit surface, greater than 0. Not set: 1 by the number of lights. If
+    /// the shares add up to more than 1, surfaces may become lighter than their color.
     std::optional<float> share;
     /// False: it lights all that turns towards it, as a large soft light does.
     bool casts_shadows = true;

@@ -54,7 +54,8 @@ public:
     virtual std::string name() const = 0;
     /// One line, for the list of subcommands.
     virtual std::string summary() const = 0;
-    /// Called once, before parsing. main.cpp adds --json, --quiet, --threads and --help, to subcommands of `app` too.
+    /// Called once, before parsing. main.cpp adds --json, --quiet, --threads and --help, to subcommands of
+    /// `app` too.
     virtual void add_options(CLI::App& app) = 0;
     /// Called after parsing.
     virtual ExitStatus run(const Context& context) = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
-// One line on standard error that shows the progress of a long call. It is rewritten in place and erased at
-// the end. It appears only on a terminal, and only if the call takes longer than half a second; then also if the call
-// has not said yet how much of it is done.
+// One line on standard error that shows the progress of a long call. It is rewritten in place and erased at the
+// end. It appears only on a terminal, and only if the call takes longer than half a second; then also if the
+// call has not said yet how much of it is done.
 
 #include <chrono>
 #include <condition_variable>

@@ -15,8 +15,8 @@ std::vector<const CLI::App*> parsed_chain(const CLI::App& app);
 /// plain sentence.
 std::string usage_words(const CLI::ParseError& error, const CLI::App& app);
 
-/// The same for the first wrong value in the order in which the user typed them. Call it once, after parsing failed:
-/// the callbacks of options run again.
+/// The same for the first wrong value in the order in which the user typed them. Call it once, after parsing
+/// failed: the callbacks of options run again.
 std::string first_usage_words(const CLI::ParseError& error, const CLI::App& app);
 
 }  // namespace rimline::tools

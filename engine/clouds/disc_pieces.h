@@ -19,8 +19,8 @@ struct DiscPiece {
 
 /// One piece if the normals of the point's triangles differ by less than about 25 degrees, else two, or three
 /// if two pieces leave a triangle that differs from both by more. A corner of more than three faces is drawn
-/// with three. The pieces of a border point end at its gaps, as far as they have cuts left; a single piece with one gap
-/// if that is of more than 135 degrees.
+/// with three. The pieces of a border point end at its gaps, as far as they have cuts left; a single piece with
+/// one gap if that is of more than 135 degrees.
 std::vector<DiscPiece> disc_pieces(const PointSurface& surface, PointId point);
 
 }  // namespace rimline

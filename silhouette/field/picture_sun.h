@@ -2,10 +2,11 @@
 
 // The sun that lights a picture of a mesh well: neither dark nor flat.
 //
-// Suns are compared by what they do at the places of the mesh that the camera sees, a grid of about a thousand. A place
-// is dark where its normal is too far from the sun for the styles to draw light (surface_shading.glsl), where its face
-// turns away, and where a ray towards the sun meets a face: cast shadows count. Of the lit places, those whose normal is
-// near the sun are bright, the others half bright. The score of a sun is the product of
+// Suns are compared by what they do at the places of the mesh that the camera sees, a grid of about a thousand.
+// A place is dark where its normal is too far from the sun for the styles to draw light (surface_shading.glsl),
+// where its face turns away, and where a ray towards the sun meets a face: cast shadows count. Of the lit
+// places, those whose normal is near the sun are bright, the others half bright. The score of a sun is the
+// product of
 //
 //   lit       1 where a third to two thirds of the places are lit, and less the farther their share lies outside;
 //   spread    the entropy of the shares of dark, half bright and bright places: low for light from beside the camera,
@@ -14,14 +15,16 @@
 //             its neighbors in the grid: a face is in the light, and the back of a head may be dark;
 //   usual     0.5 to 1: people expect light from above, on their side, from the left rather than from the right.
 //
-// Candidates are 96 directions: 24 around the up axis at 12, 25, 40 and 55 degrees; with a ground those at 40 and 55, so
-// that shadows are short. For a camera below the horizon, and no ground, 72 more at 0, 25 and 50 degrees below it.
+// Candidates are 96 directions: 24 around the up axis at 12, 25, 40 and 55 degrees; with a ground those at 40
+// and 55, so that shadows are short. For a camera below the horizon, and no ground, 72 more at 0, 25 and 50
+// degrees below it.
 //
-// The constants were chosen by looking at pictures of the meshes of this project (docs/contributing.md), and judged on no
-// others.
+// The constants were chosen by looking at pictures of the meshes of this project (docs/contributing.md), and
+// judged on no others.
 //
-// A moving sun has one of these directions at each key camera, 10 degrees or more apart. The choice minimizes the sum of
-// -log(score) and of the angles by which the sun turns, over all sequences (Viterbi). Between the keys it moves smoothly.
+// A moving sun has one of these directions at each key camera, 10 degrees or more apart. The choice minimizes
+// the sum of -log(score) and of the angles by which the sun turns, over all sequences (Viterbi). Between the
+// keys it moves smoothly.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -102,10 +105,10 @@ std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const Pict
                                              const PictureSunOptions& options,
                                              const LongCall& call = {});
 
-/// One direction for each frame, of length 1. Between two key cameras the sun turns by at most twice the angle by which
-/// the camera turns, or by one step of the candidates where that is more. If the camera ends about where it began, so
-/// does the sun. Empty if no ray meets the mesh in the first frame. 48 key cameras at most, each as costly as a third of
-/// choose_picture_sun(). Throws Error{cancelled}.
+/// One direction for each frame, of length 1. Between two key cameras the sun turns by at most twice the angle
+/// by which the camera turns, or by one step of the candidates where that is more. If the camera ends about
+/// where it began, so does the sun. Empty if no ray meets the mesh in the first frame. 48 key cameras at most,
+/// each as costly as a third of choose_picture_sun(). Throws Error{cancelled}.
 std::vector<glm::dvec3> choose_moving_sun(const SunSurvey& survey,
                                           std::span<const PictureFrame> frames,
                                           const PictureSunOptions& options,

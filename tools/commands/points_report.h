@@ -49,8 +49,8 @@ struct CloudAnalysis {
     std::optional<BorderTruth> truth;
     std::optional<PointsPictureReport> picture;
     std::optional<PointTurn> turn;
-    /// Smaller holes are not told from the spacing of the points. Not set: the method has no such limit, or no point
-    /// has an umbrella.
+    /// Smaller holes are not told from the spacing of the points. Not set: the method has no such limit, or no
+    /// point has an umbrella.
     std::optional<HoleLimit> hole_limit;
     bool has_silhouette = false;  ///< The silhouette of one viewpoint was requested.
     bool is_verified = false;     ///< Every frame of the turn was compared.

@@ -1,7 +1,7 @@
 #pragma once
 
-// The MODEL arguments of commands that draw a scene: models, each with the options of its place after it, or one scene
-// file (scene_file.h).
+// The MODEL arguments of commands that draw a scene: models, each with the options of its place after it, or
+// one scene file (scene_file.h).
 
 #include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
@@ -26,16 +26,17 @@ std::string words_of(std::span<const PlacedModel> models);
 
 class ModelList {
 public:
-    /// Adds MODEL, --subdivide, --format, and --at, --turn, --scale and --paint, which belong to the MODEL before them.
+    /// Adds MODEL, --subdivide, --format, and --at, --turn, --scale and --paint, which belong to the MODEL
+    /// before them.
     void add_to(CLI::App& app);
     /// Lets --up, which `app` must have, occur once for each MODEL. Adds --camera, of a scene file.
     void add_to_camera(CLI::App& app);
 
     /// Whether a scene file gives its first camera, where --camera names none.
     enum class FirstCamera { used, not_used };
-    /// Reads the command line in its order, and the scene file. Call it first in Command::run(). Gives options that a
-    /// scene file sets and the user has not. Without a MODEL, the built-in scene is the model. Throws UsageError for
-    /// options without a MODEL before them, and what read_scene_file() and use_settings() throw.
+    /// Reads the command line in its order, and the scene file. Call it first in Command::run(). Gives options
+    /// that a scene file sets and the user has not. Without a MODEL, the built-in scene is the model. Throws
+    /// UsageError for options without a MODEL before them, and what read_scene_file() and use_settings() throw.
     void settle(PictureOptions& picture, FirstCamera first_camera);
 
     /// For messages: the model, the scene file, or the models with commas between them. Empty before settle() if no
@@ -50,8 +51,9 @@ public:
     /// Throws UsageError if `output` is one of the files that are read.
     void check_output_is_no_input(const std::string& output) const;
 
-    /// The models as one source, unless is_plain(). Settles --up: afterwards `picture.up` and `picture.ground_up` are
-    /// set. Where models are painted, the others lose the colors of their files unless `keeps_file_colors`.
+    /// The models as one source, unless is_plain(). Settles --up: afterwards `picture.up` and
+    /// `picture.ground_up` are set. Where models are painted, the others lose the colors of their files unless
+    /// `keeps_file_colors`.
     MeshSource load(PictureOptions& picture, TexturePictures textures, bool keeps_file_colors,
                     const BeginCall& begin);
     /// The models as one mesh, with progress and warnings. Settles --up: afterwards `picture.up` is set.

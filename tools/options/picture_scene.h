@@ -27,18 +27,19 @@ glm::dvec3 up_of(const Subject& subject, const PictureOptions& options);
 /// --ground-up, or up_of().
 glm::dvec3 ground_up_of(const Subject& subject, const PictureOptions& options);
 
-/// Rounds eye, target and up as options are parsed, so that a camera which is printed and given again draws the same
-/// picture. Unchanged if eye and target would coincide.
+/// Rounds eye, target and up as options are parsed, so that a camera which is printed and given again draws the
+/// same picture. Unchanged if eye and target would coincide.
 Camera rounded_to_float(const Camera& camera);
 
-/// The camera of the options, rounded_to_float(). Without --eye, one that shows the whole model; with --eye and without
-/// --target and --fov too, unless the model reaches beside or behind the eye. `model` is the model's name: the
-/// built-in scene has its own view direction. ViewOption::choose() comes before, or a chosen view is the
-/// default one. Throws UsageError if eye and target coincide.
+/// The camera of the options, rounded_to_float(). Without --eye, one that shows the whole model; with --eye and
+/// without --target and --fov too, unless the model reaches beside or behind the eye. `model` is the model's
+/// name: the built-in scene has its own view direction. ViewOption::choose() comes before, or a chosen view is
+/// the default one. Throws UsageError if eye and target coincide.
 Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
 
 /// An instance of the mesh make_ground(mesh, up, k_ground_end * radius), of which `octree` is the octree. It
-/// receives shadows in the style, the palette and the line color of `scene`; without a background only these are drawn, black.
+/// receives shadows in the style, the palette and the line color of `scene`; without a background only these
+/// are drawn, black.
 SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree,
                               double fade_radius);
 

@@ -60,7 +60,8 @@ void append_positions(MeshSource& all, const PlacedSource& placed) {
                                "nearer to the origin");
 }
 
-// The materials of all sources that are joined. Lists are filled up where sources without an entry follow each other.
+// The materials of all sources that are joined. Lists are filled up where sources without an entry follow each
+// other.
 class JoinedMaterials {
 public:
     explicit JoinedMaterials(FaceMaterials& all) : all_(all) {}

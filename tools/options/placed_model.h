@@ -2,9 +2,9 @@
 
 // A model with its place in a scene of several, and how such models become one.
 //
-// Nothing in a scene of models moves by itself. Therefore the placed models are joined into one mesh: then all that is
-// true of the lines, shadows and views of one mesh is true of the scene, also where models hide each other, pass
-// through each other or touch.
+// Nothing in a scene of models moves by itself. Therefore the placed models are joined into one mesh: then all
+// that is true of the lines, shadows and views of one mesh is true of the scene, also where models hide each
+// other, pass through each other or touch.
 //
 //     point of the scene = at + turn(scale * upright(point of the model))
 //
@@ -28,7 +28,8 @@ struct UpChoice {
     bool operator==(const UpChoice&) const = default;
 };
 
-/// A turn about an axis of the scene through the model's origin, counterclockwise where the axis points to the viewer.
+/// A turn about an axis of the scene through the model's origin, counterclockwise where the axis points to the
+/// viewer.
 struct Turn {
     std::optional<glm::vec3> axis;  ///< Nothing: the scene's up.
     double degrees = 0.0;
@@ -42,8 +43,8 @@ struct PlacedModel {
     glm::vec3 at{0.0f};
     Turn turn = {};
     double scale = 1.0;
-    /// Which direction of the model becomes the scene's up. Nothing: that of its format or mesh (up_option.h), but the
-    /// first model is not turned.
+    /// Which direction of the model becomes the scene's up. Nothing: that of its format or mesh (up_option.h),
+    /// but the first model is not turned.
     std::optional<UpChoice> up = {};
     std::optional<Color> paint = {};  ///< Of all its faces, instead of the colors of its file.
 
@@ -76,9 +77,10 @@ struct PlacedSource {
     std::string name = {};                ///< Begins messages.
 };
 
-/// All sources as one, in their order: positions, triangles, materials and warnings; the up axis is that of the first.
-/// Positions are rounded to float; a model whose shape is lost by that is a warning. A source that occurs several times has its materials once. Throws Error{too_large}
-/// where positions leave the range of coordinates, or if there are more than 2^30 triangles.
+/// All sources as one, in their order: positions, triangles, materials and warnings; the up axis is that of the
+/// first. Positions are rounded to float; a model whose shape is lost by that is a warning. A source that
+/// occurs several times has its materials once. Throws Error{too_large} where positions leave the range of
+/// coordinates, or if there are more than 2^30 triangles.
 MeshSource join_sources(std::span<const PlacedSource> sources);
 
 }  // namespace rimline::tools

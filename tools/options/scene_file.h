@@ -3,8 +3,9 @@
 // A scene as a JSON file: models with their places, lights, cameras, and how the picture looks. docs/scenes.md
 // describes the format.
 //
-// Each value has the form and the limits of an option of `render`, and becomes that option where the user has not given
-// it. Therefore a picture from a scene file and one from the same options are the same, byte for byte.
+// Each value has the form and the limits of an option of `render`, and becomes that option where the user has
+// not given it. Therefore a picture from a scene file and one from the same options are the same, byte for
+// byte.
 
 #include <CLI/App.hpp>
 #include <glm/vec3.hpp>
@@ -45,12 +46,13 @@ struct SceneFile {
 /// Checks names, types and keys; the values of `lights`, `cameras` and `picture` are checked by use_settings().
 SceneFile read_scene_file(const std::string& path);
 
-/// The camera of this name, or without a name the first one; null if there is none. Throws Error{bad_input} for a name
-/// that no camera has.
+/// The camera of this name, or without a name the first one; null if there is none. Throws Error{bad_input} for
+/// a name that no camera has.
 const SceneFile::Camera* find_camera(const SceneFile& scene, const std::string& name);
 
-/// Gives the options of `app` that the user has not given the values of a scene file. Call it after parsing. Warns of
-/// options that the command does not have. Throws Error{bad_input} for a value that the option does not take.
+/// Gives the options of `app` that the user has not given the values of a scene file. Call it after parsing.
+/// Warns of options that the command does not have. Throws Error{bad_input} for a value that the option does
+/// not take.
 void use_settings(CLI::App& app, const SceneFile& scene,
                   const std::vector<SceneFile::Setting>& settings);
 
@@ -67,8 +69,8 @@ struct WrittenScene {
     std::vector<PlacedModel> models;
     nlohmann::ordered_json lights, cameras, picture;
 };
-/// The text of a scene file at `path`, from whose folder relative paths of models begin. Throws UsageError if a model is
-/// standard input.
+/// The text of a scene file at `path`, from whose folder relative paths of models begin. Throws UsageError if a
+/// model is standard input.
 std::string scene_text(const WrittenScene& scene, const std::string& path);
 
 }  // namespace rimline::tools

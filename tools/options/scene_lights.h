@@ -1,7 +1,7 @@
 #pragma once
 
-// The lights of a picture: those of the options, and a sun that is chosen for the camera (silhouette/field/picture_sun.h)
-// with --sun auto and where no light is given.
+// The lights of a picture: those of the options, and a sun that is chosen for the camera
+// (silhouette/field/picture_sun.h) with --sun auto and where no light is given.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -21,7 +21,8 @@ PictureFrame picture_frame(const Camera& camera, double aspect);
 
 class SceneLights {
 public:
-    /// `mesh` must outlive this object. The default `options.up` is that of the mesh. O(n log n) if a sun is chosen.
+    /// `mesh` must outlive this object. The default `options.up` is that of the mesh. O(n log n) if a sun is
+    /// chosen.
     SceneLights(const PictureOptions& options, const Mesh& mesh, bool has_ground,
                 const LongCall& call = {});
 

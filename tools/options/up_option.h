@@ -1,7 +1,7 @@
 #pragma once
 
-// --up: which way is up. Where neither the user nor the file format says it, the mesh does (silhouette/mesh/upright.h):
-// it is y unless the mesh clearly stands along another axis.
+// --up: which way is up. Where neither the user nor the file format says it, the mesh does
+// (silhouette/mesh/upright.h): it is y unless the mesh clearly stands along another axis.
 
 #include <CLI/App.hpp>
 #include <glm/vec3.hpp>

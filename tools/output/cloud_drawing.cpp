@@ -20,7 +20,8 @@ constexpr PointColor k_dot{150, 150, 152};
 constexpr PointColor k_feature_dot{24, 38, 96};
 // The width of a dot, in widths of lines.
 constexpr float k_dot_width = 1.6f;
-// Dots are moved towards the camera by this many radii of their discs: between lines, which are before them, and discs.
+// Dots are moved towards the camera by this many radii of their discs: between lines, which are before them,
+// and discs.
 constexpr double k_dot_lift = 0.5;
 // Lines are moved towards the camera by this many radii of the discs at their ends.
 constexpr double k_lift = 1.5;

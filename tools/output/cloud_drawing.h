@@ -1,8 +1,8 @@
 #pragma once
 
-// The picture of a point cloud with its umbrellas: opaque discs, darker with a higher feature weight; or, of a coarse
-// cloud, dots, and discs in the color of the paper that hide what lies behind them. Borders in their own color; edges
-// as ink lines. All is in the coordinates of the UmbrellaIndex and independent of the camera.
+// The picture of a point cloud with its umbrellas: opaque discs, darker with a higher feature weight; or, of a
+// coarse cloud, dots, and discs in the color of the paper that hide what lies behind them. Borders in their own
+// color; edges as ink lines. All is in the coordinates of the UmbrellaIndex and independent of the camera.
 
 #include <glm/vec3.hpp>
 #include <optional>

@@ -13,8 +13,8 @@ namespace rimline::tools {
 /// Colors repeat after eight groups.
 Color group_color(std::size_t group);
 
-/// Two squares of `side` pixels, viewed from the direction `towards_viewer` (not zero), with their axes and a bar in the
-/// model's units. `up` points upwards. Origins are numbered from 1.
+/// Two squares of `side` pixels, viewed from the direction `towards_viewer` (not zero), with their axes and a
+/// bar in the model's units. `up` points upwards. Origins are numbered from 1.
 Canvas draw_groups(const HoughOctree& octree, const glm::dvec3& towards_viewer,
                    const glm::dvec3& up, int side);
 

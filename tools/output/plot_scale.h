@@ -20,8 +20,8 @@ std::vector<double> round_ticks(double low, double high, int steps);
 /// A number with as many digits as distinguish multiples of `step`.
 std::string short_number(double value, double step);
 
-/// A bar of a round length in the model's units, at most `max_width` pixels wide, with the length above it. `bottom`
-/// is that of the bar. `label` follows the number.
+/// A bar of a round length in the model's units, at most `max_width` pixels wide, with the length above it.
+/// `bottom` is that of the bar. `label` follows the number.
 void draw_scale_bar(Canvas& canvas, int left, int bottom, int max_width, double pixels_per_unit,
                     const std::string& label, Color color, int scale);
 

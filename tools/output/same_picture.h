@@ -1,7 +1,7 @@
 #pragma once
 
-// The command line that draws a picture again: the user's own options of `render`, with a camera and lights that are
-// given completely instead of chosen.
+// The command line that draws a picture again: the user's own options of `render`, with a camera and lights
+// that are given completely instead of chosen.
 
 #include <CLI/App.hpp>
 #include <string>
@@ -11,8 +11,9 @@
 
 namespace rimline::tools {
 
-/// `rimline render`, `models`, quoted for a shell, then the options of `app` that were given and that `render` has with the same meaning, but
-/// for those of camera and light and the output; then `arguments`, words that need no quotes.
+/// `rimline render`, `models`, quoted for a shell, then the options of `app` that were given and that `render`
+/// has with the same meaning, but for those of camera and light and the output; then `arguments`, words that
+/// need no quotes.
 std::string render_command(const CLI::App& app, const std::string& models,
                            const std::vector<std::string>& arguments);
 

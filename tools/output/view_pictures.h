@@ -67,8 +67,8 @@ Camera make_view_camera(const Mesh& mesh, const glm::dvec3& eye, const PictureOp
 Scene make_view_scene(const Mesh& mesh, const LightedView& view, const SceneOptions& style,
                       const PictureOptions& options, ImageSize size);
 
-/// One picture per view, from make_view_scene(). Each shows the whole model with its up axis upwards. Throws what Renderer throws, and Error{too_large} if the model exceeds the
-/// range of coordinates.
+/// One picture per view, from make_view_scene(). Each shows the whole model with its up axis upwards. Throws
+/// what Renderer throws, and Error{too_large} if the model exceeds the range of coordinates.
 std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
                                 std::span<const LightedView> views, ImageSize size,
                                 const Context& context);

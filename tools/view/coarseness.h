@@ -2,8 +2,8 @@
 
 // How coarse the frames of a moving picture are, so that they answer the user in time.
 //
-// Frames that take longer than k_slow_ms make the next one coarser, and frames that take less than k_fast_ms make it
-// finer: first fewer pixels, then no shadows. At rest the picture is drawn finely, whatever that takes.
+// Frames that take longer than k_slow_ms make the next one coarser, and frames that take less than k_fast_ms
+// make it finer: first fewer pixels, then no shadows. At rest the picture is drawn finely, whatever that takes.
 
 #include <array>
 #include <cstddef>

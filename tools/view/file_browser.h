@@ -1,6 +1,7 @@
 #pragma once
 
-// Choosing a file in the panel: the files opened last, which are kept for the next time, and folders to look through.
+// Choosing a file in the panel: the files opened last, which are kept for the next time, and folders to look
+// through.
 
 #include <filesystem>
 #include <optional>
@@ -9,8 +10,8 @@
 
 namespace rimline::tools {
 
-/// The names of the files opened last, newest first, in a text file, one a line. What cannot be read or written is left
-/// alone: the list is a convenience.
+/// The names of the files opened last, newest first, in a text file, one a line. What cannot be read or written
+/// is left alone: the list is a convenience.
 class RecentFiles {
 public:
     static constexpr std::size_t k_most = 10;
@@ -27,8 +28,8 @@ private:
     std::vector<std::string> names_;
 };
 
-/// recent in the folder "rimline" of $XDG_STATE_HOME, or of .local/state in $HOME. Empty where the environment names
-/// neither.
+/// recent in the folder "rimline" of $XDG_STATE_HOME, or of .local/state in $HOME. Empty where the environment
+/// names neither.
 std::filesystem::path recent_files_path();
 
 /// What a folder holds for the browser.
@@ -41,7 +42,8 @@ FolderListing list_folder(const std::filesystem::path& folder);
 
 class FileBrowser {
 public:
-    /// Draws the list of `folder()`, into the window of the panel that is being drawn. Returns the file that was chosen.
+    /// Draws the list of `folder()`, into the window of the panel that is being drawn. Returns the file that
+    /// was chosen.
     std::optional<std::string> draw(float height);
     const std::filesystem::path& folder() const noexcept { return folder_; }
 

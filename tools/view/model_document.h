@@ -29,8 +29,8 @@ public:
     /// The same for a source that is already read.
     ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin);
 
-    /// What a scene file says of the document: the models that are joined in it, by default the one of its name, and
-    /// the scene's up direction, where it is not the camera's.
+    /// What a scene file says of the document: the models that are joined in it, by default the one of its
+    /// name, and the scene's up direction, where it is not the camera's.
     const std::vector<PlacedModel>& models() const noexcept { return models_; }
     const std::optional<glm::dvec3>& scene_up() const noexcept { return scene_up_; }
     /// Whether a model is painted: its color is not that of the appearance.

@@ -1,7 +1,7 @@
 #pragma once
 
-// The best views of the model that the window shows, as small line drawings to choose from. They are found on a thread
-// of their own, by votes alone (silhouette/field/best_views.h).
+// The best views of the model that the window shows, as small line drawings to choose from. They are found on a
+// thread of their own, by votes alone (silhouette/field/best_views.h).
 
 #include <functional>
 #include <glm/vec2.hpp>

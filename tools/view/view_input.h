@@ -12,8 +12,9 @@ namespace rimline::tools {
 
 class ViewInput {
 public:
-    /// True: dragging turns the view, and W, A, S, D, Q and E move the camera. False: dragging orbits around the
-    /// document's center or, after the user has panned or flown, around the target; with the right or middle button or with Shift it pans. The wheel zooms in both modes.
+    /// True: dragging turns the view, and W, A, S, D, Q and E move the camera. False: dragging orbits around
+    /// the document's center or, after the user has panned or flown, around the target; with the right or
+    /// middle button or with Shift it pans. The wheel zooms in both modes.
     bool flies = false;
 
     /// Whether the picture shows the whole document, until the user pans, zooms or flies.

@@ -88,11 +88,11 @@ public:
     /// Moves the camera, but does not turn it, so that the whole document, with a ground its shadow too, is in the
     /// middle of a rectangle of the picture. O(positions).
     void fit(const FreeArea& area);
-    /// Turns the camera about the document's center so that it looks from this direction (towards the viewer, not zero), at
-    /// most k_max_elevation_deg above or below the horizon.
+    /// Turns the camera about the document's center so that it looks from this direction (towards the viewer,
+    /// not zero), at most k_max_elevation_deg above or below the horizon.
     void look_from(const glm::dvec3& towards_viewer);
-    /// The sun that is chosen for the camera (scene_lights.h) in place of all lights. For models only; about a tenth of a
-    /// second for 100,000 faces.
+    /// The sun that is chosen for the camera (scene_lights.h) in place of all lights. For models only; about a
+    /// tenth of a second for 100,000 faces.
     void choose_sun(double aspect);
     /// Whether the only light is a sun that was chosen: where the camera jumps, another one is to be chosen.
     bool has_chosen_sun() const;

@@ -1,4 +1,5 @@
-// Suns of pictures against a closed form, a linear scan of all faces, and what a picture must be: neither dark nor flat.
+// Suns of pictures against a closed form, a linear scan of all faces, and what a picture must be: neither dark
+// nor flat.
 
 #include "silhouette/field/picture_sun.h"
 
@@ -29,7 +30,8 @@ PictureFrame frame_towards(const Mesh& mesh, const glm::dvec3& direction) {
             .half_size = {0.4, 0.3}};
 }
 
-// The share of the disc of a sphere, seen from far away, whose normal is within 81 degrees of the sun (cosine 0.155).
+// The share of the disc of a sphere, seen from far away, whose normal is within 81 degrees of the sun (cosine
+// 0.155).
 double lit_share_of_sphere(double phase_rad) {
     constexpr int k_side = 2000;
     const double x_sun = std::sin(phase_rad), z_sun = std::cos(phase_rad);
