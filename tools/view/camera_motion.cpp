@@ -57,14 +57,20 @@ void orbit(Camera& camera, const glm::dvec2& turn_rad) {
                                                           right_of(camera, direction), turn_rad);
 }
 
-void orbit_about(Camera& camera, const glm::dvec3& pivot, const glm::dvec2& turn_rad) {
+void turn_about(Camera& camera, const glm::dvec3& pivot, const glm::dvec3& towards_viewer) {
     const glm::dmat3 to_axes = camera_from_world(camera);
     const glm::dvec3 eye = to_axes * (camera.eye - pivot);
     const glm::dvec3 target = to_axes * (camera.target - pivot);
-    orbit(camera, turn_rad);
+    camera.eye = camera.target + towards_viewer;
     const glm::dmat3 from_axes = glm::transpose(camera_from_world(camera));
     camera.eye = pivot + from_axes * eye;
     camera.target = pivot + from_axes * target;
+}
+
+void orbit_about(Camera& camera, const glm::dvec3& pivot, const glm::dvec2& turn_rad) {
+    Camera turned = camera;
+    orbit(turned, turn_rad);
+    turn_about(camera, pivot, turned.eye - turned.target);
 }
 
 void pan(Camera& camera, const glm::dvec2& shift) {

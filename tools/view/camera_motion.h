@@ -22,6 +22,9 @@ void orbit(Camera& camera, const glm::dvec2& turn_rad);
 /// The same, but all of the camera turns around `pivot`, which keeps its place in the picture.
 void orbit_about(Camera& camera, const glm::dvec3& pivot, const glm::dvec2& turn_rad);
 
+/// The same, until the eye is in this direction from the target (not zero, not along up).
+void turn_about(Camera& camera, const glm::dvec3& pivot, const glm::dvec3& towards_viewer);
+
 /// Translates eye and target so that points at the target's distance move by `shift` on the screen: x to the
 /// right, y upwards, in heights of the picture.
 void pan(Camera& camera, const glm::dvec2& shift);

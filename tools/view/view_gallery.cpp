@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "silhouette/field/best_views.h"
+#include "silhouette/field/camera_tour.h"
 #include "silhouette/lines/line_drawer.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/clear_creases.h"
@@ -56,9 +57,9 @@ void ViewGallery::find(const ModelDocument& model, const glm::dvec3& up) {
 
 void ViewGallery::work(const LongCall& call, const ModelDocument& model, const glm::dvec3& up) {
     const Mesh& mesh = model.mesh();
-    const BestViews best =
-        find_best_views(make_view_field(mesh),
-                        {.count = k_views, .up = up, .mirror_axis = symmetry_axis(mesh)}, call);
+    const TangentialField field = make_view_field(mesh);
+    const BestViews best = find_best_views(
+        field, {.count = k_views, .up = up, .mirror_axis = symmetry_axis(mesh)}, call);
     for (const BestView& view : best.views) {
         GalleryView found = gallery_view(model.lines().surface(),
                                          glm::normalize(view.eye - mesh.center()), up, call);
@@ -68,6 +69,18 @@ void ViewGallery::work(const LongCall& call, const ModelDocument& model, const g
         }
         if (wake_) wake_();
     }
+    if (best.views.size() < 2) return;
+    std::vector<glm::dvec3> eyes, places;
+    for (const BestView& view : best.views) eyes.push_back(view.eye);
+    for (const TourNode& node : plan_tour(field, eyes, call)) places.push_back(node.place);
+    CameraPath path(mesh.center(), places);
+    const std::lock_guard lock(mutex_);
+    path_ = std::move(path);
+}
+
+std::optional<CameraPath> ViewGallery::path() const {
+    const std::lock_guard lock(mutex_);
+    return path_;
 }
 
 void ViewGallery::clear() {
@@ -77,6 +90,7 @@ void ViewGallery::clear() {
     }
     const std::lock_guard lock(mutex_);
     views_.clear();
+    path_.reset();
     is_finding_ = false;
 }
 

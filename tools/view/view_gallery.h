@@ -7,9 +7,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
+#include "silhouette/field/camera_path.h"
 #include "tools/view/model_document.h"
 
 namespace rimline::tools {
@@ -41,13 +43,16 @@ public:
     /// Those found so far, best first.
     std::vector<GalleryView> views() const;
     bool is_finding() const;
+    /// A closed path through the views, once all are found (silhouette/field/camera_tour.h).
+    std::optional<CameraPath> path() const;
 
 private:
     void work(const LongCall& call, const ModelDocument& model, const glm::dvec3& up);
 
     std::function<void()> wake_;
-    mutable std::mutex mutex_;  // Guards the two members below.
+    mutable std::mutex mutex_;  // Guards the three members below.
     std::vector<GalleryView> views_;
+    std::optional<CameraPath> path_;
     bool is_finding_ = false;
     std::jthread thread_;  // Last: it is joined before the other members are destroyed.
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +18,8 @@ namespace rimline::tools {
 
 namespace {
 
+// Of one round along the camera path.
+constexpr double k_round_s = 24.0;
 // After an event: the toolkit needs up to two more frames to complete its layout.
 constexpr int k_frames_after_event = 3;
 // Time without a change after which the picture is drawn at full resolution.
@@ -117,6 +120,7 @@ void ViewLoop::apply_keys() {
             case GLFW_KEY_G: session_.appearance.ground = !session_.appearance.ground; break;
             case GLFW_KEY_I: hough_.open = !hough_.open; break;
             case GLFW_KEY_P: requests_.save = panel_.picture_request(); break;
+            case GLFW_KEY_SPACE: requests_.play = true; break;
             case GLFW_KEY_C:
                 if (!session_.is_cloud()) requests_.copy_command = true;
                 break;
@@ -168,9 +172,33 @@ void ViewLoop::save_scene(const PanelRequests::Save& save) {
 }
 
 void ViewLoop::find_views() {
+    played_.reset();
     gallery_.clear();
     if (const ModelDocument* model = session_.document().model())
         gallery_.find(*model, model->scene_up().value_or(session_.camera.up));
+}
+
+void ViewLoop::play_or_stop() {
+    if (played_) {
+        played_.reset();
+        return;
+    }
+    played_ = gallery_.path();
+    if (!played_) return;
+    played_from_s_ = now_s();
+    session_.look_from(played_->position(0.0) - session_.bounds().center);
+    fit();
+    if (session_.has_chosen_sun()) session_.choose_sun(free_area().aspect());
+}
+
+// The user's own moves end it.
+void ViewLoop::move_along_path() {
+    if (is_moving_ || !input_.is_framed) played_.reset();
+    if (!played_) return;
+    const double rounds = (now_s() - played_from_s_) / k_round_s;
+    session_.move_to(played_->position(rounds - std::floor(rounds)) - session_.bounds().center);
+    if (!session_.is_whole(free_area())) fit();
+    is_moving_ = true;
 }
 
 void ViewLoop::copy_command() {
@@ -187,7 +215,8 @@ void ViewLoop::execute(const PanelRequests& requests) {
     const bool is_dark = requests.look_from && !session_.is_cloud() && session_.has_chosen_sun();
     if (requests.choose_sun || is_dark) session_.choose_sun(free_area().aspect());
     if (requests.copy_command) copy_command();
-    if (requests.fit || requests.look_from || requests.choose_sun)
+    if (requests.play) play_or_stop();
+    if (requests.fit || requests.look_from || requests.choose_sun || requests.play)
         frames_due_ = k_frames_after_event;
     if (requests.save) save(*requests.save);
     if (requests.save_scene) save_scene(*requests.save_scene);
@@ -200,6 +229,7 @@ void ViewLoop::build_panel() {
     if (options_.panel) {
         if (input_.is_framed && free_area() != last_area_) fit();
         is_moving_ = input_.apply(session_, size);
+        move_along_path();
         apply_keys();
     }
     if (options_.panel && panel_.visible) {
@@ -212,6 +242,8 @@ void ViewLoop::build_panel() {
                      .device = renderer_.device_facts().name,
                      .recent = recent_.names(),
                      .gallery = gallery,
+                     .has_path = gallery_.path().has_value(),
+                     .plays_path = played_.has_value(),
                      .finds_views = gallery_.is_finding(),
                      .scale = window_.content_scale()},
                     requests_);

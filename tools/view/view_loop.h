@@ -78,6 +78,8 @@ private:
     void save_scene(const PanelRequests::Save& save);
     void fit();
     void find_views();
+    void play_or_stop();
+    void move_along_path();
     void copy_command();
     void build_panel();
     bool draw();
@@ -94,6 +96,8 @@ private:
     ModelLoader loader_;
     ViewGallery gallery_;  // Refers to the session's document.
     RecentFiles recent_;
+    std::optional<CameraPath> played_;  // While the camera moves along it.
+    double played_from_s_ = 0.0;
     ViewPanel panel_;
     ViewInput input_;
     HoughPanel hough_;

@@ -211,6 +211,10 @@ void ViewPanel::draw_gallery(const Status& status, PanelRequests& requests) {
         ImGui::PopID();
     }
     if (status.finds_views) ImGui::TextDisabled("finding the best views");
+    if (status.has_path &&
+        ImGui::Button(status.plays_path ? "Stop (space)" : "Play a path through them (space)",
+                      {-1.0f, 0.0f}))
+        requests.play = true;
 }
 
 void ViewPanel::draw_camera(const ViewSession& session, PanelRequests& requests) {

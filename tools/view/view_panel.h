@@ -23,6 +23,7 @@ struct PanelRequests {
     bool cancel = false;              ///< Cancel the load.
     bool fit = false;                 ///< Fit the model into the picture.
     bool choose_sun = false;          ///< Light the model for the camera.
+    bool play = false;                ///< Begin to play the camera path, or stop.
     bool copy_command = false;  ///< Put a command line that draws the picture into the clipboard.
     std::optional<glm::dvec3> look_from;  ///< Turn the camera: the direction towards the viewer.
     struct Save {
@@ -54,6 +55,7 @@ public:
         std::string device;
         const std::vector<std::string>& recent;   ///< Files to open again.
         const std::vector<GalleryView>& gallery;  ///< Views to choose from.
+        bool has_path, plays_path;                ///< A camera path through the best views.
         bool finds_views;                         ///< More are being found.
         float scale;  ///< The desktop's text scale; 1 is the usual size.
     };

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
 #include <string>
@@ -205,19 +206,37 @@ void ViewSession::fit(const FreeArea& area) {
     }
 }
 
-void ViewSession::look_from(const glm::dvec3& towards_viewer) {
+// As the camera may look: straight from above, the front is below.
+glm::dvec3 ViewSession::level_direction(const glm::dvec3& towards_viewer) const {
     const glm::dvec3 up = glm::normalize(camera.up);
-    glm::dvec3 direction = glm::normalize(towards_viewer);
-    // Straight from above, the front is below.
+    const glm::dvec3 direction = glm::normalize(towards_viewer);
     const double limit = std::sin(glm::radians(k_max_elevation_deg));
     const double height = std::clamp(glm::dot(direction, up), -limit, limit);
     const glm::dvec3 level = direction - glm::dot(direction, up) * up;
     const glm::dvec3 front = -ground_axes(up).second;
     const glm::dvec3 horizontal = glm::length(level) > 1e-6 ? glm::normalize(level) : front;
-    direction = std::sqrt(1.0 - height * height) * horizontal + height * up;
+    return std::sqrt(1.0 - height * height) * horizontal + height * up;
+}
+
+void ViewSession::look_from(const glm::dvec3& towards_viewer) {
     const double distance = glm::distance(camera.eye, camera.target);
     camera.target = bounds().center;
-    camera.eye = camera.target + distance * direction;
+    camera.eye = camera.target + distance * level_direction(towards_viewer);
+}
+
+void ViewSession::move_to(const glm::dvec3& towards_viewer) {
+    const bool moves_sun = has_chosen_sun();
+    const glm::dmat3 to_axes = camera_from_world(camera);
+    turn_about(camera, bounds().center, level_direction(towards_viewer));
+    if (!moves_sun) return;
+    lights[0].vector = glm::transpose(camera_from_world(camera)) * (to_axes * lights[0].vector);
+    note_chosen_sun();
+}
+
+bool ViewSession::is_whole(const FreeArea& area) const {
+    const std::optional<PictureBox> box = box_of(camera, document_.subject(), area.window);
+    return box && box->low.x >= area.left && box->high.x <= area.left + area.width() &&
+           box->low.y >= 0.0 && box->high.y <= area.window.y;
 }
 
 void ViewSession::choose_sun(double aspect) {

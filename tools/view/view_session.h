@@ -91,6 +91,11 @@ public:
     /// Turns the camera about the document's center so that it looks from this direction (towards the viewer,
     /// not zero), at most k_max_elevation_deg above or below the horizon.
     void look_from(const glm::dvec3& towards_viewer);
+    /// The same for a camera that moves: the document keeps its place in the picture, and a sun that was chosen turns with
+    /// the camera.
+    void move_to(const glm::dvec3& towards_viewer);
+    /// Whether all of the document is within the area. O(positions).
+    bool is_whole(const FreeArea& area) const;
     /// The sun that is chosen for the camera (scene_lights.h) in place of all lights. For models only; about a
     /// tenth of a second for 100,000 faces.
     void choose_sun(double aspect);
@@ -131,6 +136,8 @@ public:
     SplatScene cloud_scene() const;
 
 private:
+    glm::dvec3 level_direction(const glm::dvec3& towards_viewer) const;
+
     Document document_;
     Document previous_;
     std::optional<Camera> frozen_;

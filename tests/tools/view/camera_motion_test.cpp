@@ -101,6 +101,22 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "a camera turned about a point looks from where it is told to, and keeps the point in its "
+    "place") {
+    Camera camera{.eye = {3, 2, 4}, .target = {0.5, 0.2, -0.1}, .up = {0, 1, 0}};
+    const glm::dvec3 pivot(-0.7, 0.4, 0.3);
+    const glm::dvec3 place = camera_from_world(camera) * (pivot - camera.eye);
+    const double distance = glm::distance(camera.eye, camera.target);
+    for (const glm::dvec3& from : {glm::dvec3(1, 0.2, 0), {-0.3, -2, 0.4}, {0, 0, -1}}) {
+        turn_about(camera, pivot, from);
+        CHECK(glm::distance(glm::normalize(camera.eye - camera.target), glm::normalize(from)) <
+              1e-9);
+        CHECK(glm::distance(camera.eye, camera.target) == doctest::Approx(distance));
+        CHECK(glm::distance(camera_from_world(camera) * (pivot - camera.eye), place) < 1e-9);
+    }
+}
+
 TEST_CASE("zooming scales distance or height, within its limits") {
     Camera camera = some_camera();
     const double distance = glm::distance(camera.eye, camera.target);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -54,8 +55,17 @@ TEST_SUITE("threads") {
             for (std::size_t j = 0; j < i; ++j)
                 CHECK(glm::dot(views[i].towards_viewer, views[j].towards_viewer) < 0.95);
         }
+        const std::optional<CameraPath> path = gallery.path();
+        REQUIRE(path);
+        CHECK(path->nodes().size() == 2 * ViewGallery::k_views);
+        for (const GalleryView& view : views)
+            CHECK(std::ranges::any_of(path->nodes(), [&](const glm::dvec3& node) {
+                return glm::dot(glm::normalize(node - model->mesh().center()),
+                                view.towards_viewer) > 1.0 - 1e-9;
+            }));
         gallery.clear();
         CHECK(gallery.views().empty());
+        CHECK_FALSE(gallery.path());
     }
 
     TEST_CASE("a search for views can be stopped and begun again at any time") {

@@ -238,6 +238,30 @@ TEST_CASE("the chosen sun takes the place of all lights and lights what the came
     CHECK(session.lights[0].vector != sun);
 }
 
+TEST_CASE("a camera that moves keeps the model in its place and its chosen sun beside it") {
+    ViewSession session;
+    session.show(open("shape:knot"), 1.2);
+    const FreeArea area{.window = {900, 700}, .left = 320};
+    session.fit(area);
+    CHECK(session.is_whole(area));
+    const auto sun_in_picture = [&] {
+        return camera_from_world(session.camera) * session.lights[0].vector;
+    };
+    const glm::dvec3 sun = sun_in_picture();
+    const ScreenView before(session.camera, area.window);
+    const auto place = before.pixel_of(session.bounds().center);
+    session.move_to({-1.0, 0.3, -0.5});
+    CHECK(session.has_chosen_sun());
+    CHECK(glm::distance(sun_in_picture(), sun) < 1e-9);
+    const ScreenView after(session.camera, area.window);
+    CHECK(glm::distance(*after.pixel_of(session.bounds().center), *place) < 1e-6);
+    session.lights[0].vector = {0, 1, 0};  // The user's own.
+    session.move_to({1.0, 0.3, -0.5});
+    CHECK(session.lights[0].vector == glm::dvec3(0, 1, 0));
+    pan(session.camera, {2.0, 0.0});
+    CHECK_FALSE(session.is_whole(area));
+}
+
 TEST_CASE(
     "the command of a window says what differs from the style's own, and all of camera and "
     "lights") {
