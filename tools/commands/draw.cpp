@@ -142,7 +142,7 @@ public:
         if (!has_curves(format) && (lines_.color || lines_.has_material_colors))
             throw UsageError("--line-color: only drawings in SVG and PDF have colors");
         OutputFile file(output_, model_.model);
-        const Mesh mesh = model_.load_mesh(
+        const Mesh mesh = model_.load_drawn_mesh(
             context, lines_.has_material_colors ? TexturePictures::read : TexturePictures::skip);
         check_has_extent(model_.model, mesh);
         context.checkpoint();

@@ -76,7 +76,7 @@ public:
                                              .size = picture_.size,
                                              .finish = style_.finish(picture_)});
         const Mesh mesh =
-            model_.load_mesh(context, sink ? style_.textures() : TexturePictures::skip);
+            model_.load_drawn_mesh(context, sink ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
         up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sink, context);

@@ -80,7 +80,7 @@ public:
         std::optional<OutputFolder> folder;
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");
         const Mesh mesh =
-            model_.load_mesh(context, folder ? style_.textures() : TexturePictures::skip);
+            model_.load_drawn_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
         up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);

@@ -11,6 +11,7 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
 #include "tools/nearest_name.h"
+#include "tools/options/double_faces.h"
 #include "tools/options/option_types.h"
 #include "tools/options/standard_input.h"
 #include "tools/progress.h"
@@ -121,6 +122,26 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       const std::string& format) {
     MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
         return load_model(model, subdivide, requirement, begin, textures, format);
+    });
+    for (const std::string& warning : source.warnings) print_warning(warning);
+    context.times.end("reading");
+    return source;
+}
+
+MeshSource load_drawn_model(const std::string& model, std::uint32_t subdivide,
+                            const BeginCall& begin, TexturePictures textures,
+                            const std::string& format) {
+    MeshSource source =
+        load_model(model, subdivide, FaceRequirement::faces, begin, textures, format);
+    draw_double_faces_once(model, source);
+    return source;
+}
+
+MeshSource load_drawn_model(const std::string& model, std::uint32_t subdivide,
+                            const Context& context, TexturePictures textures,
+                            const std::string& format) {
+    MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
+        return load_drawn_model(model, subdivide, begin, textures, format);
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
     context.times.end("reading");

@@ -41,6 +41,15 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       TexturePictures textures = TexturePictures::skip,
                       const std::string& format = {});
 
+/// For drawing: the same without double faces (double_faces.h); a warning says how many there were. The model must have
+/// faces.
+MeshSource load_drawn_model(const std::string& model, std::uint32_t subdivide,
+                            const BeginCall& begin, TexturePictures textures,
+                            const std::string& format = {});
+MeshSource load_drawn_model(const std::string& model, std::uint32_t subdivide,
+                            const Context& context, TexturePictures textures,
+                            const std::string& format = {});
+
 /// load_model() and make_mesh(). The model must have faces.
 Mesh load_mesh(const std::string& model, std::uint32_t subdivide, const Context& context,
                TexturePictures textures = TexturePictures::skip);
@@ -78,6 +87,10 @@ struct ModelArgument {
     MeshSource load(const Context& context,
                     FaceRequirement requirement = FaceRequirement::faces) const {
         return load_model(model, subdivide, requirement, context, TexturePictures::skip, format);
+    }
+    Mesh load_drawn_mesh(const Context& context, TexturePictures textures) const {
+        return make_mesh(model, load_drawn_model(model, subdivide, context, textures, format),
+                         context);
     }
     Mesh load_mesh(const Context& context, TexturePictures textures = TexturePictures::skip) const {
         return make_mesh(

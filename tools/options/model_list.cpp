@@ -92,11 +92,11 @@ private:
     Loaded& loaded(const PlacedModel& model) {
         std::unique_ptr<Loaded>& entry = loaded_[{model.model, model.subdivide}];
         if (!entry)
-            entry = std::make_unique<Loaded>(
-                Loaded{.source = load_model(model.model, model.subdivide, FaceRequirement::faces,
-                                            begin_, textures_, model.format),
-                       .own = {},
-                       .automatic = {}});
+            entry = std::make_unique<Loaded>(Loaded{
+                .source =
+                    load_drawn_model(model.model, model.subdivide, begin_, textures_, model.format),
+                .own = {},
+                .automatic = {}});
         return *entry;
     }
 
@@ -301,8 +301,8 @@ Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, boo
                           const Context& context) {
     if (is_plain()) {
         const PlacedModel& model = models_.front();
-        const MeshSource source = load_model(model.model, model.subdivide, FaceRequirement::faces,
-                                             context, textures, model.format);
+        const MeshSource source =
+            load_drawn_model(model.model, model.subdivide, context, textures, model.format);
         Mesh mesh = make_mesh(model.model, source, context);
         up_ = settle_up(mesh, picture.up, picture.is_up_auto);
         return mesh;

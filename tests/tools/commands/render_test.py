@@ -577,3 +577,26 @@ def test_render_reports_the_time_that_it_took():
         clock = 1000 * (time.monotonic() - begin)
         # The rest is the system's start and end of the program.
         assert clock - 250 < result["times_ms"]["total"] < clock, (clock, result["times_ms"])
+
+
+def test_sheets_that_are_there_twice_are_drawn_once():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        corners = [(x / 6 - 1, y, 0.3 * math.cos(x / 4)) for y in (0, 1.5) for x in range(13)]
+        one = [(i, i + 1, i + 14, i + 13) for i in range(12)]
+        faces = {"once": [one], "twice": [one, [(a, d, c, b) for a, b, c, d in one]]}
+        pictures = {}
+        for name, sheets in faces.items():
+            obj = os.path.join(folder, name + ".obj")
+            with open(obj, "w", encoding="utf-8") as file:
+                for sheet, quads in enumerate(sheets):  # Each has vertices of its own.
+                    file.writelines("v %g %g %g\n" % corner for corner in corners)
+                    file.writelines("f %d %d %d %d\n" % tuple(26 * sheet + i + 1 for i in quad) for quad in quads)
+            for eye in ("2,1,4", "-1,2,-4"):
+                png = os.path.join(folder, "a.png")
+                result = run("render", obj, f"--eye={eye}", "--style", "toon", "--sun", "1,1,2", "--size", "160x120",
+                             "-o", png)
+                assert result.returncode == 0 and ("24 faces lie on others" in result.stderr) == (name == "twice"), result.stderr
+                pictures[name, eye] = read_file(png)
+        for eye in ("2,1,4", "-1,2,-4"):
+            assert pictures["once", eye] == pictures["twice", eye]
