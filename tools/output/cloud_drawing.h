@@ -17,6 +17,7 @@
 #include "silhouette/points/umbrella_index.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
+#include "tools/output/cloud_look.h"
 
 namespace rimline::tools {
 
@@ -29,15 +30,6 @@ constexpr Color k_cloud_paper{248, 244, 236};
 
 /// The color of a disc or a line as in its GPU record. `is_shaded`: the disc is lit from the camera.
 std::uint32_t packed(const PointColor& color, bool is_shaded = false);
-
-enum class CloudLook {
-    discs,  ///< A surface.
-    dots,   ///< Discs of few points would be plates.
-};
-constexpr std::uint32_t k_min_disc_points = 5000;
-constexpr CloudLook usual_look(std::uint32_t points) {
-    return points < k_min_disc_points ? CloudLook::dots : CloudLook::discs;
-}
 
 /// The eye of `camera`, or its direction if it is orthographic.
 HomogeneousPoint silhouette_point_of(const Camera& camera);

@@ -16,7 +16,7 @@
 #include "silhouette/points/point_surface.h"
 #include "silhouette/points/umbrella_index.h"
 #include "tools/options/picture_options.h"
-#include "tools/output/cloud_drawing.h"
+#include "tools/output/cloud_look.h"
 #include "tools/output/output_file.h"
 
 namespace rimline::tools {
