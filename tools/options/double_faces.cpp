@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <bit>
 #include <vector>
 
 #include "silhouette/mesh/equal_positions.h"
@@ -27,24 +27,33 @@ void keep_faces(std::vector<T>& values, std::size_t per_face, const std::vector<
 std::uint32_t remove_double_faces(MeshSource& source) {
     const std::vector<std::uint32_t> first = first_equal_positions<float>(source.positions);
     using Corners = std::array<std::uint32_t, 3>;
-    std::vector<Corners> corners;
-    corners.reserve(source.triangles.size());
-    for (const auto& [a, b, c] : source.triangles) {
-        corners.push_back({first[a], first[b], first[c]});
-        std::ranges::sort(corners.back());
-    }
-    std::vector<std::uint32_t> order(corners.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, [&](std::uint32_t f, std::uint32_t g) {
-        return corners[f] != corners[g] ? corners[f] < corners[g] : f < g;
-    });
-    std::vector<bool> keeps(corners.size(), true);
+    const auto corners_of = [&](std::size_t face) {
+        const auto& [a, b, c] = source.triangles[face];
+        Corners corners{first[a], first[b], first[c]};
+        std::ranges::sort(corners);
+        return corners;
+    };
+    // Open addressing, at most half full.
+    constexpr std::uint32_t k_free = 0xffffffffu;
+    const std::size_t capacity = std::bit_ceil(2 * source.triangles.size() + 1);
+    std::vector<std::uint32_t> table(capacity, k_free);
+    std::vector<bool> keeps(source.triangles.size(), true);
     std::uint32_t removed = 0;
-    for (std::size_t i = 1; i < order.size(); ++i) {
-        const Corners& c = corners[order[i]];
-        if (c != corners[order[i - 1]] || c[0] == c[1] || c[1] == c[2]) continue;
-        keeps[order[i]] = false;
-        ++removed;
+    for (std::uint32_t face = 0; face < source.triangles.size(); ++face) {
+        const Corners corners = corners_of(face);
+        if (corners[0] == corners[1] || corners[1] == corners[2]) continue;
+        std::uint64_t hash = 0;
+        for (const std::uint32_t corner : corners)
+            hash = std::rotl((hash ^ corner) * 0x9e3779b97f4a7c15u, 29);
+        std::size_t slot = hash & (capacity - 1);
+        while (table[slot] != k_free && corners_of(table[slot]) != corners)
+            slot = (slot + 1) & (capacity - 1);
+        if (table[slot] == k_free) {
+            table[slot] = face;
+        } else {
+            keeps[face] = false;
+            ++removed;
+        }
     }
     if (removed == 0) return 0;
     keep_faces(source.triangles, 1, keeps);

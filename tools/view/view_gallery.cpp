@@ -65,7 +65,7 @@ void ViewGallery::work(const LongCall& call, const ModelDocument& model, const g
                                          glm::normalize(view.eye - mesh.center()), up, call);
         {
             const std::lock_guard lock(mutex_);
-            views_.push_back(std::move(found));
+            views_.push_back(std::make_shared<const GalleryView>(std::move(found)));
         }
         if (wake_) wake_();
     }
@@ -94,7 +94,7 @@ void ViewGallery::clear() {
     is_finding_ = false;
 }
 
-std::vector<GalleryView> ViewGallery::views() const {
+std::vector<std::shared_ptr<const GalleryView>> ViewGallery::views() const {
     const std::lock_guard lock(mutex_);
     return views_;
 }

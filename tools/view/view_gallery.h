@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -41,7 +42,7 @@ public:
     /// Stops and forgets.
     void clear();
     /// Those found so far, best first.
-    std::vector<GalleryView> views() const;
+    std::vector<std::shared_ptr<const GalleryView>> views() const;
     bool is_finding() const;
     /// A closed path through the views, once all are found (silhouette/field/camera_tour.h).
     std::optional<CameraPath> path() const;
@@ -51,7 +52,7 @@ private:
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;  // Guards the three members below.
-    std::vector<GalleryView> views_;
+    std::vector<std::shared_ptr<const GalleryView>> views_;
     std::optional<CameraPath> path_;
     bool is_finding_ = false;
     std::jthread thread_;  // Last: it is joined before the other members are destroyed.

@@ -235,7 +235,7 @@ void ViewLoop::build_panel() {
     if (options_.panel && panel_.visible) {
         draw_marks(session_, size, input_.light());
         draw_axes(session_.camera, free_area());
-        const std::vector<GalleryView> gallery = gallery_.views();
+        const auto gallery = gallery_.views();
         panel_.draw(session_, input_, hough_,
                     {.counters = counters_,
                      .loading = loader_.stage(),

@@ -192,7 +192,7 @@ void ViewPanel::draw_gallery(const Status& status, PanelRequests& requests) {
     const float side = (whole - gap * (ViewGallery::k_views - 1)) / ViewGallery::k_views;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (std::size_t i = 0; i < status.gallery.size(); ++i) {
-        const GalleryView& view = status.gallery[i];
+        const GalleryView& view = *status.gallery[i];
         ImGui::PushID(static_cast<int>(i));
         if (i > 0) ImGui::SameLine(0.0f, gap);
         if (ImGui::InvisibleButton("view", {side, side})) requests.look_from = view.towards_viewer;

@@ -53,11 +53,11 @@ public:
         const ViewCounters& counters;
         std::optional<ModelLoader::Stage> loading;
         std::string device;
-        const std::vector<std::string>& recent;   ///< Files to open again.
-        const std::vector<GalleryView>& gallery;  ///< Views to choose from.
-        bool has_path, plays_path;                ///< A camera path through the best views.
-        bool finds_views;                         ///< More are being found.
-        float scale;  ///< The desktop's text scale; 1 is the usual size.
+        const std::vector<std::string>& recent;                          ///< Files to open again.
+        const std::vector<std::shared_ptr<const GalleryView>>& gallery;  ///< Views to choose from.
+        bool has_path, plays_path;  ///< A camera path through the best views.
+        bool finds_views;           ///< More are being found.
+        float scale;                ///< The desktop's text scale; 1 is the usual size.
     };
     /// Draws the panel. A check box opens and closes `hough`, which the caller draws.
     void draw(ViewSession& session, ViewInput& input, HoughPanel& hough, const Status& status,

@@ -48,20 +48,20 @@ TEST_SUITE("threads") {
             std::unique_lock lock(mutex);
             changed.wait_for(lock, std::chrono::seconds(60), [&] { return !gallery.is_finding(); });
         }
-        const std::vector<GalleryView> views = gallery.views();
+        const auto views = gallery.views();
         REQUIRE(views.size() == ViewGallery::k_views);
         for (std::size_t i = 0; i < views.size(); ++i) {
-            CHECK(!views[i].strokes.empty());
+            CHECK(!views[i]->strokes.empty());
             for (std::size_t j = 0; j < i; ++j)
-                CHECK(glm::dot(views[i].towards_viewer, views[j].towards_viewer) < 0.95);
+                CHECK(glm::dot(views[i]->towards_viewer, views[j]->towards_viewer) < 0.95);
         }
         const std::optional<CameraPath> path = gallery.path();
         REQUIRE(path);
         CHECK(path->nodes().size() == 2 * ViewGallery::k_views);
-        for (const GalleryView& view : views)
+        for (const auto& view : views)
             CHECK(std::ranges::any_of(path->nodes(), [&](const glm::dvec3& node) {
                 return glm::dot(glm::normalize(node - model->mesh().center()),
-                                view.towards_viewer) > 1.0 - 1e-9;
+                                view->towards_viewer) > 1.0 - 1e-9;
             }));
         gallery.clear();
         CHECK(gallery.views().empty());
