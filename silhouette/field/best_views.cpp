@@ -99,6 +99,8 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
         };
     interest.mirror_axis = options.mirror_axis;
     interest.weighed_stride = options.visible_ratios ? options.stride : 1;
+    // Candidates that are rendered are refined to weighed_tolerance only.
+    if (options.visible_ratios) interest.tolerance = 0.5 * interest.weighed_tolerance;
     const PointsOfInterest found = find_points_of_interest(field, k_view_shell, interest, call);
 
     BestViews result{.views = {},

@@ -30,9 +30,13 @@ namespace rimline {
 /// a field of view of 70.6° contains all of it.
 inline constexpr SearchDomain k_view_shell{1.7320508075688773, 2.0};
 
+/// Tolerance of votes. Views whose scores differ by this share of the field's maximum are equally good.
+inline constexpr double k_view_tolerance = 4e-3;
+
 /// The field whose peaks are the viewpoints. The planes of a closed inside-out mesh (winding.h) are
 /// reversed, so that their fronts face outwards.
-TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options = {},
+TangentialField make_view_field(const Mesh& mesh,
+                                const FieldOptions& options = {.tolerance = k_view_tolerance},
                                 const TangentialFunction& function = view_function());
 
 /// Returns the visible ratios, each in [0, 1], of viewpoints in the mesh's coordinates, in their order.

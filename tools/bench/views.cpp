@@ -55,7 +55,7 @@ Choices choose_all(const Mesh& mesh, const Device& device, const ViewsBenchOptio
     choices.weighted = find_best_views(field, views, {context.stop, {}});
     choices.ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    FieldOptions area;
+    FieldOptions area{.tolerance = k_view_tolerance};
     area.weight = FieldOptions::Weight::area;
     choices.by_area = find_best_views(make_view_field(mesh, area), views, {context.stop, {}});
     views.visible_ratios = {};

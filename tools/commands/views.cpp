@@ -89,6 +89,7 @@ public:
         });
         times.end("choosing");
         choose_lights(mesh, chosen, context);
+        times.end("choosing lights");
         if (folder) draw(*folder, device, context);
         if (folder) times.end("drawing");
         if (context.json)

@@ -65,21 +65,11 @@ public:
 
     const MeshSource& source(const PlacedModel& model) { return loaded(model).source; }
 
-    // Which way is up, as choose_up() says it of the mesh.
     ChosenUp up(const PlacedModel& model, const std::optional<UpChoice>& choice) {
-        const bool is_auto = choice && !choice->direction;
-        if (choice && choice->direction)
-            return {glm::dvec3(*choice->direction), ChosenUp::Source::option};
+        if (choice && choice->direction) return up_of(model, {}, choice, begin_);
         Loaded& from = loaded(model);
-        if (from.source.is_up_known && !is_auto)
-            return {direction_of(from.source.up), ChosenUp::Source::format};
-        std::optional<ChosenUp>& known = is_auto ? from.automatic : from.own;
-        if (!known) {
-            const LongCall call = begin_("joining the faces of " + model.model);
-            known = about_model(model.model, [&] {
-                return choose_up(Mesh(from.source, Welding::equal_positions, call), {}, is_auto);
-            });
-        }
+        std::optional<ChosenUp>& known = choice ? from.automatic : from.own;
+        if (!known) known = up_of(model, from.source, choice, begin_);
         return *known;
     }
 
@@ -106,6 +96,18 @@ private:
 };
 
 }  // namespace
+
+ChosenUp up_of(const PlacedModel& model, const MeshSource& source,
+               const std::optional<UpChoice>& choice, const BeginCall& begin) {
+    const bool is_auto = choice && !choice->direction;
+    if (choice && choice->direction)
+        return {glm::dvec3(*choice->direction), ChosenUp::Source::option};
+    if (source.is_up_known && !is_auto) return {direction_of(source.up), ChosenUp::Source::format};
+    const LongCall call = begin("joining the faces of " + model.model);
+    return about_model(model.model, [&] {
+        return choose_up(Mesh(source, Welding::equal_positions, call), {}, is_auto);
+    });
+}
 
 void ModelList::add_to(CLI::App& app) {
     app_ = &app;
@@ -328,13 +330,20 @@ std::string ModelList::words() const {
     return scene_ ? quoted_for_shell(name_) : words_of(models_);
 }
 
-std::string words_of(std::span<const PlacedModel> models) {
-    std::string words;
+std::vector<std::string> arguments_of(std::span<const PlacedModel> models) {
+    std::vector<std::string> arguments;
     const auto add = [&](const std::string& option, const std::string& value) {
-        words += " " + option + (value.starts_with('-') ? "=" : " ") + quoted_for_shell(value);
+        if (value.starts_with('-')) {
+            arguments.push_back(option + "=" + value);
+            return;
+        }
+        arguments.push_back(option);
+        arguments.push_back(value);
     };
     for (const PlacedModel& model : models) {
-        words += (words.empty() ? "" : " ") + quoted_for_shell(model.model);
+        // Else it would be an option.
+        const bool has_dash = model.model.starts_with('-') && model.model != k_standard_input;
+        arguments.push_back((has_dash ? "./" : "") + model.model);
         if (model.at != glm::vec3(0.0f))
             add("--at", exact_text(model.at.x) + "," + exact_text(model.at.y) + "," +
                             exact_text(model.at.z));
@@ -343,6 +352,13 @@ std::string words_of(std::span<const PlacedModel> models) {
         if (model.up) add("--up", text_of(*model.up));
         if (model.paint) add("--paint", to_json(model)["paint"].get<std::string>());
     }
+    return arguments;
+}
+
+std::string words_of(std::span<const PlacedModel> models) {
+    std::string words;
+    for (const std::string& argument : arguments_of(models))
+        words += (words.empty() ? "" : " ") + quoted_for_shell(argument);
     return words;
 }
 

@@ -21,7 +21,13 @@
 
 namespace rimline::tools {
 
-/// The words of a command line, quoted for a shell, that give these models at their places.
+/// Which way of a model is up: what `choice` says, else its format, else its mesh, as choose_up() says it.
+ChosenUp up_of(const PlacedModel& model, const MeshSource& source,
+               const std::optional<UpChoice>& choice, const BeginCall& begin);
+
+/// The arguments that give these models at their places.
+std::vector<std::string> arguments_of(std::span<const PlacedModel> models);
+/// The same as words of a command line, quoted for a shell.
 std::string words_of(std::span<const PlacedModel> models);
 
 class ModelList {

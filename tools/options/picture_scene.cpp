@@ -15,6 +15,12 @@ glm::vec3 linear_from_srgb(const Color& color) {
                                       float(color.blue) / 255.0f));
 }
 
+Color nearest_srgb(const glm::vec3& linear) {
+    const glm::vec3 srgb = 255.0f * glm::clamp(srgb_from_linear(linear), 0.0f, 1.0f);
+    const auto byte = [](float c) { return static_cast<std::uint8_t>(std::lround(c)); };
+    return {byte(srgb.x), byte(srgb.y), byte(srgb.z)};
+}
+
 glm::dvec3 up_of(const Subject& subject, const PictureOptions& options) {
     if (options.up) return glm::dvec3(*options.up);
     return direction_of(subject.up);

@@ -20,6 +20,8 @@ constexpr double k_ground_end = 8.0;
 
 using rimline::linear_from_srgb;
 glm::vec3 linear_from_srgb(const Color& color);
+/// The nearest opaque color, of a color in linear light.
+Color nearest_srgb(const glm::vec3& linear);
 
 /// --up, or the up axis of the file format.
 glm::dvec3 up_of(const Subject& subject, const PictureOptions& options);

@@ -48,6 +48,8 @@ struct PlacedModel {
     std::optional<UpChoice> up = {};
     std::optional<Color> paint = {};  ///< Of all its faces, instead of the colors of its file.
 
+    bool operator==(const PlacedModel&) const = default;
+
     bool is_placed() const noexcept {
         return at != glm::vec3(0.0f) || turn.degrees != 0.0 || scale != 1.0 || up || paint;
     }

@@ -34,7 +34,7 @@ ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh, const
                                const Context& context) const {
     const auto start = std::chrono::steady_clock::now();
     Progress progress(context, "choosing views");
-    FieldOptions field_options;
+    FieldOptions field_options{.tolerance = k_view_tolerance};
     if (by_area) field_options.weight = FieldOptions::Weight::area;
     TangentialField field = make_view_field(mesh, field_options);
     BestViewsOptions options;

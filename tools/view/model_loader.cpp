@@ -5,6 +5,9 @@
 #include <new>
 #include <utility>
 
+#include "tools/command.h"
+#include "tools/view/view_arguments.h"
+
 namespace rimline::tools {
 
 namespace {
@@ -26,12 +29,36 @@ void ModelLoader::cancel() {
     result_.reset();
 }
 
-void ModelLoader::open(CloudArgument argument) {
-    cancel();
-    stage_ = Stage{"opening " + argument.model, 0.0};
-    thread_ = std::jthread([this, argument = std::move(argument)](std::stop_token stop) {
-        load(std::move(stop), argument);
+void ModelLoader::open(const std::string& name) {
+    // Else it would be an option.
+    open(std::vector{(name.starts_with('-') ? "./" : "") + name});
+}
+
+void ModelLoader::open(std::vector<std::string> arguments) {
+    std::string name = arguments.front();
+    start(std::move(name), [arguments = std::move(arguments)](const BeginCall& begin) {
+        ParsedView parsed = open_view(arguments, begin);
+        return Result{.view = std::move(parsed.view),
+                      .kind = parsed.is_scene_file ? Kind::scene : Kind::document,
+                      .error = {}};
     });
+}
+
+void ModelLoader::arrange(Arrangement arrangement) {
+    std::string name = arrangement.added.empty() ? "the scene" : arrangement.added.front();
+    start(std::move(name), [arrangement = std::move(arrangement)](const BeginCall& begin) {
+        const std::vector<PlacedModel> models = place_added(arrangement, begin);
+        return Result{.view = open_view(view_arguments(models, arrangement.up), begin).view,
+                      .kind = Kind::arrangement,
+                      .error = {}};
+    });
+}
+
+void ModelLoader::start(std::string name, Work work) {
+    cancel();
+    stage_ = Stage{"opening " + name, 0.0};
+    thread_ = std::jthread([this, name = std::move(name), work = std::move(work)](
+                               std::stop_token stop) { load(std::move(stop), name, work); });
 }
 
 std::optional<ModelLoader::Stage> ModelLoader::stage() const {
@@ -44,8 +71,7 @@ std::optional<ModelLoader::Result> ModelLoader::take() {
     return std::exchange(result_, std::nullopt);
 }
 
-void ModelLoader::load(std::stop_token stop, const CloudArgument& argument) {
-    const std::string& name = argument.model;
+void ModelLoader::load(std::stop_token stop, const std::string& name, const Work& work) {
     const auto begin = [&](const std::string& task) {
         {
             const std::lock_guard lock(mutex_);
@@ -63,9 +89,11 @@ void ModelLoader::load(std::stop_token stop, const CloudArgument& argument) {
     };
     Result result;
     try {
-        result.document = open_document(argument, begin);
+        result = work(begin);
     } catch (const Error& error) {
         result.error = error.code() == ErrorCode::cancelled ? "" : error.what();
+    } catch (const UsageError& error) {
+        result.error = error.what();
     } catch (const CLI::ParseError& error) {
         result.error = error.what();
     } catch (const std::bad_alloc&) {

@@ -12,8 +12,10 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "tools/view/document.h"
+#include "tools/view/added_model.h"
+#include "tools/view/view_session.h"
 
 namespace rimline::tools {
 
@@ -26,9 +28,12 @@ public:
     ModelLoader(const ModelLoader&) = delete;
     ModelLoader& operator=(const ModelLoader&) = delete;
 
-    /// Cancels the load before, and starts to load a file or shape as open_document() does.
-    void open(CloudArgument argument);
-    void open(std::string name) { open(CloudArgument{.model = std::move(name)}); }
+    /// Cancels the load before, and starts to open what the arguments of `rimline view` say.
+    void open(std::vector<std::string> arguments);
+    /// The same for one file or built-in shape.
+    void open(const std::string& name);
+    /// The same for a scene of models that have been moved or added.
+    void arrange(Arrangement arrangement);
     /// Stops the load and waits for its end. Discards a result that was not taken.
     void cancel();
 
@@ -39,15 +44,25 @@ public:
     /// Nothing while no load is in progress.
     std::optional<Stage> stage() const;
 
+    /// How the result takes the place of what is shown.
+    enum class Kind {
+        document,    ///< Only the document is new: the look of the picture stays.
+        scene,       ///< A scene file, which says all.
+        arrangement  ///< The same models moved, or more of them: all else stays.
+    };
     struct Result {
-        Document document;  ///< Empty if the load failed.
+        OpenedView view;  ///< Its document is empty if the load failed.
+        Kind kind = Kind::document;
         std::string error;  ///< Why it failed.
     };
     /// The result of the last open(). Each result is returned once.
     std::optional<Result> take();
 
 private:
-    void load(std::stop_token stop, const CloudArgument& argument);
+    using Work = std::function<Result(const BeginCall&)>;
+    // `name` begins messages that do not name what they are about.
+    void start(std::string name, Work work);
+    void load(std::stop_token stop, const std::string& name, const Work& work);
     void wake() const {
         if (wake_) wake_();
     }

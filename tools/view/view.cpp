@@ -4,18 +4,10 @@
 
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/command.h"
-#include "tools/options/cloud_argument.h"
-#include "tools/options/model_list.h"
-#include "tools/options/picture_options.h"
-#include "tools/options/picture_scene.h"
-#include "tools/options/scene_lights.h"
-#include "tools/options/scene_options.h"
-#include "tools/options/shadow_framing.h"
-#include "tools/options/standard_input.h"
-#include "tools/options/three_point.h"
 #include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
+#include "tools/view/view_arguments.h"
 #include "tools/view/view_loop.h"
 
 namespace rimline::tools {
@@ -28,17 +20,7 @@ public:
     std::string summary() const override { return "Open a window that shows a model or a cloud"; }
 
     void add_options(CLI::App& app) override {
-        models_.add_to(app);
-        cloud_.add_flags_to(app);
-        scene_.add_to(app);
-        picture_.add_camera_to(app);
-        models_.add_to_camera(app);
-        add_point(app, "--silhouette-from", silhouette_from_,
-                  "Freeze the silhouette of this viewpoint (default: follow the camera)")
-            ->group("Camera");
-        picture_.add_lights_to(app);
-        picture_.add_image_to(app);
-        picture_.add_machine_to(app);
+        view_.add_to(app);
         constexpr const char* k_window = "Window";
         app.add_flag("--no-panel", no_panel_, "Show only the picture, without the panel")
             ->group(k_window);
@@ -63,10 +45,12 @@ public:
             "move them. The\n"
             "panel has best views to click, flying, styles, a frozen silhouette to be viewed from "
             "other viewpoints,\n"
-            "and Hough space. P saves a picture, X a scene file, which render, animate and view "
-            "read, "
-            "and C copies\n"
-            "the command that draws the picture. Several models make a scene, as in render.\n\n"
+            "and Hough space. It adds models to the scene, moves and paints them. P saves a "
+            "picture, X "
+            "a scene file,\n"
+            "which render, animate and view read, and C copies the command that draws the picture. "
+            "Several models\n"
+            "make a scene, as in render.\n\n"
             "Examples:\n"
             "  rimline view horse.ply\n"
             "  rimline view shape:knot --style toon --ground --inspect\n"
@@ -76,33 +60,34 @@ public:
 
     ExitStatus run(const Context& context) override {
         if (context.json) throw UsageError("view has nothing to say in --json");
-        models_.settle(picture_, ModelList::FirstCamera::used);
-        scene_.has_painted_models = models_.has_paint();
-        scene_.check_usage(picture_);
-        for (const PlacedModel& model : models_.models())
-            if (model.model == k_standard_input)
-                throw UsageError("MODEL: the window reads no standard input");
+        view_.settle();
         if (!screenshot_.empty() && frames_ == 0)
             throw UsageError("--screenshot needs --frames, to know which frame is the last");
         std::optional<OutputFile> screenshot;
         if (!screenshot_.empty()) {
-            models_.check_output_is_no_input(screenshot_);
+            view_.models().check_output_is_no_input(screenshot_);
             screenshot.emplace(screenshot_);
         }
 
         // Before the model is loaded, so that a missing display is reported at once.
-        Window window("Rimline - " + models_.name(), static_cast<int>(picture_.size.width),
-                      static_cast<int>(picture_.size.height));
+        const PictureOptions& picture = view_.picture();
+        Window window("Rimline - " + view_.models().name(), static_cast<int>(picture.size.width),
+                      static_cast<int>(picture.size.height));
         const VulkanInstance instance(
-            {.validate = picture_.validate, .window_extensions = window.vulkan_extensions()});
+            {.validate = picture.validate, .window_extensions = window.vulkan_extensions()});
         ViewSession session;
-        open(session, context);
+        const bool fits = view_.fits();
+        OpenedView opened = follow_progress(
+            context, [&](const BeginCall& begin) { return view_.open(begin, inspect_); });
+        for (const std::string& warning : opened.document.warnings()) print_warning(warning);
+        print_up(opened.up);
+        session.show(std::move(opened));
         ViewLoop loop(window, instance, session,
-                      {.device = picture_.device,
+                      {.device = picture.device,
                        .panel = !no_panel_,
                        .inspector = inspect_,
                        .frames = frames_,
-                       .fits = !picture_.eye && !picture_.target});
+                       .fits = fits});
         loop.run(context);
         if (screenshot) {
             const std::vector<std::byte> png = encode_png(loop.captured());
@@ -117,109 +102,7 @@ public:
     }
 
 private:
-    void open(ViewSession& session, const Context& context) {
-        Document document =
-            follow_progress(context, [&](const BeginCall& begin) { return open_models(begin); });
-        for (const std::string& warning : document.warnings()) print_warning(warning);
-        if (document.cloud() != nullptr)
-            show_cloud(session, std::move(document));
-        else
-            show_model(session, std::move(document));
-    }
-
-    Document open_models(const BeginCall& begin) {
-        if (models_.is_plain()) {
-            CloudArgument argument = cloud_;
-            argument.model = models_.models().front().model;
-            argument.subdivide = models_.models().front().subdivide;
-            return open_document(argument, begin);
-        }
-        if (cloud_.as_points || cloud_.drop_bad)
-            throw UsageError("--as-points and --drop-bad: a scene has no clouds");
-        const MeshSource source =
-            models_.load(picture_, TexturePictures::read, scene_.shows_file_colors(), begin);
-        auto document = std::make_unique<ModelDocument>(models_.name(), source, begin);
-        document->set_models(models_.models(), glm::dvec3(*picture_.ground_up));
-        return document;
-    }
-
-    void show_cloud(ViewSession& session, Document document) const {
-        const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
-                            picture_.has_chosen_sun || scene_.ground;
-        if (is_lit || scene_.hidden || scene_.crease_degrees || scene_.style != "ink" || inspect_)
-            throw UsageError(models_.name() +
-                             " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
-                             "space are of models");
-        const CloudDocument& cloud = *document.cloud();
-        const auto exact = [](const std::optional<glm::vec3>& point) {
-            return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
-        };
-        const Camera camera =
-            make_cloud_camera(cloud.drawing(), cloud.umbrellas(), models_.name(),
-                              exact(picture_.eye), exact(picture_.target), picture_);
-        session.appearance = ViewAppearance(Style::ink);
-        if (picture_.background)
-            session.appearance.background = linear_from_srgb(*picture_.background);
-        if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
-        if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
-        session.appearance.lines = scene_.draws_lines();
-        if (scene_.line_width) session.appearance.line_width_px = float(*scene_.line_width);
-        std::optional<glm::dvec3> from;
-        if (silhouette_from_)
-            from = glm::dvec3(cloud.umbrellas().to_index(glm::dvec3(*silhouette_from_)));
-        session.show(std::move(document), camera, {});
-        freeze(session, from);
-    }
-
-    void show_model(ViewSession& session, Document document) {
-        const ModelDocument* const model = document.model();
-        if (models_.is_plain()) {
-            print_up(settle_up(model->mesh(), picture_.up, picture_.is_up_auto));
-            document.model()->set_models(models_.models(), std::nullopt);
-        }
-        if (!picture_.eye)
-            picture_.view.choose(models_.name(), model->mesh(), glm::dvec3(*picture_.up));
-        const Camera camera = make_camera(model->mesh(), models_.name(), picture_);
-        const double aspect = double(picture_.size.width) / picture_.size.height;
-        Scene scene = scene_.make_scene(
-            camera, SceneLights(picture_, model->mesh(), scene_.ground).lights(camera, aspect),
-            picture_);
-        if (scene_.ground) frame_ground(scene, model->mesh(), picture_);
-        if (picture_.is_three_point()) add_fill_and_rim(scene);
-        session.appearance = ViewAppearance(scene.style);
-        session.appearance.background = scene.palette.background;
-        if (scene_.color) session.appearance.color = linear_from_srgb(*scene_.color);
-        if (scene_.line_color) session.appearance.line_color = linear_from_srgb(*scene_.line_color);
-        session.appearance.materials = scene_.materials == "on";
-        session.appearance.material_lines = scene_.has_material_lines;
-        session.appearance.lines = scene.lines;
-        session.appearance.line_width_px = scene.line_width_px;
-        session.appearance.hidden = scene_.hidden;
-        session.appearance.crease_angle_deg = scene.crease_angle_deg;
-        session.appearance.only_clear_creases = scene.only_clear_creases;
-        session.appearance.shadows = scene.shadows;
-        session.appearance.shadow_method = scene.shadow_method;
-        session.appearance.ground = scene_.ground;
-        session.show(std::move(document), scene.camera, std::move(scene.lights));
-        if (picture_.lights.empty() && picture_.suns.empty()) session.note_chosen_sun();
-        std::optional<glm::dvec3> from;
-        if (silhouette_from_) from = glm::dvec3(*silhouette_from_);
-        freeze(session, from);
-    }
-
-    void freeze(ViewSession& session, const std::optional<glm::dvec3>& from) const {
-        if (!from) return;
-        const glm::dvec3 center = session.bounds().center;
-        if (*from == center) throw UsageError("--silhouette-from is the model's center");
-        session.freeze_at(
-            {.eye = *from, .target = center, .up = session.camera.up, .fov_y_deg = picture_.fov()});
-    }
-
-    ModelList models_;
-    CloudArgument cloud_;  // Only its flags are used.
-    PictureOptions picture_;
-    SceneOptions scene_;
-    std::optional<glm::vec3> silhouette_from_;
+    ViewArguments view_;
     bool no_panel_ = false;
     bool inspect_ = false;
     std::uint32_t frames_ = 0;

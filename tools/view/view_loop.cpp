@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "tools/output/output_file.h"
@@ -78,24 +79,50 @@ void ViewLoop::fit() {
     input_.is_framed = true;
 }
 
+void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
+    const auto is_scene = [](const std::string& name) { return is_scene_file(name); };
+    const ModelDocument* const model = session_.document().model();
+    if (!adds || !model) {
+        if (names.size() > 1) panel_.show_message("one at a time: opening the first", false);
+        loader_.open(names.front());
+    } else if (std::ranges::any_of(names, is_scene)) {
+        panel_.show_message("a scene file cannot be added to a scene", true);
+    } else {
+        loader_.arrange({.models = model->models(),
+                         .added = names,
+                         .up = session_.scene_up(),
+                         .towards_viewer = session_.camera.eye - session_.camera.target,
+                         .positions = model->mesh().positions()});
+    }
+}
+
 bool ViewLoop::show_loaded() {
     std::vector<std::string> dropped = window_.take_dropped();
-    if (!dropped.empty()) {
-        if (dropped.size() > 1)
-            panel_.show_message("one model at a time: opening the first", false);
-        loader_.open(dropped.front());
-    }
+    if (!dropped.empty()) open(dropped, panel_.adds());
     std::optional<ModelLoader::Result> result = loader_.take();
     if (!result) return false;
-    if (!result->document) {
+    OpenedView& view = result->view;
+    if (!view.document) {
         panel_.show_message(result->error, true);
+        panel_.forget_places();
         return false;
     }
     panel_.message.clear();
     gallery_.clear();
-    session_.show(std::move(result->document), free_area().aspect());
+    const bool was_framed = input_.is_framed;
+    switch (result->kind) {
+        case ModelLoader::Kind::document:
+            session_.show(std::move(view.document), free_area().aspect());
+            break;
+        case ModelLoader::Kind::scene: session_.show(std::move(view)); break;
+        case ModelLoader::Kind::arrangement: session_.replace(std::move(view.document)); break;
+    }
     frames_of_document_ = 0;
-    fit();
+    // A scene file says where its camera is.
+    if (result->kind == ModelLoader::Kind::scene)
+        input_.is_framed = false;
+    else if (result->kind == ModelLoader::Kind::document || was_framed)
+        fit();
     find_views();
     recent_.add(session_.document().name());
     window_.set_title("Rimline - " + session_.document().name());
@@ -175,7 +202,7 @@ void ViewLoop::find_views() {
     played_.reset();
     gallery_.clear();
     if (const ModelDocument* model = session_.document().model())
-        gallery_.find(*model, model->scene_up().value_or(session_.camera.up));
+        gallery_.find(*model, session_.scene_up());
 }
 
 void ViewLoop::play_or_stop() {
@@ -209,7 +236,12 @@ void ViewLoop::copy_command() {
 
 void ViewLoop::execute(const PanelRequests& requests) {
     if (requests.cancel) loader_.cancel();
-    if (requests.open) loader_.open(*requests.open);
+    if (requests.open) open({*requests.open}, requests.adds);
+    if (requests.arranged)
+        loader_.arrange({.models = *requests.arranged,
+                         .added = {},
+                         .up = session_.scene_up(),
+                         .positions = {}});
     if (requests.look_from) session_.look_from(*requests.look_from);
     if (requests.fit || requests.look_from) fit();
     const bool is_dark = requests.look_from && !session_.is_cloud() && session_.has_chosen_sun();
@@ -294,10 +326,12 @@ bool ViewLoop::draw() {
         frame = renderer_.draw(picture, context_.drawing(), quality(is_fine), captures_next_);
     } catch (const Error& error) {
         gallery_.clear();
+        loader_.cancel();
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_area().aspect()))
             throw;
         panel_.show_message(error.what(), true);
         fit();
+        find_views();
         frames_due_ = k_frames_after_event;
         return false;
     }

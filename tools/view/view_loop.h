@@ -52,8 +52,9 @@ public:
     /// Returns whether a frame was drawn.
     bool step(bool always);
 
-    /// Opens a model as the panel does: on another thread. Errors are shown in the panel.
-    void open(const std::string& model) { loader_.open(model); }
+    /// Opens models as the panel does: on another thread. Errors are shown in the panel. `adds`: to the scene that
+    /// is shown; else the first one takes its place.
+    void open(const std::vector<std::string>& names, bool adds = false);
     bool is_loading() const { return loader_.stage().has_value(); }
     const std::string& message() const noexcept { return panel_.message; }
     const ViewGallery& gallery() const noexcept { return gallery_; }

@@ -63,6 +63,17 @@ std::optional<glm::vec3> chosen_color(const char* name, const glm::vec3& linear)
     return linear_from_srgb(glm::clamp(color, 0.0f, 1.0f));
 }
 
+void draw_paint(const ViewSession& session, PlacedModel& model) {
+    const ViewAppearance& appearance = session.appearance;
+    const glm::vec3 surface = model.paint ? linear_from_srgb(*model.paint)
+                                          : appearance.color.value_or(default_surface_color(
+                                                appearance.style, appearance.background));
+    if (const auto color = chosen_color("paint", surface)) model.paint = nearest_srgb(*color);
+    if (!model.paint) return;
+    ImGui::SameLine();
+    if (ImGui::Button("Own colors")) model.paint.reset();
+}
+
 void draw_cloud_counts(const PointSurface& surface) {
     const auto count = [&](PointLabel label) { return grouped(surface.count(label)); };
     ImGui::TextDisabled("%s points", grouped(surface.size()).c_str());
@@ -84,8 +95,11 @@ void same_width() { ImGui::SetNextItemWidth(-0.42f * ImGui::GetWindowWidth()); }
 void ViewPanel::draw_model(const ViewSession& session, const Status& status,
                            PanelRequests& requests) {
     if (!session.is_empty()) {
+        const ModelDocument* const shown = session.document().model();
         const std::string name =
-            std::filesystem::path(session.document().name()).filename().string();
+            shown && shown->models().size() > 1
+                ? std::to_string(shown->models().size()) + " models"
+                : std::filesystem::path(session.document().name()).filename().string();
         ImGui::TextUnformatted(name.c_str());
         if (session.is_cloud()) {
             draw_cloud_counts(session.cloud().surface());
@@ -102,12 +116,21 @@ void ViewPanel::draw_model(const ViewSession& session, const Status& status,
         if (ImGui::Button("Cancel", {-1.0f, 0.0f})) requests.cancel = true;
         return;
     }
+    draw_choice(status, requests);
+    if (session.document().model() != nullptr) {
+        ImGui::Checkbox("add it to the scene", &adds_);
+        draw_models(session, requests);
+    }
+    requests.adds = adds_ && session.document().model() != nullptr;
+}
+
+void ViewPanel::draw_choice(const Status& status, PanelRequests& requests) {
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
     const bool entered =
         ImGui::InputTextWithHint("##path", "file, or drop one here", path_.data(), path_.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
-    if ((ImGui::Button("Open", {-1.0f, 0.0f}) || entered) && path_[0] != '\0')
+    if ((ImGui::Button(adds_ ? "Add" : "Open", {-1.0f, 0.0f}) || entered) && path_[0] != '\0')
         requests.open = path_.data();
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
     if (ImGui::BeginCombo("##shapes", "recent and built-in")) {
@@ -126,6 +149,42 @@ void ViewPanel::draw_model(const ViewSession& session, const Status& status,
             requests.open = *chosen;
             browses_ = false;
         }
+}
+
+void ViewPanel::draw_models(const ViewSession& session, PanelRequests& requests) {
+    const std::vector<PlacedModel>& models = session.model().models();
+    if (shown_ != models) shown_ = placed_ = models;
+    const auto step = static_cast<float>(0.01 * session.bounds().radius);
+    std::optional<std::size_t> removed;
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+        PlacedModel& model = placed_[i];
+        ImGui::PushID(static_cast<int>(i));
+        const std::string name = std::filesystem::path(model.model).filename().string();
+        if (ImGui::TreeNode("model", "%s", name.c_str())) {
+            ImGui::SetNextItemWidth(-0.1f * ImGui::GetWindowWidth());
+            ImGui::DragFloat3("at", &model.at.x, step, 0.0f, 0.0f, "%.3g");
+            auto degrees = static_cast<float>(model.turn.degrees);
+            same_width();
+            if (ImGui::DragFloat(model.turn.axis ? "turn about its axis" : "turn", &degrees, 1.0f,
+                                 -360.0f, 360.0f, "%.0f deg", ImGuiSliderFlags_AlwaysClamp))
+                model.turn.degrees = double{degrees};
+            auto scale = static_cast<float>(model.scale);
+            same_width();
+            if (ImGui::DragFloat("scale", &scale, 0.01f * scale, float(k_min_scale),
+                                 float(k_max_scale), "%.4g", ImGuiSliderFlags_AlwaysClamp))
+                model.scale = std::clamp(double{scale}, k_min_scale, k_max_scale);
+            draw_paint(session, model);
+            if (placed_.size() > 1) {
+                ImGui::SameLine();
+                if (ImGui::Button("Remove")) removed = i;
+            }
+            ImGui::TreePop();
+        }
+        ImGui::PopID();
+    }
+    if (removed) placed_.erase(placed_.begin() + static_cast<std::ptrdiff_t>(*removed));
+    // What is dragged is shown when it is let go.
+    if (placed_ != models && !ImGui::IsAnyItemActive()) requests.arranged = placed_;
 }
 
 void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests& requests) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tools/view/file_browser.h"
 #include "tools/view/hough_panel.h"
@@ -19,11 +20,13 @@ namespace rimline::tools {
 
 /// Actions that the user requested in one frame.
 struct PanelRequests {
-    std::optional<std::string> open;  ///< The model to open.
-    bool cancel = false;              ///< Cancel the load.
-    bool fit = false;                 ///< Fit the model into the picture.
-    bool choose_sun = false;          ///< Light the model for the camera.
-    bool play = false;                ///< Begin to play the camera path, or stop.
+    std::optional<std::string> open;                   ///< The model to open.
+    bool adds = false;                                 ///< It is added to the scene that is shown.
+    std::optional<std::vector<PlacedModel>> arranged;  ///< The models of the scene, moved.
+    bool cancel = false;                               ///< Cancel the load.
+    bool fit = false;                                  ///< Fit the model into the picture.
+    bool choose_sun = false;                           ///< Light the model for the camera.
+    bool play = false;                                 ///< Begin to play the camera path, or stop.
     bool copy_command = false;  ///< Put a command line that draws the picture into the clipboard.
     std::optional<glm::dvec3> look_from;  ///< Turn the camera: the direction towards the viewer.
     struct Save {
@@ -63,12 +66,19 @@ public:
     void draw(ViewSession& session, ViewInput& input, HoughPanel& hough, const Status& status,
               PanelRequests& requests);
 
+    /// Forgets what the user has changed of the models' places; for a scene that cannot be shown.
+    void forget_places() noexcept { shown_.clear(); }
+    /// Whether files that are opened are added to the scene.
+    bool adds() const noexcept { return adds_; }
+
     /// What the panel says of a picture and of a scene file to be saved.
     PanelRequests::Save picture_request() const;
     PanelRequests::Save scene_request() const;
 
 private:
     void draw_model(const ViewSession& session, const Status& status, PanelRequests& requests);
+    void draw_choice(const Status& status, PanelRequests& requests);
+    void draw_models(const ViewSession& session, PanelRequests& requests);
     void draw_view(ViewSession& session, ViewInput& input, PanelRequests& requests);
     static void draw_directions(const ViewSession& session, PanelRequests& requests);
     static void draw_gallery(const Status& status, PanelRequests& requests);
@@ -83,6 +93,9 @@ private:
     std::array<char, 1024> path_{};
     FileBrowser browser_;
     bool browses_ = false;
+    bool adds_ = false;
+    // The models of the document, and what the user makes of them.
+    std::vector<PlacedModel> shown_, placed_;
     std::array<char, 1024> picture_path_{"view.png"};
     std::array<char, 1024> scene_path_{"scene.json"};
     std::array<int, 2> picture_size_{1920, 1440};

@@ -18,7 +18,6 @@
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/shadow_framing.h"
-#include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
 #include "tools/output/same_picture.h"
@@ -31,11 +30,9 @@ namespace rimline::tools {
 namespace {
 
 std::string hex_of(const glm::vec3& linear) {
-    const glm::vec3 srgb = glm::clamp(srgb_from_linear(linear), 0.0f, 1.0f);
-    const auto byte = [](float c) { return static_cast<unsigned>(std::lround(255.0f * c)); };
+    const Color color = nearest_srgb(linear);
     std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(srgb.x), byte(srgb.y),
-                  byte(srgb.z));
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color.red, color.green, color.blue);
     return text.data();
 }
 
@@ -162,6 +159,17 @@ void ViewSession::show(Document document, const Camera& chosen, std::vector<Ligh
     frozen_.reset();
 }
 
+void ViewSession::show(OpenedView opened) {
+    appearance = opened.appearance;
+    show(std::move(opened.document), opened.camera, std::move(opened.lights));
+    if (opened.has_chosen_sun) note_chosen_sun();
+    frozen_ = opened.frozen;
+}
+
+void ViewSession::replace(Document document) {
+    show(std::move(document), Camera(camera), std::vector<Light>(lights));
+}
+
 bool ViewSession::show_previous(double aspect) {
     if (!previous_) return false;
     // Drop the document that cannot be drawn, so that show() does not keep it as the previous one.
@@ -190,16 +198,19 @@ void ViewSession::fit(const FreeArea& area) {
     // Away from the window's middle a perspective picture is another one: near parts move farther. It converges.
     constexpr int k_steps = 5;
     const glm::dvec2 middle(area.left + 0.5 * area.width(), 0.5 * area.window.y);
-    if (frames_shadow) {
-        pan(camera, {(middle.x - 0.5 * area.window.x) / area.window.y, 0.0});
-        return;
-    }
+    if (frames_shadow) pan(camera, {(middle.x - 0.5 * area.window.x) / area.window.y, 0.0});
     for (int step = 0; step < k_steps; ++step) {
         const std::optional<PictureBox> box = box_of(camera, document_.subject(), area.window);
         if (!box) return;
-        const glm::dvec2 shift = middle - 0.5 * (box->low + box->high);
-        pan(camera, glm::dvec2(shift.x, -shift.y) / area.window.y);
         const glm::dvec2 sides = k_picture_margin * (box->high - box->low);
+        glm::dvec2 shift = middle - 0.5 * (box->low + box->high);
+        if (frames_shadow) {
+            // The middle is that of model and shadow; the model may be aside of it, but wholly in view.
+            const glm::dvec2 room =
+                glm::max(0.5 * (glm::dvec2(area.width(), area.window.y) - sides), 0.0);
+            shift -= glm::clamp(shift, -room, room);
+        }
+        pan(camera, glm::dvec2(shift.x, -shift.y) / area.window.y);
         const double excess = std::max(sides.x / area.width(), sides.y / area.window.y);
         const double radius = bounds().radius;
         if (excess > 1.0) zoom(camera, excess, 0.0, 1e3 * radius);
@@ -365,7 +376,7 @@ Scene ViewSession::scene() const {
                       .line_color = appearance.line_color,
                       .lines_in_mesh_colors = appearance.material_lines},
          .is_solid = model.is_solid()});
-    const glm::dvec3 ground_up = model.scene_up().value_or(camera.up);
+    const glm::dvec3 ground_up = scene_up();
     if (appearance.ground)
         scene.instances.push_back(ground_instance(scene, model.mesh(), model.ground(ground_up),
                                                   fade_of_ground(model.mesh(), lights, ground_up)));
@@ -377,7 +388,7 @@ WrittenScene ViewSession::written_scene(ImageSize size) const {
     const Camera rounded = rounded_to_float(camera);
     std::vector<Light> rounded_lights = lights;
     for (Light& light : rounded_lights) light.vector = rounded_to_float(light.vector);
-    return {.up = rounded_to_float(model.scene_up().value_or(camera.up)),
+    return {.up = rounded_to_float(scene_up()),
             .models = model.models(),
             .lights = scene_lights_json(rounded_lights),
             .cameras = {{"window", scene_camera_json(rounded)}},

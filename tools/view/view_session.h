@@ -16,6 +16,7 @@
 #include "tools/options/line_style.h"
 #include "tools/options/option_types.h"
 #include "tools/options/scene_file.h"
+#include "tools/options/up_option.h"
 #include "tools/view/document.h"
 
 namespace rimline::tools {
@@ -56,6 +57,17 @@ struct FreeArea {
     bool operator==(const FreeArea&) const = default;
 };
 
+/// A document with all that says how it is shown.
+struct OpenedView {
+    Document document;
+    Camera camera;
+    std::vector<Light> lights;
+    bool has_chosen_sun = false;  ///< The last of the lights is a sun that nobody named.
+    ViewAppearance appearance;
+    std::optional<Camera> frozen;  ///< Whose silhouette is shown.
+    ChosenUp up;                   ///< Of the mesh of a model that stands alone.
+};
+
 /// The scene of a model or of a cloud.
 using ViewPicture = std::variant<Scene, SplatScene>;
 
@@ -71,6 +83,10 @@ public:
     void show(Document document, double aspect);
     /// The same with the given camera and lights. The appearance takes over the camera's lens.
     void show(Document document, const Camera& chosen, std::vector<Light> chosen_lights);
+    /// The same with the appearance too.
+    void show(OpenedView opened);
+    /// Shows another document with the same camera and lights, for models that have been moved.
+    void replace(Document document);
     /// Returns to the document before; for a document that is too large for the device. False if there is
     /// none.
     bool show_previous(double aspect);
@@ -84,6 +100,9 @@ public:
     const CloudDocument& cloud() const noexcept { return *document_.cloud(); }
     /// The bounding sphere of the document: the scale of handles and speeds. Its radius is not 0.
     SceneBounds bounds() const;
+
+    /// The up direction of a scene of several models, which the camera may not share. For models only.
+    glm::dvec3 scene_up() const { return model().scene_up().value_or(camera.up); }
 
     /// Moves the camera, but does not turn it, so that the whole document, with a ground its shadow too, is in the
     /// middle of a rectangle of the picture. O(positions).

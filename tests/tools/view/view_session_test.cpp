@@ -204,6 +204,23 @@ TEST_CASE("between panels the model is whole, in the middle of what they leave, 
     }
 }
 
+TEST_CASE("with a ground the model is whole too, beside its shadow") {
+    ViewSession session;
+    session.appearance.ground = true;
+    for (const char* name : {"shape:spring", "shape:knot"})
+        for (const FreeArea& area : {FreeArea{.window = {1100, 850}, .left = 320},
+                                     FreeArea{.window = {900, 700}, .left = 320, .right = 290}}) {
+            session.show(open(name), area.aspect());
+            for (int turn = 0; turn < 8; ++turn) {
+                orbit(session.camera, {0.8, turn < 4 ? 0.1 : -0.1});
+                session.fit(area);
+                CAPTURE(name);
+                CAPTURE(turn);
+                CHECK(session.is_whole(area));
+            }
+        }
+}
+
 TEST_CASE("the camera looks from where it is told to, level, and never straight along its axis") {
     ViewSession session;
     session.show(open("shape:knot"), 1.2);

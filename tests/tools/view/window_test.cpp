@@ -397,7 +397,7 @@ TEST_CASE("a model opened in the window takes the other's place, and a broken on
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true});
     const auto load = [&](const std::string& name) {
-        shown.loop->open(name);
+        shown.loop->open({name});
         for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->step(true);
         shown.loop->step(true);
         shown.loop->step(true);
@@ -413,6 +413,30 @@ TEST_CASE("a model opened in the window takes the other's place, and a broken on
     load("shape:box");
     CHECK(shown.session.model().name() == "shape:box");
     CHECK(shown.loop->message().empty());
+}
+
+TEST_CASE("a model is added in the window beside the other, seen by the same camera") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    shown.resize(900, 700);
+    shown.capture_at_rest();
+    const glm::dvec3 direction =
+        glm::normalize(shown.session.camera.eye - shown.session.camera.target);
+    const std::vector<Light> lights = shown.session.lights;
+    const std::size_t faces = shown.session.model().mesh().face_count();
+    shown.loop->open({"shape:box", "shape:box"}, true);
+    for (int i = 0; i < 2000 && shown.session.model().models().size() < 3; ++i)
+        shown.loop->step(true);
+    REQUIRE(shown.session.model().models().size() == 3);
+    CHECK(shown.session.model().mesh().face_count() == faces + 24);
+    CHECK(glm::distance(glm::normalize(shown.session.camera.eye - shown.session.camera.target),
+                        direction) < 1e-6);
+    REQUIRE(shown.session.lights.size() == lights.size());
+    CHECK(shown.session.lights[0].vector == lights[0].vector);
+    CHECK(shown.session.is_whole(shown.loop->free_area()));
+    CHECK(shown.session.command({320, 240}, "a.png").find("--at") != std::string::npos);
+    shown.loop->open({"scene.json"}, true);
+    CHECK(shown.loop->message().find("cannot be added") != std::string::npos);
 }
 
 TEST_CASE("clouds and models take each other's place in the window") {

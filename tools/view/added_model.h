@@ -1,0 +1,33 @@
+#pragma once
+
+// Where a model goes that is added to the scene in the window.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/options/placed_model.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+/// The models of a scene, of which some have no place yet.
+struct Arrangement {
+    std::vector<PlacedModel> models;
+    std::vector<std::string> added = {};  ///< Files and built-in shapes, without a place.
+    glm::dvec3 up{0, 1, 0};               ///< Of the scene.
+    glm::dvec3 towards_viewer{0, 0, 1};
+    /// All positions of `models` in the scene, if something is added. They must live until it is placed.
+    std::span<const glm::vec3> positions = {};
+};
+
+/// The models of the arrangement, with the added ones to the right of the others for the viewer, along an axis, on
+/// the same ground, one beside the other. A model is scaled where it would be more than 4 times larger or smaller than
+/// the others together. Reads each added file; throws what load_drawn_model() throws.
+std::vector<PlacedModel> place_added(const Arrangement& arrangement, const BeginCall& begin);
+
+/// The arguments of `rimline view` that show the models.
+std::vector<std::string> view_arguments(std::span<const PlacedModel> models, const glm::dvec3& up);
+
+}  // namespace rimline::tools
