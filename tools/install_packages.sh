@@ -6,6 +6,7 @@
 #   tools/install_packages.sh cpu-tests   to build and run their tests too
 #   tools/install_packages.sh demo        to build and run everything but the tests
 #   tools/install_packages.sh tests       to build and run everything
+#   tools/install_packages.sh fuzz        to build and run the fuzz targets
 set -u
 source "$(dirname "$0")/steps.sh"
 
@@ -16,13 +17,15 @@ engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libglfw3-dev libimgui-de
     fonts-dejavu-core libmeshoptimizer-dev libqhull-dev)
 cpu_tests=(ccache doctest-dev python3 librsvg2-bin poppler-utils python3-ezdxf)
 engine_tests=(libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb)
+fuzz=(clang-16 libclang-rt-16-dev python3)
 
 case "${1:-}" in
     cpu) wanted=("${cpu[@]}") ;;
     cpu-tests) wanted=("${cpu[@]}" "${cpu_tests[@]}") ;;
     demo) wanted=("${cpu[@]}" "${engine[@]}") ;;
     tests) wanted=("${cpu[@]}" "${engine[@]}" "${cpu_tests[@]}" "${engine_tests[@]}") ;;
-    *) stop "usage: $script_name cpu|cpu-tests|demo|tests" ;;
+    fuzz) wanted=("${cpu[@]}" "${fuzz[@]}") ;;
+    *) stop "usage: $script_name cpu|cpu-tests|demo|tests|fuzz" ;;
 esac
 
 command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||

@@ -66,13 +66,17 @@ double height_preference(const glm::dvec3& direction, const glm::dvec3& up) {
     return 1.0 - (1.0 - k_least) * std::min(below_rad / k_least_from_rad, 1.0);
 }
 
+double view_preference(const glm::dvec3& direction, const glm::dvec3& up) {
+    constexpr double k_least_behind = 0.9;
+    const double likeness = std::min(three_quarter_likeness(glm::normalize(direction), up), 1.0);
+    return height_preference(direction, up) *
+           (1.0 - (1.0 - k_least_behind) * 0.5 * (1.0 - likeness));
+}
+
 std::optional<int> symmetry_axis(const Mesh& mesh) {
-    constexpr double k_symmetric = 0.9;  // Nefertiti has 0.93.
     const UprightEvidence evidence = measure_upright(mesh);
     for (int axis = 0; axis < 3; ++axis)
-        if (evidence.symmetry[std::size_t(axis)] >= k_symmetric &&
-            is_symmetric_across_alone(evidence, std::size_t(axis)))
-            return axis;
+        if (is_symmetric_across_alone(evidence, std::size_t(axis))) return axis;
     return std::nullopt;
 }
 
@@ -84,7 +88,7 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
     interest.count = options.count;
     interest.weighs_all = options.draws_all;
     const auto preference = [&](const glm::dvec3& point) {
-        return options.up ? height_preference(point, *options.up) : 1.0;
+        return options.up ? view_preference(point, *options.up) : 1.0;
     };
     if (options.visible_ratios || options.up)
         interest.weigh = [&](std::span<const glm::dvec3> points) {
@@ -92,10 +96,6 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
             if (options.visible_ratios) weights = drawn(points);
             for (std::size_t i = 0; i < points.size(); ++i) weights[i] *= preference(points[i]);
             return weights;
-        };
-    if (options.up)
-        interest.prefer = [&](const glm::dvec3& point) {
-            return three_quarter_likeness(glm::normalize(point), *options.up);
         };
     interest.mirror_axis = options.mirror_axis;
     interest.weighed_stride = options.visible_ratios ? options.stride : 1;

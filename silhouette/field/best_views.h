@@ -46,7 +46,7 @@ struct BestView {
     glm::dvec3 eye;              ///< In the mesh's coordinates.
     double votes;                ///< Votes that earlier views have not got: a sum over planes.
     double visible_ratio = 1.0;  ///< 1 if not rendered.
-    double preference = 1.0;     ///< Less below the horizon, if there is an up direction.
+    double preference = 1.0;     ///< view_preference(), if there is an up direction.
     double score() const noexcept { return votes * visible_ratio * preference; }
 };
 
@@ -56,9 +56,8 @@ struct BestViewsOptions {
     /// Candidates to render are the peaks of the votes and every `stride`-th sample of the lattice along
     /// each axis. 2 gives the same scores as 1 with a quarter of the candidates.
     std::uint32_t stride = 2;
-    /// People seldom look at things from below. With `up`, the score of a view is multiplied by 1 above the
-    /// horizon, and below it by a factor that falls linearly to 0.5 at 60 degrees. Of views whose score is
-    /// within 5% of the best one, the nearest to a three-quarter view is chosen.
+    /// With `up`, the score of a view is multiplied by view_preference(): people seldom look at things from below or
+    /// behind.
     std::optional<glm::dvec3> up;
     /// Of the plane of symmetry across this axis, if the mesh has one: a mirror image of a chosen view counts what it
     /// adds (symmetry_axis()).
@@ -73,10 +72,15 @@ struct BestViews {
     std::uint64_t evaluations = 0;  ///< Evaluations of the field.
 };
 
-/// The factor of BestViewsOptions::up for a viewpoint in this direction from the mesh.
+/// 1 for a viewpoint in a direction from the mesh above the horizon. Below it falls linearly to 0.5 at 60 degrees.
 double height_preference(const glm::dvec3& direction, const glm::dvec3& up);
 
-/// The axis across which alone the mesh is symmetric, but for a tenth of its area. O(faces).
+/// The factor of BestViewsOptions::up: height_preference() times 1 for a three-quarter view in front, falling with the
+/// cosine of the angle to it to 0.9 on the other side. Near ties go to three-quarter views, and yet the score changes
+/// smoothly with the viewpoint: a limit within which they win would make the choice depend on noise.
+double view_preference(const glm::dvec3& direction, const glm::dvec3& up);
+
+/// The axis across which alone the mesh is symmetric, but for three tenths of its area. O(faces).
 std::optional<int> symmetry_axis(const Mesh& mesh);
 
 /// `field` comes from make_view_field. Returns fewer than `count` views if no plane has votes left: none

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::uint32_t k_max_rounds = 200;  // Rounds of a climb, 26 samples each. Usually 15.
 constexpr std::size_t k_max_fine_climbs = 2;
-constexpr double k_preferred_share = 0.95;
 
 double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
     return 2.0 * domain.outer_radius / (lattice - 1);
@@ -252,8 +251,7 @@ private:
             if (lattice_.is_at_stride(i, stride))
                 candidates.push_back({lattice_.points()[i], votes[i]});
         call.checkpoint(0.7);
-        std::optional<PointOfInterest> best =
-            best_of(candidates, std::nullopt, bool(options_.prefer), silent);
+        std::optional<PointOfInterest> best = best_of(candidates, std::nullopt, silent);
         if (best && options_.weigh) best = refine(*best, silent);
         call.checkpoint(1.0);
         return best;
@@ -269,8 +267,7 @@ private:
             evaluate(points, votes, call);
             std::vector<Sample> candidates;
             for (std::size_t i = 0; i < 6; ++i) candidates.push_back({points[i], votes[i]});
-            const std::optional<PointOfInterest> other =
-                best_of(candidates, best.score(), false, call);
+            const std::optional<PointOfInterest> other = best_of(candidates, best.score(), call);
             if (other && other->score() > best.score() + tie_)
                 best = *other;
             else
@@ -282,8 +279,7 @@ private:
     // The candidate with the best score, or nothing if none has votes. May skip candidates that cannot
     // exceed `bar`.
     std::optional<PointOfInterest> best_of(std::span<const Sample> candidates,
-                                           std::optional<double> bar, bool prefers,
-                                           const LongCall& call) {
+                                           std::optional<double> bar, const LongCall& call) {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < candidates.size(); ++i)
             if (candidates[i].votes > min_) order.push_back(i);
@@ -291,7 +287,6 @@ private:
                                  [&](std::size_t i) { return candidates[i].votes; });
         if (options_.weigh) result_.candidates += order.size();
 
-        const double near = prefers ? k_preferred_share : 1.0;
         std::vector<PointOfInterest> weighed;
         double max_score = bar.value_or(0.0);
         std::size_t next = 0;
@@ -300,7 +295,7 @@ private:
             const std::size_t begin = next;
             for (; next < order.size() && batch.size() < options_.weigh_batch; ++next) {
                 const Sample& candidate = candidates[order[next]];
-                if (!options_.weighs_all && candidate.votes < near * max_score - tie_) break;
+                if (!options_.weighs_all && candidate.votes < max_score - tie_) break;
                 batch.push_back(candidate.point);
             }
             if (batch.empty()) break;
@@ -311,28 +306,11 @@ private:
                 max_score = std::max(max_score, weighed.back().score());
             }
         }
-        if (prefers) return preferred_of(weighed, near * max_score - tie_);
         // Resolves ties with the maximum score.
         std::optional<PointOfInterest> best;
         for (const PointOfInterest& point : weighed) {
             if (point.score() < max_score - tie_ || point.score() <= 0.0) continue;
             if (!best || comes_before(point.point, best->point)) best = point;
-        }
-        return best;
-    }
-
-    // Of the points with at least this score.
-    std::optional<PointOfInterest> preferred_of(std::span<const PointOfInterest> points,
-                                                double min_score) const {
-        std::optional<PointOfInterest> best;
-        double best_value = 0.0;
-        for (const PointOfInterest& point : points) {
-            if (point.score() < min_score || point.score() <= 0.0) continue;
-            const double value = options_.prefer(point.point);
-            if (best && value < best_value) continue;
-            if (best && value == best_value && !comes_before(point.point, best->point)) continue;
-            best = point;
-            best_value = value;
         }
         return best;
     }

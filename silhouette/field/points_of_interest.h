@@ -19,9 +19,6 @@
 //   largest x, then y, then z, then the first one found is chosen. The others may be chosen later, if
 //   planes have votes left for them.
 //
-//   Preference. With `prefer`, the chosen candidate is the one that it prefers most among those within 5% of the best
-//   score, and near ties are not left to chance.
-//
 //   Mirror. On a symmetric mesh a point and its mirror image are chosen for the same sight. With `mirror_axis`, planes
 //   have no votes left for the mirror images of chosen points either.
 //
@@ -70,7 +67,6 @@ struct InterestOptions {
     /// With weights, every `weighed_stride`-th lattice sample along each axis is a candidate.
     std::uint32_t weighed_stride = 1;
     std::uint32_t weigh_batch = 16;  ///< Maximum number of points per call of `weigh`.
-    std::function<double(const glm::dvec3&)> prefer;  ///< Greater is better. Empty: no preference.
     std::optional<int> mirror_axis;  ///< Of the mirror through the center that keeps the mesh.
     bool weighs_all = false;         ///< For tests: weighs every candidate. The result is the same.
 };

@@ -1,9 +1,18 @@
 // Best views weighted by ratios that a device draws.
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <random>
+
 #include "engine/measure/visible_ratio.h"
 #include "silhouette/field/best_views.h"
+#include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
+#include "tests/models.h"
+#include "tests/skip.h"
 
 namespace rimline {
 namespace {
@@ -41,6 +50,58 @@ TEST_CASE("views of which few candidates are drawn are those of drawing all") {
     }
     CHECK(are_few);
 }
+
+// The mean square of the noise is that of 0.1% of the radius.
+MeshSource with_noise(const Mesh& mesh, std::uint32_t seed) {
+    MeshSource source;
+    source.positions.assign(mesh.positions().begin(), mesh.positions().end());
+    for (const auto& [a, b, c] : mesh.triangles())
+        source.triangles.push_back({index(a), index(b), index(c)});
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> noise(-1.0f, 1.0f);
+    const auto size = static_cast<float>(1e-3 * mesh.radius());
+    for (glm::vec3& p : source.positions)
+        p += size * glm::vec3(noise(random), noise(random), noise(random));
+    return source;
+}
+
+TEST_SUITE_BEGIN("long");
+
+TEST_CASE("noise of a thousandth of the radius moves the first view by less than 10 degrees") {
+    RIMLINE_OPEN_GPU(gpu);
+    bool has_models = false;
+    for (const char* name : {"fandisk.obj", "rocker-arm.obj", "stanford-bunny.obj"}) {
+        const auto path = tests::find_model(name);
+        if (!path) continue;
+        has_models = true;
+        CAPTURE(name);
+        const auto first_view = [&](const Mesh& mesh) {
+            const HoughOctree octree(mesh);
+            VisibleRatioPass pass(gpu->context(), octree);
+            BestViewsOptions options{.count = 1};
+            options.up = glm::dvec3(0, 1, 0);
+            options.visible_ratios = [&](std::span<const glm::dvec3> eyes) {
+                std::vector<double> ratios;
+                for (const VisibleRatio& ratio : pass.measure(eyes))
+                    ratios.push_back(ratio.ratio());
+                return ratios;
+            };
+            const BestViews best = find_best_views(make_view_field(mesh), options);
+            return glm::normalize(best.views.at(0).eye - mesh.center());
+        };
+        const Mesh exact(read_mesh_file(*path));
+        const glm::dvec3 view = first_view(exact);
+        for (const std::uint32_t seed : {1u, 2u}) {
+            const glm::dvec3 moved = first_view(Mesh(with_noise(exact, seed)));
+            const double degrees = glm::degrees(std::acos(std::min(glm::dot(view, moved), 1.0)));
+            CAPTURE(seed);
+            CHECK(degrees < 10.0);
+        }
+    }
+    if (!has_models) RIMLINE_SKIP("no models: set RIMLINE_MODELS");
+}
+
+TEST_SUITE_END();
 
 }  // namespace
 }  // namespace rimline

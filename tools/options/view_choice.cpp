@@ -18,8 +18,8 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
         ->group("Views");
     app.add_option(
            "--below", below,
-           "Views from below the horizon count less, down to a half at 60 degrees, and near "
-           "ties go to three-quarter views; full: neither")
+           "Views from below the horizon count less, down to a half at 60 degrees, and views from "
+           "behind a tenth less than three-quarter views; full: neither")
         ->check(CLI::IsMember({"less", "full"}))
         ->capture_default_str()
         ->group("Views");

@@ -115,7 +115,10 @@ bool ViewLoop::show_loaded() {
             session_.show(std::move(view.document), free_area().aspect());
             break;
         case ModelLoader::Kind::scene: session_.show(std::move(view)); break;
-        case ModelLoader::Kind::arrangement: session_.replace(std::move(view.document)); break;
+        case ModelLoader::Kind::arrangement:
+            session_.replace(std::move(view.document));
+            if (session_.has_chosen_sun()) session_.choose_sun(free_area().aspect());
+            break;
     }
     frames_of_document_ = 0;
     // A scene file says where its camera is.

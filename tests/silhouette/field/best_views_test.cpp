@@ -181,6 +181,22 @@ TEST_CASE("views from below count less, down to a half at 60 degrees") {
     CHECK(height_preference({0, 0, -1}, up) == doctest::Approx(0.5));
 }
 
+TEST_CASE("views from behind count a tenth less than three-quarter views in front") {
+    for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), {0, 0, 1}, {0, -1, 0}}) {
+        const glm::dvec3 right = three_quarter_direction(up);
+        const glm::dvec3 level = glm::normalize(right - glm::dot(right, up) * up);
+        const glm::dvec3 left =
+            right - 2.0 * glm::dot(right, ground_axes(up).first) * ground_axes(up).first;
+        CHECK(view_preference(3.0 * right, up) == 1.0);
+        CHECK(view_preference(left, up) == doctest::Approx(1.0));
+        // Opposite to the right one, and 38 degrees above.
+        const double behind = view_preference(right - 2.0 * glm::dot(right, level) * level, up);
+        CHECK(behind > 0.9);
+        CHECK(behind < 0.96);
+        CHECK(view_preference(-right, up) < 0.95 * height_preference(-right, up));
+    }
+}
+
 TEST_CASE("with an up direction the scores have the preference, and drawing all changes nothing") {
     const Mesh mesh(make_built_in_shape("knot", 3000));
     const VisibleRatios ratios = [](std::span<const glm::dvec3> eyes) {
@@ -200,7 +216,7 @@ TEST_CASE("with an up direction the scores have the preference, and drawing all 
             CHECK(in_shell(mesh, view.eye));
             CHECK(view.visible_ratio == made_up_ratio(view.eye));
             CHECK(view.preference ==
-                  doctest::Approx(height_preference(view.eye - mesh.center(), up)).epsilon(1e-9));
+                  doctest::Approx(view_preference(view.eye - mesh.center(), up)).epsilon(1e-9));
         }
         const BestViews by_votes = preferred_views(mesh, 2, up);
         CHECK(by_votes.renders == 0);
