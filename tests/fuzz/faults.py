@@ -1,0 +1,127 @@
+"""faults.py LIBRARY PROGRAM [--runs N]
+
+Fails allocations, writes and reads of the rimline program one by one (failing_calls.cpp), in each subcommand that needs
+no device and in the reader of each format. Whatever fails, the program ends with status 0, or with status 1 and one
+line that says why; the old output is left as it was, and nothing else beside it. What an interrupted or a short call
+delays is done again: status 0 and the same output. At most N (default 120) of the calls of each run are failed, evenly
+spread.
+"""
+import argparse
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from seeds import SEEDS  # noqa: E402
+
+OLD_OUTPUT = b"an older file"
+COMMANDS = [["info", "shape:torus:300", "--json"],
+            ["silhouette", "shape:torus:300", "--from", "3,2,4", "-o", "out.svg"],
+            ["draw", "shape:torus:300", "-o", "out.svg"],
+            ["track", "shape:torus:300", "--frames", "20", "--json"],
+            ["origins", "shape:torus:300", "-k", "2", "--json"],
+            ["field", "shape:torus:300", "--slice", "z=0", "--resolution", "32", "-o", "out.png"],
+            ["views", "shape:torus:300", "--no-ratio", "-k", "2", "--json"],
+            ["points", "shape:torus:300", "--as-points", "--from", "3,2,4", "--json"]]
+FORMATS = {"mesh_obj": ".obj", "mesh_ply": ".ply", "mesh_stl": ".stl", "mesh_off": ".off", "mesh_gltf": ".gltf",
+           "mesh_glb": ".glb"}
+
+
+class Run:
+    def __init__(self, library, program, folder, command):
+        self.library, self.program, self.folder, self.command = library, program, folder, command
+        self.output = os.path.join(folder, command[command.index("-o") + 1]) if "-o" in command else None
+        self.inputs = {name for name in os.listdir(folder) if name.startswith("in")}
+        self.counts = self.count()
+        self.whole = self.result()
+
+    def execute(self, **variables):
+        if self.output:
+            with open(self.output, "wb") as file:
+                file.write(OLD_OUTPUT)
+        environment = os.environ | {"LD_PRELOAD": self.library} | variables
+        return subprocess.run([self.program, *self.command, "--threads", "2"], cwd=self.folder, env=environment,
+                              stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
+
+    def count(self):
+        path = os.path.join(self.folder, "in-counts")
+        result = self.execute(RIMLINE_COUNTS=path)
+        assert result.returncode == 0, (self.command, result.stderr)
+        self.inputs.add("in-counts")
+        with open(path, encoding="ascii") as file:
+            return [int(number) for number in file.read().split()]
+
+    def result(self):
+        if not self.output:
+            return None
+        with open(self.output, "rb") as file:
+            return file.read()
+
+    def check(self, what, must_succeed=False, **variables):
+        result = self.execute(**variables)
+        status, errors = result.returncode, result.stderr.decode(errors="replace")
+        where = f"{what}: rimline {' '.join(self.command)}"
+        if status < 0:
+            sys.exit(f"{where}: {signal.Signals(-status).name}\n{errors}")
+        lines = [line for line in errors.splitlines() if line.startswith("rimline: error: ")]
+        if status not in (0, 1) or (status == 1) != (len(lines) == 1) or (must_succeed and status != 0):
+            sys.exit(f"{where}: status {status}\n{errors}")
+        others = set(os.listdir(self.folder)) - self.inputs - {self.command[self.command.index("-o") + 1] if self.output else ""}
+        if others:
+            sys.exit(f"{where}: {', '.join(others)} left")
+        if self.output and self.result() != (self.whole if status == 0 else OLD_OUTPUT):
+            sys.exit(f"{where}: status {status}, and another output")
+        return status
+
+
+def spread(count, runs):
+    """At most `runs` numbers from 1 to `count`: the first ones, and others evenly spread."""
+    if count <= runs:
+        return range(1, count + 1)
+    first = runs // 3
+    rest = runs - first
+    return sorted({*range(1, first + 1), *(first + (i + 1) * (count - first) // rest for i in range(rest))})
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("library")
+    parser.add_argument("program")
+    parser.add_argument("--runs", type=int, default=120)
+    arguments = parser.parse_args()
+    library, program = os.path.abspath(arguments.library), os.path.abspath(arguments.program)
+    total = refused = 0
+    cases = [(command, None, None) for command in COMMANDS]
+    for target, ending in FORMATS.items():
+        cases += [(["silhouette", "in" + ending, "--from", "3,2,4", "-o", "out.svg"], "in" + ending, seed)
+                  for seed in SEEDS[target]()]
+    for command, name, seed in cases:
+        with tempfile.TemporaryDirectory() as folder:
+            if name:
+                with open(os.path.join(folder, name), "wb") as file:
+                    file.write(seed.encode() if isinstance(seed, str) else seed)
+            run = Run(library, program, folder, command)
+            allocations, writes, reads = run.counts
+            for n in spread(allocations, arguments.runs):
+                refused += run.check(f"allocation {n}", RIMLINE_FAIL_ALLOCATION=str(n))
+                refused += run.check(f"allocations from {n} on", RIMLINE_FAIL_ALLOCATION=str(n), RIMLINE_FAIL_ON="1")
+                total += 2
+            for n in spread(writes, arguments.runs):
+                refused += run.check(f"no space at write {n}", RIMLINE_FAIL_WRITE=str(n), RIMLINE_FAIL_HOW="full")
+                for how in ("interrupted", "short"):
+                    run.check(f"write {n} {how}", must_succeed=True, RIMLINE_FAIL_WRITE=str(n), RIMLINE_FAIL_HOW=how)
+                total += 3
+            for n in spread(reads, arguments.runs):
+                for how in ("interrupted", "short"):
+                    run.check(f"read {n} {how}", must_succeed=True, RIMLINE_FAIL_READ=str(n), RIMLINE_FAIL_HOW=how)
+                total += 2
+            print(f"{' '.join(command)}: {allocations} allocations, {writes} writes, {reads} reads", flush=True)
+    if refused == 0:
+        sys.exit("no call failed: is the library loaded?")
+    print(f"{total} runs, of which {refused} ended with an error")
+
+
+if __name__ == "__main__":
+    main()
