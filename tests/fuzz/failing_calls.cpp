@@ -72,13 +72,13 @@ Function* next(const char* name) {
 
 extern "C" {
 
-__attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, char**, char**), int argc,
-                                                             char** argv, void (*init)(),
+__attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, char**, char**),
+                                                             int argc, char** argv, void (*init)(),
                                                              void (*end)(), void (*rtld_end)(),
                                                              void* stack_end) {
     true_main = main;
-    return next<decltype(__libc_start_main)>("__libc_start_main")(counted_main, argc, argv, init, end,
-                                                                  rtld_end, stack_end);
+    return next<decltype(__libc_start_main)>("__libc_start_main")(counted_main, argc, argv, init,
+                                                                  end, rtld_end, stack_end);
 }
 
 __attribute__((visibility("default"))) void* malloc(std::size_t size) {
@@ -93,7 +93,8 @@ __attribute__((visibility("default"))) void* realloc(void* old, std::size_t size
     if (fails()) return errno = ENOMEM, nullptr;
     return __libc_realloc(old, size);
 }
-__attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment, std::size_t size) {
+__attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment,
+                                                           std::size_t size) {
     if (fails()) return errno = ENOMEM, nullptr;
     return __libc_memalign(alignment, size);
 }

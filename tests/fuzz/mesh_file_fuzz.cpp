@@ -34,9 +34,8 @@ void check_mesh(const MeshSource& source) {
     for (const glm::vec3& position : source.positions)
         fuzz::require(HomogeneousPoint::is_valid(position), "a position out of range");
     const FaceMaterials& materials = source.materials;
-    fuzz::require(
-        materials.of_face.empty() || materials.of_face.size() == source.triangles.size(),
-        "materials of other faces");
+    fuzz::require(materials.of_face.empty() || materials.of_face.size() == source.triangles.size(),
+                  "materials of other faces");
     for (const MaterialId material : materials.of_face)
         fuzz::require(material == k_no_material || index(material) < materials.materials.size(),
                       "a face without its material");
@@ -48,12 +47,11 @@ void check_mesh(const MeshSource& source) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string bytes(reinterpret_cast<const char*>(data), size);
-    const auto mesh = read_or_message([&] {
-        return read_mesh_bytes(k_name, bytes, k_ending, FaceRequirement::faces_or_points);
-    });
+    const auto mesh = read_or_message(
+        [&] { return read_mesh_bytes(k_name, bytes, k_ending, FaceRequirement::faces_or_points); });
     if (mesh) check_mesh(*mesh);
-    const auto points = read_or_message(
-        [&] { return read_point_bytes(k_name, bytes, k_ending, BadPoints::keep); });
+    const auto points =
+        read_or_message([&] { return read_point_bytes(k_name, bytes, k_ending, BadPoints::keep); });
     if (mesh && points) {
         fuzz::require(points->positions.size() == mesh->positions.size(),
                       "other points as a cloud");
