@@ -48,7 +48,9 @@ public:
           bad_(bad),
           call_(call),
           file_bytes_(file.bytes.size() + buffers.bytes_read()),
+          limit_(max_elements(file_bytes_)),
           accessors_(file_, scene, buffers, file_bytes_),
+          is_counted_(scene.accessors.size(), false),
           has_no_uvs_(scene.primitives.size(), false) {}
 
     MeshSource run(const SourceFile& file, const GltfBuffers& buffers) {
@@ -94,14 +96,14 @@ private:
         sizes_.resize(scene_.meshes.size());
         given_.resize(scene_.meshes.size());
         std::vector<bool> is_known(scene_.meshes.size(), false);
-        const std::uint64_t limit = max_elements(file_bytes_);
         for_each_instance(file_, scene_, call_.stop, [&](std::uint32_t mesh, const glm::dmat4&) {
             if (!is_known[mesh]) sizes_[mesh] = mesh_size(mesh);
             is_known[mesh] = true;
             // Both summands are below 2^63.
             total_.vertices += sizes_[mesh].vertices;
             total_.triangles += sizes_[mesh].triangles;
-            if (std::max(total_.vertices, total_.triangles) > limit) fail_too_large(mesh, limit);
+            place_.mesh = mesh;
+            if (std::max(total_.vertices, total_.triangles) > limit_) fail_too_large();
         });
     }
 
@@ -113,12 +115,13 @@ private:
         return std::clamp(std::min(file_bytes, k_all) * k_each_byte, k_any_file, k_all);
     }
 
-    [[noreturn]] void fail_too_large(std::uint32_t mesh, std::uint64_t limit) const {
+    [[noreturn]] void fail_too_large() const {
         throw Error(
             ErrorCode::too_large,
-            file_ + ": meshes[" + std::to_string(mesh) +
-                "]: with it, the instances of meshes have more than " + std::to_string(limit) +
-                " vertices or triangles, the limit for a file that has, with its buffers, " +
+            file_ + ": meshes[" + std::to_string(place_.mesh) +
+                "]: with it, the instances of meshes have more than " + std::to_string(limit_) +
+                " vertices, triangles or indices, the limit for a file that has, with its "
+                "buffers, " +
                 std::to_string(file_bytes_) +
                 " bytes: 16 for each byte, but at least 2^24 and at most 2^28. Export fewer "
                 "instances, or several files");
@@ -148,7 +151,10 @@ private:
         if (vertices > 0 || corners > 0) given_primitives_.push_back(number);
         if (primitive.mode > k_gltf_triangle_fan)
             fail("mode " + std::to_string(primitive.mode) + " is not glTF's");
-        if (primitive.mode < k_gltf_triangles) return {vertices, 0};
+        if (primitive.mode < k_gltf_triangles) {
+            if (primitive.indices) count_once(*primitive.indices, corners);
+            return {vertices, 0};
+        }
         const bool is_separate = primitive.mode == k_gltf_triangles;
         if (is_separate ? corners % 3 != 0 : corners < 3)
             fail(std::to_string(corners) + " corners do not make triangles");
@@ -160,6 +166,15 @@ private:
                 fail("COLOR_0 has " + std::to_string(colors) + " colors for " +
                      std::to_string(vertices) + " vertices");
         return {vertices, is_separate ? corners / 3 : corners - 2};
+    }
+
+    // Indices of points and lines give nothing, but reading them takes time, and many accessors can name the same
+    // bytes.
+    void count_once(std::uint32_t accessor, std::uint64_t indices) {
+        if (is_counted_[accessor]) return;
+        is_counted_[accessor] = true;
+        point_indices_ += indices;
+        if (point_indices_ > limit_) fail_too_large();
     }
 
     void add_mesh(std::uint32_t mesh, const glm::dmat4& transform) {
@@ -193,8 +208,8 @@ private:
         const std::uint32_t count = add_positions(*primitive.positions, transform);
         const bool has_triangles = primitive.mode >= k_gltf_triangles;
         if (primitive.indices && !has_triangles) {
-            // The number of triangles is limited, that of the corners of points and lines is not. So for points
-            // and lines each accessor is read only once.
+            // The number of triangles is limited, that of points and lines is not. So each of their accessors is
+            // read only once.
             const auto known = min_vertices_.find(*primitive.indices);
             if (known != min_vertices_.end() && known->second <= count) return;
         }
@@ -336,11 +351,14 @@ private:
     BadPoints bad_;
     const LongCall& call_;
     std::uint64_t file_bytes_;
+    std::uint64_t limit_;  // Of vertices, of triangles and of indices of points and lines.
     GltfAccessors accessors_;
     std::vector<GltfSize> sizes_;                  // Of meshes.
     GltfSize total_;                               // Of all instances.
     std::vector<std::uint32_t> given_primitives_;  // Those that give something, mesh by mesh.
     std::vector<GltfRange> given_;                 // Of each mesh in `given_primitives_`.
+    std::vector<bool> is_counted_;                 // Index accessors in `point_indices_`.
+    std::uint64_t point_indices_ = 0;              // Of points and lines, each accessor once.
     MeshSource source_;
     std::vector<std::uint32_t> corners_;
     std::vector<glm::vec3> vertex_colors_;  // Of the first positions; white where they end.
