@@ -81,9 +81,8 @@ double longest_stop_s(const std::string& name, const std::string& bytes) {
         std::stop_source stop;
         std::atomic<double> requested_s{0.0};
         const double wanted_s = cpu_s(reader) + whole_s * moment / k_moments;
-        std::atomic<bool> is_over{false};
-        std::jthread other([&] {
-            while (!is_over && cpu_s(reader) < wanted_s)
+        const std::jthread other([&](const std::stop_token& is_over) {
+            while (!is_over.stop_requested() && cpu_s(reader) < wanted_s)
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             requested_s = cpu_s(reader);
             stop.request_stop();
@@ -95,7 +94,6 @@ double longest_stop_s(const std::string& name, const std::string& bytes) {
             longest_s = std::max(longest_s, cpu_s(reader) - requested_s);
             ++stopped;
         }
-        is_over = true;
     }
     CHECK(stopped > k_moments / 2);
     return longest_s;
