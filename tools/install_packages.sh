@@ -11,8 +11,8 @@ set -u
 source "$(dirname "$0")/steps.sh"
 
 # Debian 12 names.
-cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libtinygltf-dev libstb-dev
-    nlohmann-json3-dev libpng-dev libjpeg62-turbo-dev libcli11-dev libhwy-dev libtbb-dev libnanoflann-dev)
+cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libstb-dev nlohmann-json3-dev
+    libpng-dev libjpeg62-turbo-dev libcli11-dev libhwy-dev libtbb-dev libnanoflann-dev)
 engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libglfw3-dev libimgui-dev
     fonts-dejavu-core libmeshoptimizer-dev libqhull-dev)
 cpu_tests=(ccache doctest-dev python3 librsvg2-bin poppler-utils python3-ezdxf)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "silhouette/error.h"
+#include "silhouette/mesh/formats/source_file.h"
 
 namespace rimline {
 
@@ -29,12 +29,16 @@ void whiten_triangles(MeshSource& source) {
     std::ranges::replace(materials.of_face, k_no_material, white);
 }
 
-void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors) {
+void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors,
+                   const std::stop_token& stop) {
     RIMLINE_CHECK(vertex_colors.size() == source.positions.size());
     std::vector<glm::vec3>& colors = source.materials.corner_colors;
     colors.reserve(3 * source.triangles.size());
-    for (const auto& triangle : source.triangles)
-        for (const std::uint32_t corner : triangle) colors.push_back(vertex_colors[corner]);
+    for (std::size_t i = 0; i < source.triangles.size(); ++i) {
+        if (i % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
+        for (const std::uint32_t corner : source.triangles[i])
+            colors.push_back(vertex_colors[corner]);
+    }
 }
 
 void drop_unused_materials(MeshSource& source) noexcept {

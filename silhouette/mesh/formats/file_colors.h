@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ MaterialId add_white_material(FaceMaterials& materials);
 void whiten_triangles(MeshSource& source);
 
 /// Gives the corners of all triangles the colors of their vertices, in linear light. There must be a color for
-/// each position. Triangles without a material stay without a color.
-void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors);
+/// each position. Triangles without a material stay without a color. Throws Error{cancelled}.
+void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors,
+                   const std::stop_token& stop = {});
 
 /// Makes the materials empty if no face has one, and drops the texture coordinates if no face has a texture.
 void drop_unused_materials(MeshSource& source) noexcept;

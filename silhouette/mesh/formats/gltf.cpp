@@ -1,107 +1,71 @@
-// glTF 2 and GLB: gltf_scene.h checks the document, tinygltf builds the model, gltf_buffers.h reads
-// the bytes, gltf_accessor.h reads the numbers, and this file flattens the node tree.
+// glTF 2 and GLB: gltf_document.h checks the document, gltf_buffers.h reads the bytes, gltf_nodes.h finds the
+// instances of meshes, gltf_accessor.h reads the numbers, and this file puts them together.
 //
 // A mesh that two nodes reference appears twice. Transforms are applied in double and rounded once. A
 // mirroring transform reverses triangles, so the order of their corners is reversed again. Skins and
 // morph targets are not applied. Primitives of points and lines give vertices only. A primitive
 // without positions gives nothing, as the format says.
+//
+// Instances multiply the content of a file. So the result is counted first, and refused if it is too large.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <map>
+#include <vector>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/gltf_accessor.h"
 #include "silhouette/mesh/formats/gltf_buffers.h"
+#include "silhouette/mesh/formats/gltf_document.h"
+#include "silhouette/mesh/formats/gltf_nodes.h"
 #include "silhouette/mesh/formats/gltf_scene.h"
 #include "silhouette/mesh/formats/gltf_textures.h"
 #include "silhouette/mesh/formats/readers.h"
-#include "silhouette/mesh/formats/tinygltf.h"
 #include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline {
 
 namespace {
 
-// Instances multiply the content of a file. These limits prevent running out of memory.
-constexpr std::size_t k_max_vertices = std::size_t{1} << 28;
-constexpr std::size_t k_max_triangles = std::size_t{1} << 28;
+// The share of parsing at which the document is read.
+constexpr double k_flattening = 0.6;
 
-tinygltf::Model parse_model(const SourceFile& file, const GltfScene& scene) {
-    tinygltf::TinyGLTF parser;
-    tinygltf::Model model;
-    std::string error;
-    std::string warning;
-    if (scene.document.size() > 0xffffffffu)
-        throw Error(ErrorCode::too_large, file.name + ": its JSON is larger than 4 GiB");
-    bool done = false;
-    try {
-        done = parser.LoadASCIIFromString(&model, &error, &warning, scene.document.data(),
-                                          static_cast<unsigned>(scene.document.size()), "");
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& e) {
-        error = e.what();
-    }
-    if (!done) {
-        // The error may quote any length of the file.
-        constexpr std::size_t k_longest = 200;
-        error.resize(std::min(error.size(), k_longest));
-        std::replace(error.begin(), error.end(), '\n', ' ');
-        bad_file(file.name, "tinygltf cannot read it: " + error);
-    }
-    return model;
-}
-
-glm::dmat4 local_transform(const std::string& file, const tinygltf::Node& node,
-                           std::size_t number) {
-    const auto fail = [&](const char* what) {
-        bad_file(file, "nodes[" + std::to_string(number) + "]: " + what);
-    };
-    glm::dmat4 m(1.0);
-    if (node.matrix.size() == 16) {
-        for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
-        if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0)
-            fail("its matrix is not affine: the last row should be 0 0 0 1");
-        return m;
-    }
-    if (node.rotation.size() == 4) {
-        const glm::dquat q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-        const double length = glm::length(q);
-        if (!(length > 0.0) || !std::isfinite(length)) fail("its rotation is not a quaternion");
-        m = glm::mat4_cast(q / length);
-    }
-    if (node.scale.size() == 3)
-        for (int i = 0; i < 3; ++i) m[i] *= node.scale[static_cast<std::size_t>(i)];
-    if (node.translation.size() == 3)
-        for (int i = 0; i < 3; ++i) m[3][i] = node.translation[static_cast<std::size_t>(i)];
-    return m;
-}
+// What a primitive or a mesh gives.
+struct GltfSize {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+};
 
 class Flattener {
 public:
-    Flattener(const SourceFile& file, const tinygltf::Model& model, const GltfScene& scene,
-              const GltfBuffers& buffers, BadPoints bad, const LongCall& call)
+    Flattener(const SourceFile& file, const GltfScene& scene, const GltfBuffers& buffers,
+              BadPoints bad, const LongCall& call)
         : file_(file.name),
-          materials_(scene.materials),
-          model_(model),
+          scene_(scene),
           bad_(bad),
           call_(call),
-          accessors_(file_, model, buffers, file.bytes.size() + buffers.bytes_read()) {}
+          file_bytes_(file.bytes.size() + buffers.bytes_read()),
+          limit_(max_elements(file_bytes_)),
+          accessors_(file_, scene, buffers, file_bytes_),
+          is_counted_(scene.accessors.size(), false),
+          has_no_uvs_(scene.primitives.size(), false) {}
 
-    MeshSource run(const SourceFile& file, const GltfBuffers& buffers,
-                   std::vector<std::string> warnings) {
+    MeshSource run(const SourceFile& file, const GltfBuffers& buffers) {
         source_.is_up_known = true;
-        source_.warnings = std::move(warnings);
+        source_.warnings = scene_.warnings;
         add_materials(file, buffers);
-        visit_all();
+        measure();
+        source_.positions.reserve(total_.vertices);
+        source_.triangles.reserve(total_.triangles);
+        for_each_instance(
+            file_, scene_, call_.stop,
+            [&](std::uint32_t mesh, const glm::dmat4& transform) { add_mesh(mesh, transform); });
         if (!vertex_colors_.empty()) {
             vertex_colors_.resize(source_.positions.size(), glm::vec3(1.0f));
-            color_corners(source_, vertex_colors_);
+            color_corners(source_, vertex_colors_, call_.stop);
         }
         if (!source_.materials.textures.empty())
             source_.materials.corner_uvs.resize(3 * source_.triangles.size(), glm::vec2(0.0f));
@@ -111,111 +75,158 @@ public:
 private:
     void add_materials(const SourceFile& file, const GltfBuffers& buffers) {
         FaceMaterials& materials = source_.materials;
-        std::map<std::string, std::shared_ptr<const std::string>> images;
-        for (const GltfMaterial& material : materials_) {
+        GltfTextures textures(file, scene_, buffers, file_bytes_, call_.stop);
+        materials.materials.reserve(scene_.materials.size());
+        for (const GltfMaterial& material : scene_.materials) {
+            work(1);
             SurfaceMaterial& added = materials.materials.emplace_back(
                 SurfaceMaterial{material.base_color.value_or(glm::vec3(1.0f))});
             if (!material.texture) continue;
             try {
-                materials.textures.push_back(
-                    material_texture(file, *material.texture, buffers, images));
-                added.texture =
-                    TextureId{static_cast<std::uint32_t>(materials.textures.size() - 1)};
+                added.texture = textures.add_to(materials.textures, *material.texture);
             } catch (const Error& e) {
+                if (e.code() == ErrorCode::cancelled) throw;
                 add_warning(source_.warnings, std::string(e.what()) + "; the texture is missing");
             }
         }
     }
 
-    void visit_all() {
-        if (model_.nodes.empty()) {
-            for (std::size_t i = 0; i < model_.meshes.size(); ++i) add_mesh(i, glm::dmat4(1.0));
-            return;
+    // Counts what all instances give together, and finds the primitives that give something.
+    void measure() {
+        sizes_.resize(scene_.meshes.size());
+        given_.resize(scene_.meshes.size());
+        std::vector<bool> is_known(scene_.meshes.size(), false);
+        for_each_instance(file_, scene_, call_.stop, [&](std::uint32_t mesh, const glm::dmat4&) {
+            if (!is_known[mesh]) sizes_[mesh] = mesh_size(mesh);
+            is_known[mesh] = true;
+            // Both summands are below 2^63.
+            total_.vertices += sizes_[mesh].vertices;
+            total_.triangles += sizes_[mesh].triangles;
+            place_.mesh = mesh;
+            if (std::max(total_.vertices, total_.triangles) > limit_) fail_too_large();
+        });
+    }
+
+    // A small file may be one mesh many times; a large one holds most of what it becomes.
+    static std::uint64_t max_elements(std::uint64_t file_bytes) noexcept {
+        constexpr std::uint64_t k_any_file = std::uint64_t{1} << 24;
+        constexpr std::uint64_t k_each_byte = 16;
+        constexpr std::uint64_t k_all = std::uint64_t{1} << 28;
+        return std::clamp(std::min(file_bytes, k_all) * k_each_byte, k_any_file, k_all);
+    }
+
+    [[noreturn]] void fail_too_large() const {
+        throw Error(
+            ErrorCode::too_large,
+            file_ + ": meshes[" + std::to_string(place_.mesh) +
+                "]: with it, the instances of meshes have more than " + std::to_string(limit_) +
+                " vertices, triangles or indices, the limit for a file that has, with its "
+                "buffers, " +
+                std::to_string(file_bytes_) +
+                " bytes: 16 for each byte, but at least 2^24 and at most 2^28. Export fewer "
+                "instances, or several files");
+    }
+
+    GltfSize mesh_size(std::uint32_t mesh) {
+        const auto [begin, end] = scene_.meshes[mesh];
+        GltfSize sum;
+        given_[mesh].begin = static_cast<std::uint32_t>(given_primitives_.size());
+        for (std::uint32_t i = begin; i < end; ++i) {
+            work(1);
+            place_ = {mesh, i - begin};
+            const GltfSize size = primitive_size(scene_.primitives[i], i);
+            sum.vertices += size.vertices;
+            sum.triangles += size.triangles;
         }
-        visited_.assign(model_.nodes.size(), false);
-        std::vector<int> roots = root_nodes();
-        // An explicit stack, because a chain of nodes may be as long as the file.
-        std::vector<Visit> stack;
-        const auto push = [&](const std::vector<int>& numbers, const glm::dmat4& parent) {
-            for (auto i = numbers.rbegin(); i != numbers.rend(); ++i) stack.push_back({*i, parent});
-        };
-        push(roots, glm::dmat4(1.0));
-        while (!stack.empty()) {
-            const Visit visit = stack.back();
-            stack.pop_back();
-            const std::size_t number = checked_node(visit.node);
-            const tinygltf::Node& node = model_.nodes[number];
-            const glm::dmat4 transform = visit.parent * local_transform(file_, node, number);
-            if (node.mesh >= 0) {
-                if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
-                    bad_file(file_, "nodes[" + std::to_string(number) + "].mesh: mesh " +
-                                        std::to_string(node.mesh) + " does not exist");
-                add_mesh(static_cast<std::size_t>(node.mesh), transform);
-            }
-            push(node.children, transform);
+        given_[mesh].end = static_cast<std::uint32_t>(given_primitives_.size());
+        return sum;
+    }
+
+    // Checks all of primitive `number` that needs no look at its elements.
+    GltfSize primitive_size(const GltfPrimitive& primitive, std::uint32_t number) {
+        if (!primitive.positions) return {};
+        const std::uint64_t vertices = accessors_.positions(*primitive.positions).count();
+        const std::uint64_t corners =
+            primitive.indices ? accessors_.indices(*primitive.indices).count() : vertices;
+        if (vertices > 0 || corners > 0) given_primitives_.push_back(number);
+        if (primitive.mode > k_gltf_triangle_fan)
+            fail("mode " + std::to_string(primitive.mode) + " is not glTF's");
+        if (primitive.mode < k_gltf_triangles) {
+            if (primitive.indices) count_once(*primitive.indices, corners);
+            return {vertices, 0};
+        }
+        const bool is_separate = primitive.mode == k_gltf_triangles;
+        if (is_separate ? corners % 3 != 0 : corners < 3)
+            fail(std::to_string(corners) + " corners do not make triangles");
+        if (primitive.material && *primitive.material >= scene_.materials.size())
+            fail("material " + std::to_string(*primitive.material) + " does not exist");
+        if (primitive.colors)
+            if (const std::uint64_t colors = accessors_.colors(*primitive.colors).count();
+                colors != vertices)
+                fail("COLOR_0 has " + std::to_string(colors) + " colors for " +
+                     std::to_string(vertices) + " vertices");
+        return {vertices, is_separate ? corners / 3 : corners - 2};
+    }
+
+    // Indices of points and lines give nothing, but reading them takes time, and many accessors can name the same
+    // bytes.
+    void count_once(std::uint32_t accessor, std::uint64_t indices) {
+        if (is_counted_[accessor]) return;
+        is_counted_[accessor] = true;
+        point_indices_ += indices;
+        if (point_indices_ > limit_) fail_too_large();
+    }
+
+    void add_mesh(std::uint32_t mesh, const glm::dmat4& transform) {
+        const auto [begin, end] = given_[mesh];
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const std::uint32_t number = given_primitives_[i];
+            place_ = {mesh, number - scene_.meshes[mesh].begin};
+            add_primitive(number, transform);
         }
     }
 
-    struct Visit {
-        int node;
-        glm::dmat4 parent;
-    };
-
-    // The roots of the default scene, else of the first scene, else all nodes without a parent.
-    std::vector<int> root_nodes() const {
-        if (model_.defaultScene >= 0 || !model_.scenes.empty()) {
-            const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
-            if (scene >= model_.scenes.size())
-                bad_file(file_, "scene: scene " + std::to_string(scene) + " does not exist");
-            return model_.scenes[scene].nodes;
-        }
-        std::vector<bool> is_child(model_.nodes.size(), false);
-        for (const tinygltf::Node& node : model_.nodes)
-            for (const int child : node.children)
-                if (static_cast<std::size_t>(child) < is_child.size())
-                    is_child[static_cast<std::size_t>(child)] = true;
-        std::vector<int> roots;
-        for (std::size_t i = 0; i < is_child.size(); ++i)
-            if (!is_child[i]) roots.push_back(static_cast<int>(i));
-        if (roots.empty())
-            bad_file(file_, "nodes: every node is another's child; they form a cycle");
-        return roots;
+    [[noreturn]] void fail(const std::string& what) const {
+        bad_file(file_, "meshes[" + std::to_string(place_.mesh) + "].primitives[" +
+                            std::to_string(place_.primitive) + "]: " + what);
     }
 
-    std::size_t checked_node(int node) {
-        const auto number = static_cast<std::size_t>(node);
-        if (node < 0 || number >= model_.nodes.size())
-            bad_file(file_, "nodes: node " + std::to_string(node) + " does not exist");
-        if (visited_[number])
-            bad_file(file_, "nodes[" + std::to_string(number) +
-                                "]: is reached twice; nodes should form trees, without cycles");
-        visited_[number] = true;
-        return number;
+    // Counts `elements` as done: reports progress and checks for cancellation now and then.
+    void work(std::uint64_t elements) {
+        done_ += elements;
+        if (done_ < next_checkpoint_) return;
+        next_checkpoint_ = done_ + k_checkpoint_interval;
+        const auto whole = static_cast<double>(total_.vertices + total_.triangles);
+        const auto made = static_cast<double>(source_.positions.size() + source_.triangles.size());
+        parse_checkpoint(call_,
+                         k_flattening + (1.0 - k_flattening) * (made > 0.0 ? made / whole : 0.0));
     }
 
-    void add_mesh(std::size_t mesh, const glm::dmat4& transform) {
-        const auto& primitives = model_.meshes[mesh].primitives;
-        for (std::size_t p = 0; p < primitives.size(); ++p) {
-            // The number of instances is unknown, so this reports no progress and only checks for
-            // cancellation.
-            if (call_.stop.stop_requested()) parse_checkpoint(call_, 1.0);
-            place_ = "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(p) + "]";
-            add_primitive(primitives[p], transform);
-        }
-    }
-
-    [[noreturn]] void fail(const std::string& what) const { bad_file(file_, place_ + ": " + what); }
-
-    void add_primitive(const tinygltf::Primitive& primitive, const glm::dmat4& transform) {
-        const auto position = primitive.attributes.find("POSITION");
-        if (position == primitive.attributes.end()) return;
-        const std::vector<glm::dvec3> positions = accessors_.positions(position->second);
-        if (positions.size() > k_max_vertices - source_.positions.size())
-            throw Error(ErrorCode::too_large,
-                        file_ + ": its instances have more than 2^28 vertices together");
+    void add_primitive(std::uint32_t number, const glm::dmat4& transform) {
+        const GltfPrimitive& primitive = scene_.primitives[number];
         const auto first = static_cast<std::uint32_t>(source_.positions.size());
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const glm::dvec3 p(transform * glm::dvec4(positions[i], 1.0));
+        const std::uint32_t count = add_positions(*primitive.positions, transform);
+        const bool has_triangles = primitive.mode >= k_gltf_triangles;
+        if (primitive.indices && !has_triangles) {
+            // The number of triangles is limited, that of points and lines is not. So each of their accessors is
+            // read only once.
+            const auto known = min_vertices_.find(*primitive.indices);
+            if (known != min_vertices_.end() && known->second <= count) return;
+        }
+        if (!primitive.indices && !has_triangles) return;
+        read_corners(primitive, count);
+        if (!has_triangles) return;
+        const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
+        add_triangles(primitive.mode, first, mirrored);
+        add_colors(primitive, number, count, first);
+    }
+
+    // Returns their number.
+    std::uint32_t add_positions(std::uint32_t accessor, const glm::dmat4& transform) {
+        GltfElements elements = accessors_.positions(accessor);
+        for (std::uint32_t i = 0; i < elements.count(); ++i) {
+            work(1);
+            const glm::dvec3 p(transform * glm::dvec4(elements.position(), 1.0));
             for (int axis = 0; axis < 3; ++axis)
                 if (!(std::abs(p[axis]) <= static_cast<double>(k_max_coordinate)) &&
                     (std::isfinite(p[axis]) || bad_ == BadPoints::refuse))
@@ -224,134 +235,152 @@ private:
                                                  : "not a finite position"));
             source_.positions.emplace_back(p);
         }
+        return elements.count();
+    }
 
-        std::vector<std::uint32_t> corners;
-        const auto indices = primitive.attributes.find(k_gltf_indices);
-        if (indices != primitive.attributes.end()) {
-            // The number of triangles is limited, that of points and lines is not. For points and
-            // lines each accessor is therefore read only once.
-            const bool has_triangles = primitive.mode >= TINYGLTF_MODE_TRIANGLES;
-            const auto known = min_vertices_.find(indices->second);
-            if (!has_triangles && known != min_vertices_.end() && known->second <= positions.size())
-                return;
-            corners = accessors_.indices(indices->second);
-            std::uint64_t min_vertices = 0;
-            for (std::size_t i = 0; i < corners.size(); ++i) {
-                if (corners[i] >= positions.size())
-                    fail("index " + std::to_string(corners[i]) + " (number " + std::to_string(i) +
-                         ") is out of range; there are " + std::to_string(positions.size()) +
-                         " vertices");
-                min_vertices = std::max(min_vertices, std::uint64_t{corners[i]} + 1);
-            }
-            min_vertices_[indices->second] = min_vertices;
-        } else {
-            corners.resize(positions.size());
-            for (std::size_t i = 0; i < corners.size(); ++i)
-                corners[i] = static_cast<std::uint32_t>(i);
+    // Into `corners_`, each below `count`.
+    void read_corners(const GltfPrimitive& primitive, std::uint32_t count) {
+        corners_.clear();
+        if (!primitive.indices) {
+            for (std::uint32_t i = 0; i < count; ++i) corners_.push_back(i);
+            return;
         }
-        const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
-        add_triangles(primitive.mode, corners, first, mirrored);
-        if (primitive.mode >= TINYGLTF_MODE_TRIANGLES)
-            add_colors(primitive, positions.size(), first);
+        GltfElements elements = accessors_.indices(*primitive.indices);
+        corners_.reserve(elements.count());
+        std::uint64_t min_vertices = 0;
+        for (std::uint32_t i = 0; i < elements.count(); ++i) {
+            work(1);
+            const std::uint32_t corner = elements.index();
+            if (corner >= count)
+                fail("index " + std::to_string(corner) + " (number " + std::to_string(i) +
+                     ") is out of range; there are " + std::to_string(count) + " vertices");
+            min_vertices = std::max(min_vertices, std::uint64_t{corner} + 1);
+            corners_.push_back(corner);
+        }
+        min_vertices_[*primitive.indices] = min_vertices;
+    }
+
+    void add_triangles(std::uint32_t mode, std::uint32_t first, bool mirrored) {
+        const std::size_t n = corners_.size();
+        const std::size_t count = mode == k_gltf_triangles ? n / 3 : n - 2;
+        for (std::size_t i = 0; i < count; ++i) {
+            work(1);
+            std::array<std::size_t, 3> at{3 * i, 3 * i + 1, 3 * i + 2};
+            if (mode == k_gltf_triangle_strip) at = {i, i + 1 + i % 2, i + 2 - i % 2};
+            if (mode == k_gltf_triangle_fan) at = {i + 1, i + 2, 0};
+            if (mirrored) std::swap(at[1], at[2]);
+            source_.triangles.push_back(
+                {first + corners_[at[0]], first + corners_[at[1]], first + corners_[at[2]]});
+        }
     }
 
     // Call it after add_triangles().
-    void add_colors(const tinygltf::Primitive& primitive, std::size_t count, std::uint32_t first) {
+    void add_colors(const GltfPrimitive& primitive, std::uint32_t number, std::uint32_t count,
+                    std::uint32_t first) {
         MaterialId material = k_no_material;
-        if (primitive.material >= 0) {
-            const auto number = static_cast<std::size_t>(primitive.material);
-            if (number >= materials_.size())
-                fail("material " + std::to_string(number) + " does not exist");
-            if (materials_[number].base_color || materials_[number].texture)
-                material = MaterialId{static_cast<std::uint32_t>(number)};
+        if (primitive.material) {
+            const GltfMaterial& named = scene_.materials[*primitive.material];
+            if (named.base_color || named.texture) material = MaterialId{*primitive.material};
         }
-        const auto color = primitive.attributes.find("COLOR_0");
-        if (color != primitive.attributes.end()) {
-            const std::vector<glm::vec3> colors = accessors_.colors(color->second);
-            if (colors.size() != count)
-                fail("COLOR_0 has " + std::to_string(colors.size()) + " colors for " +
-                     std::to_string(count) + " vertices");
+        if (primitive.colors) {
+            GltfElements colors = accessors_.colors(*primitive.colors);
+            vertex_colors_.reserve(total_.vertices);
             vertex_colors_.resize(first, glm::vec3(1.0f));
-            vertex_colors_.insert(vertex_colors_.end(), colors.begin(), colors.end());
+            for (std::uint32_t i = 0; i < count; ++i) {
+                work(1);
+                vertex_colors_.push_back(colors.color());
+            }
             if (material == k_no_material) {
                 if (white_ == k_no_material) white_ = add_white_material(source_.materials);
                 material = white_;
             }
         }
         const std::size_t first_triangle = source_.materials.of_face.size();
+        source_.materials.of_face.reserve(total_.triangles);
         source_.materials.of_face.resize(source_.triangles.size(), material);
         if (material != k_no_material &&
             source_.materials.materials[index(material)].texture != k_no_texture)
-            add_uvs(primitive, *materials_[index(material)].texture, count, first, first_triangle);
+            add_uvs(number, count, first, first_triangle);
     }
 
     // Of the triangles from `first_triangle` on, whose vertices are the `count` ones from `first` on.
-    void add_uvs(const tinygltf::Primitive& primitive, const GltfTexture& texture,
-                 std::size_t count, std::uint32_t first, std::size_t first_triangle) {
+    void add_uvs(std::uint32_t number, std::uint32_t count, std::uint32_t first,
+                 std::size_t first_triangle) {
+        if (has_no_uvs_[number]) return;
+        const GltfPrimitive& primitive = scene_.primitives[number];
+        const GltfTexture& texture =
+            scene_.textures[*scene_.materials[*primitive.material].texture];
         std::vector<glm::vec2> uvs;
         try {
-            const auto accessor = primitive.attributes.find(texture.coordinates);
-            if (accessor == primitive.attributes.end())
-                fail("has no " + texture.coordinates + " for its texture");
-            uvs = accessors_.uvs(accessor->second, count);
+            read_uvs(primitive, texture, count, uvs);
         } catch (const Error& e) {
+            if (e.code() == ErrorCode::cancelled) throw;
+            has_no_uvs_[number] = true;
             add_warning(source_.warnings,
                         std::string(e.what()) + "; its texture is one color there");
             return;
         }
-        for (glm::vec2& uv : uvs) uv = finite_uv(texture.transform * glm::vec3(uv, 1.0f));
         std::vector<glm::vec2>& corners = source_.materials.corner_uvs;
+        corners.reserve(3 * total_.triangles);
         corners.resize(3 * first_triangle, glm::vec2(0.0f));
-        for (std::size_t t = first_triangle; t < source_.triangles.size(); ++t)
+        for (std::size_t t = first_triangle; t < source_.triangles.size(); ++t) {
+            work(1);
             for (const std::uint32_t vertex : source_.triangles[t])
                 corners.push_back(uvs[vertex - first]);
+        }
     }
 
-    void add_triangles(int mode, const std::vector<std::uint32_t>& corners, std::uint32_t first,
-                       bool mirrored) {
-        if (mode < TINYGLTF_MODE_POINTS || mode > TINYGLTF_MODE_TRIANGLE_FAN)
-            fail("mode " + std::to_string(mode) + " is not glTF's");
-        if (mode < TINYGLTF_MODE_TRIANGLES) return;
-        const bool separate = mode == TINYGLTF_MODE_TRIANGLES;
-        const std::size_t n = corners.size();
-        if (separate ? n % 3 != 0 : n < 3)
-            fail(std::to_string(n) + " corners do not make triangles");
-        const std::size_t count = separate ? n / 3 : n - 2;
-        if (count > k_max_triangles - source_.triangles.size())
-            throw Error(ErrorCode::too_large,
-                        file_ + ": its instances have more than 2^28 triangles together");
-        for (std::size_t i = 0; i < count; ++i) {
-            std::array<std::size_t, 3> at{3 * i, 3 * i + 1, 3 * i + 2};
-            if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) at = {i, i + 1 + i % 2, i + 2 - i % 2};
-            if (mode == TINYGLTF_MODE_TRIANGLE_FAN) at = {i + 1, i + 2, 0};
-            if (mirrored) std::swap(at[1], at[2]);
-            source_.triangles.push_back(
-                {first + corners[at[0]], first + corners[at[1]], first + corners[at[2]]});
+    void read_uvs(const GltfPrimitive& primitive, const GltfTexture& texture, std::uint32_t count,
+                  std::vector<glm::vec2>& uvs) {
+        if (!primitive.uvs)
+            fail("has no TEXCOORD_" + std::to_string(texture.coordinate_set) + " for its texture");
+        GltfElements elements = accessors_.uvs(*primitive.uvs);
+        if (elements.count() != count)
+            bad_file(file_, "accessors[" + std::to_string(*primitive.uvs) + "]: has " +
+                                std::to_string(elements.count()) + " elements for " +
+                                std::to_string(count) + " vertices");
+        uvs.reserve(count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            work(1);
+            uvs.push_back(finite_uv(texture.transform * glm::vec3(elements.uv(), 1.0f)));
         }
     }
 
     const std::string& file_;
-    const std::vector<GltfMaterial>& materials_;
-    const tinygltf::Model& model_;
+    const GltfScene& scene_;
     BadPoints bad_;
     const LongCall& call_;
+    std::uint64_t file_bytes_;
+    std::uint64_t limit_;  // Of vertices, of triangles and of indices of points and lines.
     GltfAccessors accessors_;
+    std::vector<GltfSize> sizes_;                  // Of meshes.
+    GltfSize total_;                               // Of all instances.
+    std::vector<std::uint32_t> given_primitives_;  // Those that give something, mesh by mesh.
+    std::vector<GltfRange> given_;                 // Of each mesh in `given_primitives_`.
+    std::vector<bool> is_counted_;                 // Index accessors in `point_indices_`.
+    std::uint64_t point_indices_ = 0;              // Of points and lines, each accessor once.
     MeshSource source_;
+    std::vector<std::uint32_t> corners_;
     std::vector<glm::vec3> vertex_colors_;  // Of the first positions; white where they end.
     MaterialId white_ = k_no_material;      // Made for the first primitive that needs it.
-    std::vector<bool> visited_;
-    std::map<int, std::uint64_t> min_vertices_;  // The vertices that an index accessor requires.
-    std::string place_;
+    std::vector<bool> has_no_uvs_;          // Primitives that have a warning about it.
+    std::map<std::uint32_t, std::uint64_t>
+        min_vertices_;  // The vertices that an index accessor requires.
+    struct {
+        std::uint32_t mesh;
+        std::uint32_t primitive;
+    } place_{};  // For messages.
+    std::uint64_t done_ = 0;
+    std::uint64_t next_checkpoint_ = 0;
 };
 
 MeshSource read_document(const SourceFile& file, std::string_view json, std::size_t first_byte,
                          std::string_view binary_chunk, BadPoints bad, const LongCall& call) {
-    const GltfScene scene = read_gltf_scene(file.name, json, first_byte);
-    parse_checkpoint(call, 0.3);
+    const LongCall parsing =
+        call.part(k_read_share, k_read_share + (1.0 - k_read_share) * k_flattening);
+    const GltfScene scene = read_gltf_scene(file.name, json, first_byte, parsing);
     const GltfBuffers buffers(file, scene.buffers, binary_chunk, call.stop);
-    const tinygltf::Model model = parse_model(file, scene);
-    parse_checkpoint(call, 0.6);
-    return Flattener(file, model, scene, buffers, bad, call).run(file, buffers, scene.warnings);
+    return Flattener(file, scene, buffers, bad, call).run(file, buffers);
 }
 
 }  // namespace

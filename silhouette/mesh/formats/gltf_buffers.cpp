@@ -10,6 +10,7 @@ namespace rimline {
 GltfBuffers::GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& buffers,
                          std::string_view binary_chunk, const std::stop_token& stop) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
+        if (i % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
         const GltfBuffer& buffer = buffers[i];
         const GltfUri source{file, "buffers[" + std::to_string(i) + "]", buffer.uri};
         if (buffer.size_bytes == 0) source.fail("byteLength is 0");
@@ -18,7 +19,7 @@ GltfBuffers::GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& 
         if (!buffer.uri.empty()) {
             name = excerpt(buffer.uri);
             if (source.is_data()) {
-                bytes = embedded_.emplace_back(source.data());
+                bytes = embedded_.emplace_back(source.data(stop));
                 bytes_read_ += bytes.size();
             } else {
                 const std::filesystem::path path = source.relative_path();

@@ -8,7 +8,7 @@ namespace rimline {
 void GltfUri::fail(const std::string& what) const { bad_file(file.name, place + ": " + what); }
 
 // Decodes escapes such as %20.
-std::string GltfUri::unescaped(std::string_view text) const {
+std::string GltfUri::unescaped(std::string_view text, const std::stop_token& stop) const {
     const auto digit = [&](std::size_t at) {
         const char c = at < text.size() ? text[at] : '\0';
         if (c >= '0' && c <= '9') return c - '0';
@@ -18,7 +18,8 @@ std::string GltfUri::unescaped(std::string_view text) const {
     };
     std::string bytes;
     bytes.reserve(text.size());
-    for (std::size_t at = 0; at < text.size(); ++at) {
+    for (std::size_t at = 0, done = 0; at < text.size(); ++at, ++done) {
+        if (done % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
         if (text[at] != '%') {
             bytes += text[at];
             continue;
@@ -30,7 +31,7 @@ std::string GltfUri::unescaped(std::string_view text) const {
 }
 
 // With or without padding to a multiple of four: exporters write both.
-std::string GltfUri::from_base64(std::string_view text) const {
+std::string GltfUri::from_base64(std::string_view text, const std::stop_token& stop) const {
     const auto bad = [&](const std::string& what) {
         fail("the base64 of uri " + excerpt(uri) + " " + what);
     };
@@ -42,7 +43,9 @@ std::string GltfUri::from_base64(std::string_view text) const {
     bytes.reserve(digits.size() / 4 * 3 + 2);
     std::uint32_t group = 0;
     int bits = 0;
-    for (const char c : digits) {
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
+        const char c = digits[i];
         std::uint32_t value = 0;
         if (c >= 'A' && c <= 'Z')
             value = static_cast<std::uint32_t>(c - 'A');
@@ -63,17 +66,20 @@ std::string GltfUri::from_base64(std::string_view text) const {
     return bytes;
 }
 
-std::string GltfUri::data() const {
+std::string GltfUri::data(const std::stop_token& stop) const {
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos)
         fail("uri " + excerpt(uri) + " is a data URI without a comma");
-    const std::string bytes = unescaped(uri.substr(comma + 1));
-    return uri.substr(0, comma).ends_with(";base64") ? from_base64(bytes) : bytes;
+    const std::string_view text = uri.substr(comma + 1);
+    const bool is_base64 = uri.substr(0, comma).ends_with(";base64");
+    if (is_base64 && text.find('%') == std::string_view::npos) return from_base64(text, stop);
+    const std::string bytes = unescaped(text, stop);
+    return is_base64 ? from_base64(bytes, stop) : bytes;
 }
 
 std::filesystem::path GltfUri::relative_path() const {
     if (uri.size() > 4096) fail("uri is longer than a path can be");
-    const std::filesystem::path relative = unescaped(uri);
+    const std::filesystem::path relative = unescaped(uri, {});
     const bool leaves = std::any_of(relative.begin(), relative.end(), [](const auto& part) {
         return part == ".." || part.string().find('\0') != std::string::npos;
     });
@@ -88,7 +94,7 @@ std::string GltfUri::read_file(const std::filesystem::path& relative,
         return read_source_file(file.folder / relative, {stop, {}}).bytes;
     } catch (const Error& e) {
         if (e.code() == ErrorCode::cancelled) throw;
-        throw Error(e.code(), file.name + ": " + place + ": " + e.what());
+        throw Error(e.code(), file.name + ": " + place + ": " + printable(e.what()));
     }
 }
 

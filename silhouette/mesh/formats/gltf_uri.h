@@ -21,16 +21,16 @@ struct GltfUri {
     [[noreturn]] void fail(const std::string& what) const;
 
     bool is_data() const noexcept { return uri.starts_with("data:"); }
-    /// The bytes of data.
-    std::string data() const;
+    /// The bytes of data. Throws Error{cancelled} if `stop` is requested.
+    std::string data(const std::stop_token& stop) const;
     /// The path of a file, below the document's folder, without "..".
     std::filesystem::path relative_path() const;
     /// The bytes of the file. Throws Error{io} and Error{cancelled} as read_source_file().
     std::string read_file(const std::filesystem::path& relative, const std::stop_token& stop) const;
 
 private:
-    std::string unescaped(std::string_view text) const;
-    std::string from_base64(std::string_view text) const;
+    std::string unescaped(std::string_view text, const std::stop_token& stop) const;
+    std::string from_base64(std::string_view text, const std::stop_token& stop) const;
 };
 
 }  // namespace rimline

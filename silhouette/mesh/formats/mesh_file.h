@@ -36,7 +36,10 @@ enum class FaceRequirement {
 /// Throws Error{bad_input}, Error{io}, Error{too_large} or Error{cancelled}. Except for the last, the
 /// message begins with the path and, if there is one, the place: "bunny.obj:17: ...",
 /// "igea.ply: byte 4096: ...", "duck.gltf: accessors[3].count: ...".
-/// Cost: O(file), at most a few times its length in memory. Each glTF instance counts.
+/// Cost: O(file + result) in time. In memory a few times the length of the file, for the JSON of glTF at most 20 times,
+/// and the result. Instances of glTF make the result larger than the file: they may have 16 vertices and 16 triangles
+/// for each byte of the file and its buffers, but at least 2^24 and at most 2^28 of each. More is Error{too_large},
+/// before any of them is made.
 MeshSource read_mesh_file(const std::filesystem::path& path,
                           FaceRequirement requirement = FaceRequirement::faces,
                           const LongCall& call = {});

@@ -22,7 +22,7 @@ PicturePointer decoded(const std::string& bytes) {
 PicturePointer read_picture(const MaterialTexture& texture, const LongCall& call,
                             std::vector<std::string>& warnings) {
     const auto warn = [&](const std::string& what) {
-        add_warning(warnings, texture.place + ": " + what + "; the texture is missing");
+        add_warning(warnings, texture.place + ": " + printable(what) + "; the texture is missing");
     };
     const std::string name = texture.embedded ? std::string() : texture.path.string() + ": ";
     try {
