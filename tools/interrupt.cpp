@@ -4,17 +4,22 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
-#include <cerrno>
 #include <cstdio>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 namespace rimline::tools {
 
 namespace {
 
+// SIGXCPU is of a limit (ulimit -t), as SIGXFSZ is.
+constexpr std::array k_ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ, SIGXCPU};
+
 std::atomic<int> g_signal_received{0};
+std::atomic_flag g_is_ending = ATOMIC_FLAG_INIT;
 
 bool is_ignored(int signal_number) {
     struct sigaction action {};
@@ -30,8 +35,16 @@ void raise_unblocked(int signal_number) {
 }
 
 // Does not use stdio: a thread that hangs in a write may hold its locks.
-void write_line(std::string_view line) {
-    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());
+void write_error(std::string_view text) {
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, text.data(), text.size());
+}
+
+// One of two threads that end the program prints the line.
+void end_by(int signal_number) {
+    while (g_is_ending.test_and_set()) pause();
+    if (isatty(STDERR_FILENO) == 1) write_error("\r\033[K");  // Erases a line of progress.
+    write_error("rimline: error: cancelled\n");
+    raise_unblocked(signal_number);
 }
 
 }  // namespace
@@ -39,25 +52,26 @@ void write_line(std::string_view line) {
 std::stop_token stop_on_interrupt(void (*clean_up)() noexcept) {
     sigset_t signals;
     sigemptyset(&signals);
-    for (const int signal_number : {SIGINT, SIGTERM})
+    for (const int signal_number : k_ending_signals)
         if (!is_ignored(signal_number)) sigaddset(&signals, signal_number);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
     // A thread that waits, rather than a handler: requesting a stop is not async-signal-safe.
     std::stop_source source;
-    std::thread([signals, source, clean_up]() mutable {
-        int received = 0;
-        if (sigwait(&signals, &received) != 0) return;
-        g_signal_received = received;
-        source.request_stop();
-        const timespec grace{k_grace_seconds, 0};
-        int second = 0;
-        do second = sigtimedwait(&signals, nullptr, &grace);
-        while (second < 0 && errno == EINTR);
-        clean_up();
-        if (second < 0) write_line("rimline: error: cancelled\n");
-        raise_unblocked(second < 0 ? received : second);
-    }).detach();
+    try {
+        std::thread([signals, source, clean_up]() mutable {
+            int received = 0;
+            if (sigwait(&signals, &received) != 0) return;
+            g_signal_received = received;
+            source.request_stop();
+            std::this_thread::sleep_for(k_grace);
+            clean_up();
+            end_by(received);
+        }).detach();
+    } catch (const std::system_error&) {
+        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+        return {};
+    }
     return source.get_token();
 }
 
@@ -65,7 +79,16 @@ void end_as_interrupted() {
     const int received = g_signal_received;
     if (received == 0) return;
     std::fflush(nullptr);
-    raise_unblocked(received);
+    end_by(received);
+}
+
+void end_as_write_failed() {
+    // The system sends them to the thread that writes, which blocks them.
+    sigset_t pending;
+    sigemptyset(&pending);
+    sigpending(&pending);
+    for (const int signal_number : {SIGPIPE, SIGXFSZ})
+        if (sigismember(&pending, signal_number) == 1) raise_unblocked(signal_number);
 }
 
 }  // namespace rimline::tools

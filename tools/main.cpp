@@ -26,7 +26,7 @@
 #include "tools/nearest_name.h"
 #include "tools/option_table.h"
 #include "tools/options/option_types.h"
-#include "tools/output/output_file.h"
+#include "tools/output/leftover.h"
 #include "tools/output/summary_stream.h"
 #include "tools/run_times.h"
 #include "tools/shell_completion.h"
@@ -223,11 +223,12 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
 int main(int argc, char** argv) {
     ExitStatus status = ExitStatus::failed;
     try {
-        status = parse_and_run(
-            argc, argv, rimline::tools::stop_on_interrupt(rimline::tools::remove_temporary_files));
+        status = parse_and_run(argc, argv,
+                               rimline::tools::stop_on_interrupt(rimline::tools::remove_leftovers));
     } catch (const Error& e) {
-        print_error(e.what());
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();
+        print_error(e.what());
+        if (e.code() == ErrorCode::io) rimline::tools::end_as_write_failed();
     } catch (const std::bad_alloc&) {
         print_error("out of memory; take a smaller model or picture");
     } catch (const std::exception& e) {

@@ -21,7 +21,11 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
         throw Error(ErrorCode::io, path_.string() + ": cannot write " + what + ": " + why);
     };
     std::error_code error;
-    is_own_ = fs::create_directory(path_, error);
+    own_.make(path_, [&](const fs::path& folder) {
+        return fs::create_directory(folder, error) ? 0
+               : error.value() != 0                ? error.value()
+                                                   : EEXIST;
+    });
     if (!fs::is_directory(path_)) fail(fs::exists(path_) ? "it is not a folder" : error.message());
     if (access(path_.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
 }
@@ -43,11 +47,6 @@ void OutputFolder::remove_numbered(const std::string& prefix) const {
     for (const fs::path& file : old)
         if (!fs::remove(file, error) && error)
             throw Error(ErrorCode::io, file.string() + ": cannot remove it: " + error.message());
-}
-
-OutputFolder::~OutputFolder() {
-    std::error_code ignored;
-    if (is_own_) fs::remove(path_, ignored);  // Fails if the folder is not empty.
 }
 
 }  // namespace rimline::tools

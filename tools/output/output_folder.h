@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tools/output/leftover.h"
+
 namespace rimline::tools {
 
 class OutputFolder {
@@ -13,9 +15,6 @@ public:
     /// Creates the folder if it is missing; its parent folder must exist. `what` names the content in
     /// messages: "frames". Throws Error{io} naming the folder.
     OutputFolder(std::filesystem::path path, const char* what);
-    ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
 
     const std::filesystem::path& path() const noexcept { return path_; }
 
@@ -25,7 +24,7 @@ public:
 
 private:
     std::filesystem::path path_;
-    bool is_own_ = false;  // It was created here.
+    Leftover own_;  // If it was created here.
 };
 
 }  // namespace rimline::tools
