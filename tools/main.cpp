@@ -21,13 +21,14 @@
 
 #include "tools/command.h"
 #include "tools/help_formatter.h"
-#include "tools/interrupt.h"
 #include "tools/manual_page.h"
 #include "tools/nearest_name.h"
 #include "tools/option_table.h"
 #include "tools/options/option_types.h"
 #include "tools/output/leftover.h"
 #include "tools/output/summary_stream.h"
+#include "tools/process/interrupt.h"
+#include "tools/process/standard_descriptors.h"
 #include "tools/run_times.h"
 #include "tools/shell_completion.h"
 #include "tools/usage_words.h"
@@ -221,6 +222,7 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    rimline::tools::open_missing_standard_descriptors();
     ExitStatus status = ExitStatus::failed;
     try {
         status = parse_and_run(argc, argv,

@@ -5,7 +5,7 @@ import resource
 import subprocess
 import tempfile
 
-from program import COMMANDS, PROGRAM, fail, has_methods, have_device, run, skip, succeed
+from program import COMMANDS, PROGRAM, fail, has_methods, have_device, read_file, run, skip, succeed
 
 
 def test_version_and_help_go_to_standard_output():
@@ -252,3 +252,23 @@ def test_a_cloud_where_faces_are_needed_names_what_takes_it():
                 continue
             line = fail(1, command[0], path, *command[1:])
             assert path + ": no faces: it is a cloud of 3 points; rimline points" in line, line
+
+
+def test_no_file_takes_the_number_of_a_standard_stream():
+    with tempfile.TemporaryDirectory() as folder:
+        model, path = os.path.join(folder, "a.obj"), os.path.join(folder, "a.svg")
+        with open(model, "w") as file:  # It has a warning, for standard error.
+            file.write("mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")
+        arguments = ["silhouette", model, "--from", "3,2,1", "--borders", "-o", path]
+        result = run(*arguments)
+        assert result.returncode == 0 and "gone.mtl" in result.stderr, result
+        expected = read_file(path)
+        for closed in ((0,), (1,), (2,), (0, 1, 2)):
+            os.remove(path)
+            result = subprocess.run([PROGRAM, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                    stderr=subprocess.PIPE, text=True, timeout=60,
+                                    preexec_fn=lambda: [os.close(number) for number in closed])
+            assert read_file(path) == expected, closed
+            # What cannot be printed is an error, as for a full disk.
+            assert result.returncode == (1 if 1 in closed else 0), (closed, result)
+            assert closed != (1,) or "standard output: cannot write: Bad file descriptor" in result.stderr, result.stderr

@@ -1,4 +1,4 @@
-#include "tools/interrupt.h"
+#include "tools/process/interrupt.h"
 
 #include <pthread.h>
 #include <signal.h>
