@@ -28,7 +28,8 @@ void check_model_name(const std::string& text);
 /// Whether the pictures of textures are read. Only drawing needs them.
 enum class TexturePictures { skip, read };
 
-/// Reads a file or makes a built-in shape, shows progress, and prints the warnings. Throws Error.
+/// Reads a file or makes a built-in shape, shows progress, and prints the warnings. Throws Error. Throws UsageError if
+/// the model refers to a file that is to be written (input_files.h).
 /// `format` is of standard input (standard_input.h).
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context,

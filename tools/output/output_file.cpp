@@ -74,6 +74,7 @@ OutputFile::OutputFile(fs::path path, const fs::path& model)
         throw Error(ErrorCode::io, path_.string() + ": cannot write: there is no folder " +
                                        folder_.string() + "; create it first");
     if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
+    claim_.take(target_);
     remove_dead_parts(folder_);
     descriptor_ = open_nameless(folder_);
     // mkstemp would ignore the user's umask: its files are always private.
@@ -144,11 +145,6 @@ void check_output(const Context& context, const std::string& output) {
     if (context.json && output == k_standard_output)
         throw UsageError(
             "--json: standard output is that of the file with -o -; leave out one of them");
-}
-
-bool is_same_file(const fs::path& a, const fs::path& b) {
-    std::error_code ignored;
-    return fs::equivalent(a, b, ignored);
 }
 
 }  // namespace rimline::tools

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include "tools/input_files.h"
 #include "tools/output/leftover.h"
 
 namespace rimline::tools {
@@ -28,7 +29,7 @@ public:
     /// files that do not exist. Writes to a device or pipe directly, and to standard output for k_standard_output;
     /// summaries go to standard error then (summary_stream.h). Throws UsageError if that is a terminal. Throws
     /// Error{io} naming `path` if its folder is missing, if it is a folder, or if it cannot be written. Throws
-    /// UsageError if it is the file `model`, which is an input.
+    /// UsageError if it is the file `model`, which is an input, or a declared input (input_files.h).
     explicit OutputFile(std::filesystem::path path, const std::filesystem::path& model = {});
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -53,11 +54,9 @@ private:
     std::filesystem::path path_;    // The name that the caller gave.
     std::filesystem::path target_;  // The same with links resolved.
     std::filesystem::path folder_;  // Of the target. Empty if bytes are written directly.
+    OutputClaim claim_;             // Of a regular file.
     Leftover part_;                 // The temporary file while it has a name.
     int descriptor_ = -1;
 };
-
-/// Whether both name the same existing file.
-bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace rimline::tools

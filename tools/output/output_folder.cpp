@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "silhouette/error.h"
+#include "tools/input_files.h"
 
 namespace rimline::tools {
 
@@ -44,6 +45,7 @@ void OutputFolder::remove_numbered(const std::string& prefix) const {
         if (digits.find_first_not_of("0123456789") == std::string_view::npos)
             old.push_back(entry.path());
     }
+    for (const fs::path& file : old) check_is_no_input(file);
     for (const fs::path& file : old)
         if (!fs::remove(file, error) && error)
             throw Error(ErrorCode::io, file.string() + ": cannot remove it: " + error.message());
