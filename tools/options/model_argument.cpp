@@ -187,7 +187,10 @@ void throw_about_model(const std::string& model) {
         throw;
     } catch (const Error& e) {
         const std::string message = e.what();
-        if (e.code() == ErrorCode::cancelled || message.starts_with(model + ":")) throw;
+        // An error of input or output names its own path.
+        if (e.code() == ErrorCode::cancelled || e.code() == ErrorCode::io ||
+            message.starts_with(model + ":"))
+            throw;
         const char* advice = e.code() == ErrorCode::too_large ? k_advice_too_large : "";
         throw Error(e.code(), model + ": " + message + advice);
     } catch (const std::bad_alloc&) {

@@ -7,7 +7,7 @@ import struct
 import subprocess
 import tempfile
 
-from program import PROGRAM, TRIANGLE, fail, have_device, png_size, read_file, run, succeed, write_faces
+from program import PROGRAM, TRIANGLE, fail, have_device, png_size, read_file, run, skip, succeed, write_faces
 
 
 def test_an_output_file_is_written_whole_or_not_at_all():
@@ -80,6 +80,19 @@ def test_no_output_takes_the_place_of_what_the_model_refers_to():
         assert sorted(os.listdir(folder)) == names
         assert {name: read_file(at(name)) for name in names} == before
         assert run(*slice_of("a.obj", "new.png")).returncode == 0
+
+
+def test_a_failed_write_is_blamed_on_the_file():
+    if not os.path.exists("/dev/full"):
+        skip("no /dev/full")
+    with tempfile.TemporaryDirectory() as folder:
+        png, svg = os.path.join(folder, "a.png"), os.path.join(folder, "a.svg")
+        for name in (png, svg):
+            os.symlink("/dev/full", name)
+        commands = [["field", "shape:box", "--slice", "z=0", "-o", png], ["origins", "shape:box", "-o", png],
+                    ["silhouette", "shape:box", "--from", "3,2,1", "-o", svg], ["draw", "shape:box", "-o", svg]]
+        for arguments in commands:
+            assert fail(1, *arguments) == f"rimline: error: {arguments[-1]}: cannot write: No space left on device"
 
 
 def test_an_output_is_called_as_what_it_holds():
