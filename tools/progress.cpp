@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "tools/printable_text.h"
+
 namespace rimline::tools {
 
 namespace {
@@ -12,9 +14,9 @@ constexpr std::chrono::milliseconds k_min_time(500);
 
 }  // namespace
 
-Progress::Progress(const Context& context, std::string task)
+Progress::Progress(const Context& context, const std::string& task)
     : stop_(context.stop),
-      task_(std::move(task)),
+      task_(printable_text(task)),
       on_terminal_(isatty(STDERR_FILENO) == 1 && !is_quiet()) {
     if (on_terminal_)
         late_ = std::jthread([this](const std::stop_token& ended) { show_late(ended); });

@@ -6,6 +6,7 @@ import stat
 import struct
 import subprocess
 import tempfile
+import xml.etree.ElementTree
 
 from program import PROGRAM, TRIANGLE, fail, have_device, png_size, read_file, run, skip, succeed, write_faces
 
@@ -93,6 +94,25 @@ def test_a_failed_write_is_blamed_on_the_file():
                     ["silhouette", "shape:box", "--from", "3,2,1", "-o", svg], ["draw", "shape:box", "-o", svg]]
         for arguments in commands:
             assert fail(1, *arguments) == f"rimline: error: {arguments[-1]}: cannot write: No space left on device"
+
+
+def test_names_are_escaped_where_they_are_shown():
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.fsencode(folder) + b"/a\x1b[2J\xffb\xc3\xa4<]]>.obj"
+        write_faces(name, TRIANGLE)
+        shown = folder + "/a\\x1b[2J\\xffb\u00e4<]]>.obj"
+        result = subprocess.run([PROGRAM, "info", name + b".gone"], capture_output=True, timeout=60)
+        assert result.stderr.decode().startswith(f"rimline: error: {shown}.gone: "), result.stderr
+        result = subprocess.run([PROGRAM, "info", name, "--json"], capture_output=True, timeout=60)
+        said = json.loads(result.stdout.decode())["model"]
+        # JSON has an escape of its own for control characters.
+        assert said in (shown, shown.replace("\\x1b", "\x1b")), said
+        for arguments in (["draw", name, "-o", "-"], ["silhouette", name, "--from", "3,2,1", "-o", "-"]):
+            result = subprocess.run([PROGRAM, *arguments], capture_output=True, timeout=60)
+            title = xml.etree.ElementTree.fromstring(result.stdout).find("{http://www.w3.org/2000/svg}title")
+            assert shown in title.text, title.text
+        result = subprocess.run([PROGRAM, "draw", name, "-o", "-", "--as", "json"], capture_output=True, timeout=60)
+        assert json.loads(result.stdout.decode())["model"] == shown
 
 
 def test_an_output_is_called_as_what_it_holds():
