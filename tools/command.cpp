@@ -47,6 +47,15 @@ void write_json(const Json& value) {
     }
 }
 
+void write_list(const JsonList& list) {
+    write_text("[");
+    for (std::size_t i = 0; i < list.count; ++i) {
+        if (i > 0) write_text(",");
+        write_json(list.element(i));
+    }
+    write_text("]");
+}
+
 }  // namespace
 
 void print_error(std::string message) { print_message("error", std::move(message)); }
@@ -72,6 +81,22 @@ void print_json(const Json& object) {
 void print_json(const Context& context, Json object) {
     object["times_ms"] = context.times.json();
     print_json(object);
+}
+
+void print_json(const Context& context, Json object, const JsonList& list) {
+    object["times_ms"] = context.times.json();
+    std::string_view separator = "{";
+    for (const auto& [key, value] : object.items()) {
+        write_text(separator);
+        separator = ",";
+        write_json(key);
+        write_text(":");
+        if (key == list.key)
+            write_list(list);
+        else
+            write_json(value);
+    }
+    write_text("}\n");
 }
 
 }  // namespace rimline::tools

@@ -7,6 +7,8 @@
 // declare its make function below, and list it in main.cpp.
 
 #include <CLI/App.hpp>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
@@ -77,6 +79,14 @@ ExitStatus report_check(const std::string& failure);
 void print_json(const nlohmann::ordered_json& object);
 /// The same with `times_ms` of the run as its last value.
 void print_json(const Context& context, nlohmann::ordered_json object);
+
+/// An array whose elements are made when they are written, because all together would take too much memory.
+struct JsonList {
+    std::string key;  ///< Of the value in the object that it takes the place of.
+    std::size_t count = 0;
+    std::function<nlohmann::ordered_json(std::size_t)> element;
+};
+void print_json(const Context& context, nlohmann::ordered_json object, const JsonList& list);
 
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_silhouette_command();
