@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <system_error>
 
 #include "tools/printable_text.h"
 
@@ -18,8 +19,11 @@ Progress::Progress(const Context& context, const std::string& task)
     : stop_(context.stop),
       task_(printable_text(task)),
       on_terminal_(isatty(STDERR_FILENO) == 1 && !is_quiet()) {
-    if (on_terminal_)
+    if (!on_terminal_) return;
+    try {
         late_ = std::jthread([this](const std::stop_token& ended) { show_late(ended); });
+    } catch (const std::system_error&) {  // No more threads: only calls that report are shown.
+    }
 }
 
 Progress::~Progress() {

@@ -1,4 +1,5 @@
 """What all subcommands share: help, wrong usage, bad input, a machine or a build that lacks something."""
+import json
 import os
 import re
 import resource
@@ -272,3 +273,35 @@ def test_no_file_takes_the_number_of_a_standard_stream():
             # What cannot be printed is an error, as for a full disk.
             assert result.returncode == (1 if 1 in closed else 0), (closed, result)
             assert closed != (1,) or "standard output: cannot write: Bad file descriptor" in result.stderr, result.stderr
+
+
+def test_a_machine_with_few_threads_takes_longer():
+    # No thread but the first: the system counts those of other programs of the same user too.
+    def limit_threads():
+        if os.geteuid() == 0:  # Root has no limit.
+            os.setgroups([])
+            os.setgid(65534)
+            os.setuid(65534)
+        resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+
+    limited = {"preexec_fn": limit_threads, "cwd": "/"}
+    try:
+        run("--version", **limited)
+    except (PermissionError, subprocess.SubprocessError):
+        skip("the program cannot be run by another user")
+    for arguments in (["silhouette", "shape:knot:20000", "--from", "3,2,1", "--no-edges"],
+                      ["track", "shape:knot:20000", "--frames", "30", "--verify"], ["origins", "shape:knot:2000"],
+                      ["field", "shape:knot:2000", "--at", "0,0,0"], ["points", "shape:knot:2000", "--as-points"]):
+        expected, result = succeed(*arguments), run(*arguments, "--json", **limited)
+        assert result.returncode == 0 and result.stderr == "", (arguments, result.returncode, result.stderr)
+        assert json.loads(result.stdout).keys() == expected.keys()
+
+
+def test_short_memory_is_an_error_and_not_an_end():
+    for megabytes in (150, 200, 300, 400, 600):
+        limit = megabytes << 20
+        for arguments in (["silhouette", "shape:knot:100000", "--from", "3,2,1", "--no-edges"],
+                          ["bench", "service", "shape:knot:20000", "--trackers", "300", "--frames", "2"]):
+            result = run(*arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+            assert result.returncode in (0, 1), (megabytes, arguments, result.returncode, result.stderr)
+            assert "unexpected" not in result.stderr, (megabytes, arguments, result.stderr)
