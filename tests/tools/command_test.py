@@ -305,3 +305,7 @@ def test_short_memory_is_an_error_and_not_an_end():
             result = run(*arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
             assert result.returncode in (0, 1), (megabytes, arguments, result.returncode, result.stderr)
             assert "unexpected" not in result.stderr, (megabytes, arguments, result.stderr)
+    # The loader says nothing of a driver for which there is no memory.
+    limit = 250 << 20
+    result = run("views", "shape:box", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+    assert "no Vulkan device" not in result.stderr or "ulimit -v" in result.stderr, result.stderr
