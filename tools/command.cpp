@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
+
+#include "tools/printable_text.h"
 
 namespace rimline::tools {
 
@@ -15,7 +18,42 @@ void print_message(const char* kind, std::string message) {
     while (!message.empty() && message.back() == '\n') message.pop_back();
     std::replace(message.begin(), message.end(), '\n', ' ');
     std::fflush(stdout);
-    std::fprintf(stderr, "rimline: %s: %s\n", kind, message.c_str());
+    std::fprintf(stderr, "rimline: %s: %s\n", kind, printable_text(message).c_str());
+}
+
+using Json = nlohmann::ordered_json;
+
+// `value` with all its strings and keys in UTF-8.
+Json in_utf8(const Json& value) {
+    if (value.is_string()) return printable_text(value.get_ref<const std::string&>());
+    if (!value.is_structured()) return value;
+    Json result = value.is_array() ? Json::array() : Json::object();
+    for (const auto& [key, element] : value.items()) {
+        if (value.is_array())
+            result.push_back(in_utf8(element));
+        else
+            result[printable_text(key)] = in_utf8(element);
+    }
+    return result;
+}
+
+void write_text(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void write_json(const Json& value) {
+    try {
+        write_text(value.dump());
+    } catch (const Json::type_error&) {  // Thrown before anything is written.
+        write_text(in_utf8(value).dump());
+    }
+}
+
+void write_list(const JsonList& list) {
+    write_text("[");
+    for (std::size_t i = 0; i < list.count; ++i) {
+        if (i > 0) write_text(",");
+        write_json(list.element(i));
+    }
+    write_text("]");
 }
 
 }  // namespace
@@ -35,15 +73,30 @@ ExitStatus report_check(const std::string& failure) {
     return ExitStatus::check_failed;
 }
 
-void print_json(const Context& context, nlohmann::ordered_json object) {
+void print_json(const Json& object) {
+    write_json(object);
+    write_text("\n");
+}
+
+void print_json(const Context& context, Json object) {
     object["times_ms"] = context.times.json();
     print_json(object);
 }
 
-void print_json(const nlohmann::ordered_json& object) {
-    const std::string text = object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fputc('\n', stdout);
+void print_json(const Context& context, Json object, const JsonList& list) {
+    object["times_ms"] = context.times.json();
+    std::string_view separator = "{";
+    for (const auto& [key, value] : object.items()) {
+        write_text(separator);
+        separator = ",";
+        write_json(key);
+        write_text(":");
+        if (key == list.key)
+            write_list(list);
+        else
+            write_json(value);
+    }
+    write_text("}\n");
 }
 
 }  // namespace rimline::tools

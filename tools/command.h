@@ -7,6 +7,8 @@
 // declare its make function below, and list it in main.cpp.
 
 #include <CLI/App.hpp>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
@@ -61,7 +63,8 @@ public:
     virtual ExitStatus run(const Context& context) = 0;
 };
 
-/// Flushes standard output, then writes `message` to standard error as one line; line breaks become spaces.
+/// Flushes standard output, then writes `message` to standard error as one line; line breaks become spaces, and
+/// bytes that cannot be printed are escaped (printable_text.h).
 void print_error(std::string message);
 /// The same for a warning.
 void print_warning(std::string message);
@@ -71,10 +74,19 @@ bool is_quiet() noexcept;
 /// Prints `failure`, of a --verify or --check, and returns check_failed. Returns success where it is empty.
 ExitStatus report_check(const std::string& failure);
 
-/// Writes one JSON object to standard output. Bytes of file names that are not UTF-8 are replaced.
+/// Writes one JSON object to standard output. Bytes of file names that are not UTF-8 are escaped
+/// (printable_text.h).
 void print_json(const nlohmann::ordered_json& object);
 /// The same with `times_ms` of the run as its last value.
 void print_json(const Context& context, nlohmann::ordered_json object);
+
+/// An array whose elements are made when they are written, because all together would take too much memory.
+struct JsonList {
+    std::string key;  ///< Of the value in the object that it takes the place of.
+    std::size_t count = 0;
+    std::function<nlohmann::ordered_json(std::size_t)> element;
+};
+void print_json(const Context& context, nlohmann::ordered_json object, const JsonList& list);
 
 std::unique_ptr<Command> make_info_command();
 std::unique_ptr<Command> make_silhouette_command();

@@ -13,7 +13,6 @@
 #include <exception>
 #include <memory>
 #include <new>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -21,13 +20,15 @@
 
 #include "tools/command.h"
 #include "tools/help_formatter.h"
-#include "tools/interrupt.h"
 #include "tools/manual_page.h"
 #include "tools/nearest_name.h"
 #include "tools/option_table.h"
 #include "tools/options/option_types.h"
-#include "tools/output/output_file.h"
+#include "tools/output/leftover.h"
 #include "tools/output/summary_stream.h"
+#include "tools/process/interrupt.h"
+#include "tools/process/standard_descriptors.h"
+#include "tools/process/thread_limit.h"
 #include "tools/run_times.h"
 #include "tools/shell_completion.h"
 #include "tools/usage_words.h"
@@ -201,8 +202,14 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     const std::string chosen = app.get_subcommands().front()->get_name();
     const auto command = std::find_if(commands.begin(), commands.end(),
                                       [&](const auto& c) { return c->name() == chosen; });
-    std::optional<tbb::global_control> at_most;
-    if (threads > 0) at_most.emplace(tbb::global_control::max_allowed_parallelism, threads);
+    const std::uint32_t wanted = threads > 0 ? threads : rimline::tools::usual_threads();
+    const std::uint32_t startable = rimline::tools::startable_threads(wanted);
+    // Lives as long as the program: oneTBB would start the threads that it was kept from when this ends.
+    [[maybe_unused]] static const tbb::global_control* const at_most =
+        threads > 0 || startable < wanted
+            ? new tbb::global_control(tbb::global_control::max_allowed_parallelism, startable)
+            : nullptr;
+    rimline::tools::start_threads_before_memory_is_taken(startable);
     try {
         if (quiet) rimline::tools::be_quiet();
         if (quiet && !json) rimline::tools::drop_summary();
@@ -221,13 +228,15 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    rimline::tools::open_missing_standard_descriptors();
     ExitStatus status = ExitStatus::failed;
     try {
-        status = parse_and_run(
-            argc, argv, rimline::tools::stop_on_interrupt(rimline::tools::remove_temporary_files));
+        status = parse_and_run(argc, argv,
+                               rimline::tools::stop_on_interrupt(rimline::tools::remove_leftovers));
     } catch (const Error& e) {
-        print_error(e.what());
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();
+        print_error(e.what());
+        if (e.code() == ErrorCode::io) rimline::tools::end_as_write_failed();
     } catch (const std::bad_alloc&) {
         print_error("out of memory; take a smaller model or picture");
     } catch (const std::exception& e) {

@@ -3,6 +3,9 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <system_error>
+
+#include "tools/printable_text.h"
 
 namespace rimline::tools {
 
@@ -12,12 +15,15 @@ constexpr std::chrono::milliseconds k_min_time(500);
 
 }  // namespace
 
-Progress::Progress(const Context& context, std::string task)
+Progress::Progress(const Context& context, const std::string& task)
     : stop_(context.stop),
-      task_(std::move(task)),
+      task_(printable_text(task)),
       on_terminal_(isatty(STDERR_FILENO) == 1 && !is_quiet()) {
-    if (on_terminal_)
+    if (!on_terminal_) return;
+    try {
         late_ = std::jthread([this](const std::stop_token& ended) { show_late(ended); });
+    } catch (const std::system_error&) {  // No more threads: only calls that report are shown.
+    }
 }
 
 Progress::~Progress() {

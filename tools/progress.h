@@ -19,7 +19,7 @@ namespace rimline::tools {
 class Progress {
 public:
     /// `task` is shown before the percentage: "reading bunny.obj".
-    Progress(const Context& context, std::string task);
+    Progress(const Context& context, const std::string& task);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

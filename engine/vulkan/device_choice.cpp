@@ -54,8 +54,10 @@ std::string joined(const std::vector<std::string>& parts, const char* separator)
 
 }  // namespace
 
+// The loader leaves out a driver that there is no memory to load, and does not say so.
 const char* const k_no_device_advice =
-    "there is no Vulkan device: install a driver, mesa-vulkan-drivers for the CPU";
+    "there is no Vulkan device: install a driver, mesa-vulkan-drivers for the CPU, or raise the "
+    "limit of memory (ulimit -v) if one is set";
 
 std::string name_of(VkPhysicalDeviceType type) {
     switch (type) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct MeshSource {
     std::vector<std::string> warnings = {};
     /// Whether the format says which axis is up: STL and glTF do. OBJ, PLY and OFF do not.
     bool is_up_known = false;
+    /// Files that the model's file refers to: material libraries and textures, also those that no face uses or that
+    /// could not be read. A program that writes files must not replace them.
+    std::vector<std::filesystem::path> files = {};
 };
 
 }  // namespace rimline

@@ -27,6 +27,7 @@ LAYERS = [
     [["engine/clouds"], ["engine/measure"]],
     [["engine/renderer"], ["engine/tested_device"]],
     [["tools/samples"]],
+    [["tools/process"]],
     [["tools"]],
     [["tools/options"]],
     [["tools/output"]],

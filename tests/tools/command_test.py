@@ -1,11 +1,12 @@
 """What all subcommands share: help, wrong usage, bad input, a machine or a build that lacks something."""
+import json
 import os
 import re
 import resource
 import subprocess
 import tempfile
 
-from program import COMMANDS, PROGRAM, fail, has_methods, have_device, run, skip, succeed
+from program import COMMANDS, PROGRAM, fail, has_methods, have_device, read_file, run, skip, succeed
 
 
 def test_version_and_help_go_to_standard_output():
@@ -252,3 +253,59 @@ def test_a_cloud_where_faces_are_needed_names_what_takes_it():
                 continue
             line = fail(1, command[0], path, *command[1:])
             assert path + ": no faces: it is a cloud of 3 points; rimline points" in line, line
+
+
+def test_no_file_takes_the_number_of_a_standard_stream():
+    with tempfile.TemporaryDirectory() as folder:
+        model, path = os.path.join(folder, "a.obj"), os.path.join(folder, "a.svg")
+        with open(model, "w") as file:  # It has a warning, for standard error.
+            file.write("mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")
+        arguments = ["silhouette", model, "--from", "3,2,1", "--borders", "-o", path]
+        result = run(*arguments)
+        assert result.returncode == 0 and "gone.mtl" in result.stderr, result
+        expected = read_file(path)
+        for closed in ((0,), (1,), (2,), (0, 1, 2)):
+            os.remove(path)
+            result = subprocess.run([PROGRAM, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                    stderr=subprocess.PIPE, text=True, timeout=60,
+                                    preexec_fn=lambda: [os.close(number) for number in closed])
+            assert read_file(path) == expected, closed
+            # What cannot be printed is an error, as for a full disk.
+            assert result.returncode == (1 if 1 in closed else 0), (closed, result)
+            assert closed != (1,) or "standard output: cannot write: Bad file descriptor" in result.stderr, result.stderr
+
+
+def test_a_machine_with_few_threads_takes_longer():
+    # No thread but the first: the system counts those of other programs of the same user too.
+    def limit_threads():
+        if os.geteuid() == 0:  # Root has no limit.
+            os.setgroups([])
+            os.setgid(65534)
+            os.setuid(65534)
+        resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+
+    limited = {"preexec_fn": limit_threads, "cwd": "/"}
+    try:
+        run("--version", **limited)
+    except (PermissionError, subprocess.SubprocessError):
+        skip("the program cannot be run by another user")
+    for arguments in (["silhouette", "shape:knot:20000", "--from", "3,2,1", "--no-edges"],
+                      ["track", "shape:knot:20000", "--frames", "30", "--verify"], ["origins", "shape:knot:2000"],
+                      ["field", "shape:knot:2000", "--at", "0,0,0"], ["points", "shape:knot:2000", "--as-points"]):
+        expected, result = succeed(*arguments), run(*arguments, "--json", **limited)
+        assert result.returncode == 0 and result.stderr == "", (arguments, result.returncode, result.stderr)
+        assert json.loads(result.stdout).keys() == expected.keys()
+
+
+def test_short_memory_is_an_error_and_not_an_end():
+    for megabytes in (150, 200, 300, 400, 600):
+        limit = megabytes << 20
+        for arguments in (["silhouette", "shape:knot:100000", "--from", "3,2,1", "--no-edges"],
+                          ["bench", "service", "shape:knot:20000", "--trackers", "300", "--frames", "2"]):
+            result = run(*arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+            assert result.returncode in (0, 1), (megabytes, arguments, result.returncode, result.stderr)
+            assert "unexpected" not in result.stderr, (megabytes, arguments, result.stderr)
+    # The loader says nothing of a driver for which there is no memory.
+    limit = 250 << 20
+    result = run("views", "shape:box", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+    assert "no Vulkan device" not in result.stderr or "ulimit -v" in result.stderr, result.stderr

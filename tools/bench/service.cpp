@@ -112,8 +112,13 @@ std::string check(SilhouetteService& service, const std::vector<TrackerId>& ids,
             const std::string place =
                 "tracker " + std::to_string(t) + ", frame " + std::to_string(frame);
             SilhouetteSnapshot& state = states[t];
-            if (!service.wait_for_change(ids[t]) || service.take(ids[t], change) != Taken::change)
-                return place + ": nothing was published";
+            const Taken taken =
+                service.wait_for_change(ids[t]) ? service.take(ids[t], change) : Taken::nothing;
+            if (taken == Taken::gap)
+                throw Error(ErrorCode::too_large, "there is not enough memory for the changes of " +
+                                                      std::to_string(ids.size()) +
+                                                      " trackers: take fewer, or smaller models");
+            if (taken != Taken::change) return place + ": nothing was published";
             const ChangeSet changes = change.view();
             if (changes.sequence != ++state.sequence) return place + ": a gap in the sequence";
             state.slots.resize(changes.silhouette_size, k_no_edge);

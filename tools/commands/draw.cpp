@@ -29,6 +29,7 @@
 #include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/output/page_lines.h"
+#include "tools/printable_text.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -165,7 +166,7 @@ public:
             case DrawingFormat::pdf: file.write(drawing_pdf(drawing)); break;
             case DrawingFormat::dxf: file.write(drawing_dxf(drawing)); break;
             case DrawingFormat::json:
-                file.write(nlohmann::ordered_json{{"model", printable_ascii(model_.model)},
+                file.write(nlohmann::ordered_json{{"model", printable_text(model_.model)},
                                                   {"page_mm", {page.size_mm.x, page.size_mm.y}},
                                                   {"views", std::move(views)}}
                                .dump() +

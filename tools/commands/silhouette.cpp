@@ -23,6 +23,7 @@
 #include "tools/options/option_types.h"
 #include "tools/output/line_output.h"
 #include "tools/output/output_file.h"
+#include "tools/printable_text.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -252,9 +253,7 @@ private:
         std::snprintf(seen.data(), seen.size(), " %s %.9g,%.9g,%.9g",
                       point.is_direction() ? "along" : "from", double{point.x}, double{point.y},
                       double{point.z});
-        std::string title = "Silhouette of " + model_.model + seen.data();
-        std::replace_if(
-            title.begin(), title.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        const std::string title = printable_text("Silhouette of " + model_.model + seen.data());
         return tools::format_lines({mesh, point, silhouette, borders, title}, format);
     }
 

@@ -172,17 +172,19 @@ private:
     bool verified(const Track& track) const { return verify_ && track.difference.empty(); }
 
     void print_result(const Context& context, const Track& track) const {
-        nlohmann::ordered_json frames = nlohmann::ordered_json::array();
-        for (const Frame& frame : track.frames) frames.push_back(to_json(frame));
         nlohmann::ordered_json totals = to_json(track.totals);
         totals["max_us"] = track.max_us;
-        print_json(context, {{"model", model_.model},
-                             {"path", path_.path},
-                             {"build_ms", track.build_ms},
-                             {"extraction_us", track.extraction_us},
-                             {"frames", std::move(frames)},
-                             {"totals", std::move(totals)},
-                             {"verified", verified(track)}});
+        const JsonList frames{"frames", track.frames.size(),
+                              [&](std::size_t i) { return to_json(track.frames[i]); }};
+        print_json(context,
+                   {{"model", model_.model},
+                    {"path", path_.path},
+                    {"build_ms", track.build_ms},
+                    {"extraction_us", track.extraction_us},
+                    {frames.key, nullptr},
+                    {"totals", std::move(totals)},
+                    {"verified", verified(track)}},
+                   frames);
     }
 
     void print_summary(const Track& track) const {

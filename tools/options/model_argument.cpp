@@ -10,6 +10,7 @@
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
+#include "tools/input_files.h"
 #include "tools/nearest_name.h"
 #include "tools/options/double_faces.h"
 #include "tools/options/option_types.h"
@@ -105,6 +106,7 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
         source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });
     else
         source = read_model(model, format, requirement, begin);
+    declare_inputs(source.files);
     if (textures == TexturePictures::read && !source.materials.textures.empty())
         read_textures(source, begin("reading the textures of " + model));
     if (subdivide > 0 && !source.triangles.empty()) {
@@ -185,7 +187,10 @@ void throw_about_model(const std::string& model) {
         throw;
     } catch (const Error& e) {
         const std::string message = e.what();
-        if (e.code() == ErrorCode::cancelled || message.starts_with(model + ":")) throw;
+        // An error of input or output names its own path.
+        if (e.code() == ErrorCode::cancelled || e.code() == ErrorCode::io ||
+            message.starts_with(model + ":"))
+            throw;
         const char* advice = e.code() == ErrorCode::too_large ? k_advice_too_large : "";
         throw Error(e.code(), model + ": " + message + advice);
     } catch (const std::bad_alloc&) {

@@ -28,7 +28,8 @@ void check_model_name(const std::string& text);
 /// Whether the pictures of textures are read. Only drawing needs them.
 enum class TexturePictures { skip, read };
 
-/// Reads a file or makes a built-in shape, shows progress, and prints the warnings. Throws Error.
+/// Reads a file or makes a built-in shape, shows progress, and prints the warnings. Throws Error. Throws
+/// UsageError if the model refers to a file that is to be written (input_files.h).
 /// `format` is of standard input (standard_input.h).
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const Context& context,
@@ -62,8 +63,8 @@ void check_viewing_range(const std::string& model, const Mesh& mesh);
 /// The same, and throws Error{bad_input} if all vertices are one point.
 void check_has_extent(const std::string& model, const Mesh& mesh);
 
-/// To be called in a catch block: rethrows the exception. An Error without the model's name, and a failed
-/// allocation, become an Error that begins with the name.
+/// To be called in a catch block: rethrows the exception. An Error without the model's name, but for one of
+/// input or output, and a failed allocation become an Error that begins with the name.
 [[noreturn]] void throw_about_model(const std::string& model);
 
 /// Returns work(). Its errors name the model, which the calls of the library do not know.

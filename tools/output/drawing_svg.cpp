@@ -3,6 +3,7 @@
 
 #include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
+#include "tools/printable_text.h"
 
 namespace rimline::tools {
 
@@ -16,7 +17,7 @@ public:
         add(R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" width=")");
         add(drawing_.size_mm.x).add("mm\" height=\"").add(drawing_.size_mm.y);
         add("mm\" viewBox=\"0 0 ").add(drawing_.size_mm.x).add(" ").add(drawing_.size_mm.y);
-        add("\">\n<title>").add_escaped(printable_ascii(drawing_.title)).add("</title>\n");
+        add("\">\n<title>").add_escaped(printable_text(drawing_.title)).add("</title>\n");
         // Visible lines lie above hidden ones.
         add_layer(true);
         add_layer(false);
@@ -38,6 +39,8 @@ private:
         for (const char c : plain) {
             if (c == '<')
                 text_ += "&lt;";
+            else if (c == '>')
+                text_ += "&gt;";
             else if (c == '&')
                 text_ += "&amp;";
             else

@@ -7,7 +7,8 @@ namespace rimline::tools {
 
 void FrameSink::write(Picture picture) {
     if (writing_.valid()) writing_.get();
-    writing_ = std::async(std::launch::async,
+    // Deferred where the system starts no more threads: then get() does it.
+    writing_ = std::async(std::launch::async | std::launch::deferred,
                           [this, number = next_, picture = std::move(picture)]() mutable {
                               finish_.apply(picture);
                               put(picture, number);

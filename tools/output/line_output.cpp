@@ -130,6 +130,8 @@ std::string escaped_for_xml(std::string_view plain) {
     for (const char c : plain) {
         if (c == '<')
             text += "&lt;";
+        else if (c == '>')
+            text += "&gt;";
         else if (c == '&')
             text += "&amp;";
         else

@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <mutex>
 #include <system_error>
 #include <utility>
 
 #include "silhouette/error.h"
 #include "tools/command.h"
+#include "tools/output/part_name.h"
 #include "tools/output/summary_stream.h"
 
 namespace rimline::tools {
@@ -19,9 +19,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Guards the list of files that have a temporary file, and the creation and removal of these.
-std::mutex g_mutex;
-OutputFile* g_first = nullptr;
+constexpr int k_max_attempts = 1000;
+
+// By which another name can be given to a file that has none.
+fs::path descriptor_path(const std::string& process, int descriptor) {
+    return "/proc/" + process + "/fd/" + std::to_string(descriptor);
+}
+
+// -1 where the file system has no files without names, or this process could not name one.
+int open_nameless(const fs::path& folder) {
+    const int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (descriptor < 0 || access(descriptor_path("self", descriptor).c_str(), F_OK) == 0)
+        return descriptor;
+    close(descriptor);
+    return -1;
+}
 
 }  // namespace
 
@@ -57,37 +69,34 @@ OutputFile::OutputFile(fs::path path, const fs::path& model)
         target_ = target_.parent_path() / fs::read_symlink(target_, error);
         if (error) fail("cannot follow the link", error.value());
     }
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error))
+    folder_ = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder_, error))
         throw Error(ErrorCode::io, path_.string() + ": cannot write: there is no folder " +
-                                       folder.string() + "; create it first");
+                                       folder_.string() + "; create it first");
     if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
-    const std::lock_guard lock(g_mutex);
+    claim_.take(target_);
+    remove_dead_parts(folder_);
+    descriptor_ = open_nameless(folder_);
     // mkstemp would ignore the user's umask: its files are always private.
-    for (int attempt = 0; descriptor_ < 0; ++attempt) {
-        std::string name(".");
-        name.append(target_.filename().string()).append(".").append(std::to_string(getpid()));
-        name.append(".").append(std::to_string(attempt)).append(".part");
-        temporary_ = folder / name;
-        descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ >= 0 || (errno == EEXIST && attempt < 1000)) continue;
-        const int error_number = errno;
-        temporary_.clear();
-        fail("cannot write", error_number);
-    }
+    if (descriptor_ < 0)
+        make_part([&](const fs::path& part) {
+            descriptor_ = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            return descriptor_ < 0 ? errno : 0;
+        });
+    lock_part(descriptor_);
     if (exists) fchmod(descriptor_, existing.st_mode & 07777);
-    next_ = std::exchange(g_first, this);
 }
 
-OutputFile::~OutputFile() {
-    close_descriptor();
-    const std::lock_guard lock(g_mutex);
-    if (!temporary_.empty()) unlink(temporary_.c_str());
-    for (OutputFile** link = &g_first; *link != nullptr; link = &(*link)->next_)
-        if (*link == this) {
-            *link = next_;
-            break;
-        }
+OutputFile::~OutputFile() { close_descriptor(); }
+
+// make(path) creates the temporary file's name.
+template <typename Make>
+void OutputFile::make_part(Make&& make) {
+    for (int attempt = 0;; ++attempt) {
+        const int error_number = part_.make(folder_ / part_name(target_, attempt), make);
+        if (error_number == 0) return;
+        if (error_number != EEXIST || attempt == k_max_attempts) fail("cannot write", error_number);
+    }
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -100,14 +109,26 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::commit() {
+    if (!folder_.empty() && part_.path().empty()) {
+        const fs::path nameless = descriptor_path("self", descriptor_);
+        make_part([&](const fs::path& part) {
+            return linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, part.c_str(), AT_SYMLINK_FOLLOW) ==
+                           0
+                       ? 0
+                       : errno;
+        });
+    }
     // Some file systems report a full disk only in close().
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
+    const int descriptor = std::exchange(descriptor_, -1);
     if (close(descriptor) != 0 && errno != EINTR) fail("cannot write", errno);
-    const std::lock_guard lock(g_mutex);
-    if (temporary_.empty()) return;
-    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write", errno);
-    temporary_.clear();
+    if (folder_.empty()) return;
+    if (const int error_number = part_.rename_to(target_); error_number != 0)
+        fail("cannot write", error_number);
+}
+
+fs::path OutputFile::temporary() const {
+    if (folder_.empty() || !part_.path().empty()) return part_.path();
+    return descriptor_path(std::to_string(getpid()), descriptor_);
 }
 
 void OutputFile::fail(const std::string& problem, int error_number) const {
@@ -124,17 +145,6 @@ void check_output(const Context& context, const std::string& output) {
     if (context.json && output == k_standard_output)
         throw UsageError(
             "--json: standard output is that of the file with -o -; leave out one of them");
-}
-
-bool is_same_file(const fs::path& a, const fs::path& b) {
-    std::error_code ignored;
-    return fs::equivalent(a, b, ignored);
-}
-
-void remove_temporary_files() noexcept {
-    const std::lock_guard lock(g_mutex);
-    for (const OutputFile* file = g_first; file != nullptr; file = file->next_)
-        if (!file->temporary_.empty()) unlink(file->temporary_.c_str());
 }
 
 }  // namespace rimline::tools

@@ -2,14 +2,19 @@
 
 // An output file that appears complete or not at all.
 //
-// The bytes go to a temporary file in the target's folder. commit() renames it to the target, which is
-// atomic. If writing ends before that, also by an exception, the old file is unchanged and the temporary
-// file is removed. This protects against failures of the program, not of the power supply: there is no
-// fsync.
+// The bytes go to a temporary file without a name, which the system frees however the program ends. commit()
+// gives it a name beside the target (part_name.h) and renames it to the target, which is atomic. File systems
+// without such files, as NFS, get one that has the name from the beginning; it is removed unless the program is
+// killed, and then by the next one that writes into the folder. If writing ends before commit(), also by an
+// exception, the old file is unchanged. This protects against failures of the program, not of the power supply:
+// there is no fsync.
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+
+#include "tools/input_files.h"
+#include "tools/output/leftover.h"
 
 namespace rimline::tools {
 
@@ -24,7 +29,7 @@ public:
     /// files that do not exist. Writes to a device or pipe directly, and to standard output for k_standard_output;
     /// summaries go to standard error then (summary_stream.h). Throws UsageError if that is a terminal. Throws
     /// Error{io} naming `path` if its folder is missing, if it is a folder, or if it cannot be written. Throws
-    /// UsageError if it is the file `model`, which is an input.
+    /// UsageError if it is the file `model`, which is an input, or a declared input (input_files.h).
     explicit OutputFile(std::filesystem::path path, const std::filesystem::path& model = {});
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -32,30 +37,26 @@ public:
 
     /// Appends bytes unchanged. Throws Error{io}.
     void write(std::string_view bytes);
-    /// Renames the temporary file to the target. Call it once, after the last write. Throws Error{io}.
+    /// Puts the temporary file in the target's place. Call it once, after the last write. Throws Error{io}.
     void commit();
 
     const std::filesystem::path& path() const noexcept { return path_; }
-    /// The file that commit() renames, for another program to write; empty if bytes are written directly.
-    const std::filesystem::path& temporary() const noexcept { return temporary_; }
+    /// A name of the temporary file, for another program to write; empty if bytes are written directly. It ends
+    /// with this process.
+    std::filesystem::path temporary() const;
 
 private:
-    friend void remove_temporary_files() noexcept;
     [[noreturn]] void fail(const std::string& problem, int error_number) const;
+    template <typename Make>
+    void make_part(Make&& make);
     void close_descriptor() noexcept;
 
-    std::filesystem::path path_;       // The name that the caller gave.
-    std::filesystem::path target_;     // The same with links resolved.
-    std::filesystem::path temporary_;  // Empty if written directly, and after commit().
+    std::filesystem::path path_;    // The name that the caller gave.
+    std::filesystem::path target_;  // The same with links resolved.
+    std::filesystem::path folder_;  // Of the target. Empty if bytes are written directly.
+    OutputClaim claim_;             // Of a regular file.
+    Leftover part_;                 // The temporary file while it has a name.
     int descriptor_ = -1;
-    OutputFile* next_ = nullptr;  // Next in the list of files that have a temporary file.
 };
-
-/// Whether both name the same existing file.
-bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
-
-/// Removes the temporary files that are not yet committed. For a thread that ends the program while other
-/// threads run, because their destructors are then not called.
-void remove_temporary_files() noexcept;
 
 }  // namespace rimline::tools

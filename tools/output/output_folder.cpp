@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "silhouette/error.h"
+#include "tools/input_files.h"
 
 namespace rimline::tools {
 
@@ -21,7 +22,11 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
         throw Error(ErrorCode::io, path_.string() + ": cannot write " + what + ": " + why);
     };
     std::error_code error;
-    is_own_ = fs::create_directory(path_, error);
+    own_.make(path_, [&](const fs::path& folder) {
+        return fs::create_directory(folder, error) ? 0
+               : error.value() != 0                ? error.value()
+                                                   : EEXIST;
+    });
     if (!fs::is_directory(path_)) fail(fs::exists(path_) ? "it is not a folder" : error.message());
     if (access(path_.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
 }
@@ -40,14 +45,10 @@ void OutputFolder::remove_numbered(const std::string& prefix) const {
         if (digits.find_first_not_of("0123456789") == std::string_view::npos)
             old.push_back(entry.path());
     }
+    for (const fs::path& file : old) check_is_no_input(file);
     for (const fs::path& file : old)
         if (!fs::remove(file, error) && error)
             throw Error(ErrorCode::io, file.string() + ": cannot remove it: " + error.message());
-}
-
-OutputFolder::~OutputFolder() {
-    std::error_code ignored;
-    if (is_own_) fs::remove(path_, ignored);  // Fails if the folder is not empty.
 }
 
 }  // namespace rimline::tools

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tools/output/leftover.h"
+
 namespace rimline::tools {
 
 class OutputFolder {
@@ -13,19 +15,17 @@ public:
     /// Creates the folder if it is missing; its parent folder must exist. `what` names the content in
     /// messages: "frames". Throws Error{io} naming the folder.
     OutputFolder(std::filesystem::path path, const char* what);
-    ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
 
     const std::filesystem::path& path() const noexcept { return path_; }
 
     /// Removes the files PREFIX, digits, .png: pictures of an older run, which must not be taken for ones of this run.
-    /// Throws Error{io} naming a file that cannot be removed.
+    /// Throws Error{io} naming a file that cannot be removed, and UsageError if one is a declared input
+    /// (input_files.h).
     void remove_numbered(const std::string& prefix) const;
 
 private:
     std::filesystem::path path_;
-    bool is_own_ = false;  // It was created here.
+    Leftover own_;  // If it was created here.
 };
 
 }  // namespace rimline::tools

@@ -37,6 +37,8 @@ MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, con
                                      : std::to_string(source.positions.size()) + " points only") +
                                 "; a model with faces is needed");
     if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
+    for (const MaterialTexture& texture : source.materials.textures)
+        if (!texture.path.empty()) source.files.push_back(texture.path);
     drop_unused_materials(source);
     call.checkpoint(1.0);
     return source;

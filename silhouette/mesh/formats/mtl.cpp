@@ -67,6 +67,7 @@ private:
             return;
         }
         if (!known_.insert(*path).second) return;
+        libraries_.files.push_back(obj_.folder / *path);
         try {
             SourceFile library = read_source_file(obj_.folder / *path, {call_.stop, {}});
             if (library.bytes.starts_with("\xef\xbb\xbf")) library.text_begin = 3;
@@ -95,7 +96,10 @@ private:
             if (!material) continue;
             try {
                 if (keyword == "Kd") material->color = read_color(scanner);
-                if (keyword == "map_Kd") material->map = read_map(library, scanner);
+                if (keyword == "map_Kd") {
+                    material->map = read_map(library, scanner);
+                    libraries_.files.push_back(material->map->texture.path);
+                }
             } catch (const Error& e) {
                 add_warning(warnings_, e.what());
             }

@@ -7,6 +7,7 @@
 // -s, -o and -clamp. The numbers of Kd are taken as sRGB, as most programs show them.
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -43,6 +44,7 @@ struct MaterialLibraries {
     /// If a name occurs twice, the first counts.
     std::map<std::string, LibraryMaterial, std::less<>> materials;
     bool is_complete = true;  ///< Every statement names a library, and all could be read.
+    std::vector<std::filesystem::path> files;  ///< The libraries, and the textures that they name.
 
     /// A material as `usemtl` names it, or null. A '#' in the name may begin a comment.
     const LibraryMaterial* find(std::string_view name) const;

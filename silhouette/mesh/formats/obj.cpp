@@ -44,8 +44,9 @@ public:
                        MeshSource& source)
         : scan_(scan), source_(source) {
         if (scan.libraries.empty()) return;
-        const MaterialLibraries libraries =
+        MaterialLibraries libraries =
             read_material_libraries(file, scan.libraries, call, source.warnings);
+        source.files = std::move(libraries.files);
         for (const NamedLine& name : scan.material_names) {
             const LibraryMaterial* material = libraries.find(name.text);
             uses_.push_back(material ? add(*material) : Use());

@@ -1,9 +1,11 @@
 """rimline track."""
+import json
 import math
 import os
+import subprocess
 import tempfile
 
-from program import check_track, fail, succeed
+from program import PROGRAM, check_track, fail, succeed
 
 
 def test_several_origins_track_the_same_changes():
@@ -77,3 +79,17 @@ def test_track_shows_the_silhouettes_that_silhouette_finds():
         silhouette = succeed("silhouette", shape, "--from", view, "--no-edges")
         # The last bit of a coordinate may differ between two ways to write the same circle.
         assert abs(silhouette["count"] - frame["silhouette"]) <= 2
+
+
+def test_frames_are_not_kept_as_json():
+    count = 200_000
+    with tempfile.TemporaryFile() as output:
+        process = subprocess.Popen([PROGRAM, "track", "shape:box", "--frames", str(count), "--step", "1", "--json"],
+                                   stdout=output)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        assert process.returncode == 0
+        output.seek(0)
+        check_track(json.load(output), count)
+    # The frames take 80 bytes each, and twenty times as much as JSON.
+    assert usage.ru_maxrss < 100_000, usage.ru_maxrss

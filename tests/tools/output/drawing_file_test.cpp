@@ -55,7 +55,7 @@ TEST_CASE("the format of a drawing is the ending of its name") {
 
 TEST_CASE("an SVG has a layer for visible and one for hidden lines") {
     const std::string text = drawing_svg(made_page());
-    CHECK(contains(text, "<title>a &lt;b> &amp; (c)\\ ?\?</title>"));
+    CHECK(contains(text, "<title>a &lt;b&gt; &amp; (c)\\ \xC3\xA4</title>"));
     CHECK(contains(text, R"(width="100mm" height="50mm" viewBox="0 0 100 50")"));
     CHECK(
         contains(text, R"(<g id="visible" inkscape:groupmode="layer" inkscape:label="1 visible")"));

@@ -182,7 +182,7 @@ TEST_CASE("no lines make a whole file too, and a title cannot break out of its p
         CHECK(!format_lines({mesh, point, {}, {}, "t"}, format).empty());
     const std::string svg = format_lines({mesh, point, {}, {}, "</title>&"}, LineFormat::svg);
     CHECK(count_of(svg, "</title>") == 1);
-    CHECK(svg.find("&lt;/title>&amp;") != std::string::npos);
+    CHECK(svg.find("&lt;/title&gt;&amp;") != std::string::npos);
 }
 
 TEST_CASE("the OBJ and PLY that are written are files that Rimline reads") {

@@ -1,10 +1,14 @@
 """Output files are written whole or not at all, never over the model, and named by their format."""
+import base64
+import json
 import os
 import stat
+import struct
 import subprocess
 import tempfile
+import xml.etree.ElementTree
 
-from program import PROGRAM, TRIANGLE, fail, have_device, png_size, read_file, run, succeed, write_faces
+from program import PROGRAM, TRIANGLE, fail, have_device, png_size, read_file, run, skip, succeed, write_faces
 
 
 def test_an_output_file_is_written_whole_or_not_at_all():
@@ -44,6 +48,71 @@ def test_no_output_takes_the_place_of_the_model():
             assert "is the model itself" in fail(2, *arguments), arguments
         assert {path: read_file(path) for path in (obj, ply)} == before
         assert sorted(os.listdir(folder)) == ["a.obj", "a.ply", "a.png"]
+
+
+def test_no_output_takes_the_place_of_what_the_model_refers_to():
+    with tempfile.TemporaryDirectory() as folder:
+        at = lambda name: os.path.join(folder, name)
+        for name in ("wood.png", "unused.png"):
+            with open(at(name), "w") as file:
+                file.write("no picture; it is not even read")
+        with open(at("a.mtl"), "w") as file:
+            file.write("newmtl wood\nmap_Kd wood.png\nnewmtl other\nmap_Kd unused.png\n")
+        with open(at("a.obj"), "w") as file:
+            file.write("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl wood\nf 1/1 2/1 3/1\n")
+        os.symlink("a.mtl", at("link.svg"))
+        with open(at("a.gltf"), "w") as file:
+            json.dump({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                       "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+                       "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+                       "textures": [{"source": 0}], "images": [{"uri": "wood.png"}],
+                       "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64," + base64.b64encode(
+                           struct.pack("<15f", 0, 0, 0, 1, 0, 0, 0, 1, 0, *[0] * 6)).decode()}],
+                       "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+                       "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                                      "min": [0, 0, 0], "max": [1, 1, 0]},
+                                     {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}]}, file)
+        names = sorted(os.listdir(folder))
+        before = {name: read_file(at(name)) for name in names}
+        slice_of = lambda model, name: ["field", at(model), "--slice", "z=0", "--resolution", "16", "-o", at(name)]
+        for arguments in (slice_of("a.obj", "wood.png"), slice_of("a.obj", "unused.png"), slice_of("a.gltf", "wood.png"),
+                          ["silhouette", at("a.obj"), "--from", "3,2,1", "-o", at("link.svg")]):
+            assert "the model refers to this file" in fail(2, *arguments), arguments
+        assert sorted(os.listdir(folder)) == names
+        assert {name: read_file(at(name)) for name in names} == before
+        assert run(*slice_of("a.obj", "new.png")).returncode == 0
+
+
+def test_a_failed_write_is_blamed_on_the_file():
+    if not os.path.exists("/dev/full"):
+        skip("no /dev/full")
+    with tempfile.TemporaryDirectory() as folder:
+        png, svg = os.path.join(folder, "a.png"), os.path.join(folder, "a.svg")
+        for name in (png, svg):
+            os.symlink("/dev/full", name)
+        commands = [["field", "shape:box", "--slice", "z=0", "-o", png], ["origins", "shape:box", "-o", png],
+                    ["silhouette", "shape:box", "--from", "3,2,1", "-o", svg], ["draw", "shape:box", "-o", svg]]
+        for arguments in commands:
+            assert fail(1, *arguments) == f"rimline: error: {arguments[-1]}: cannot write: No space left on device"
+
+
+def test_names_are_escaped_where_they_are_shown():
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.fsencode(folder) + b"/a\x1b[2J\xffb\xc3\xa4<]]>.obj"
+        write_faces(name, TRIANGLE)
+        shown = folder + "/a\\x1b[2J\\xffb\u00e4<]]>.obj"
+        result = subprocess.run([PROGRAM, "info", name + b".gone"], capture_output=True, timeout=60)
+        assert result.stderr.decode().startswith(f"rimline: error: {shown}.gone: "), result.stderr
+        result = subprocess.run([PROGRAM, "info", name, "--json"], capture_output=True, timeout=60)
+        said = json.loads(result.stdout.decode())["model"]
+        # JSON has an escape of its own for control characters.
+        assert said in (shown, shown.replace("\\x1b", "\x1b")), said
+        for arguments in (["draw", name, "-o", "-"], ["silhouette", name, "--from", "3,2,1", "-o", "-"]):
+            result = subprocess.run([PROGRAM, *arguments], capture_output=True, timeout=60)
+            title = xml.etree.ElementTree.fromstring(result.stdout).find("{http://www.w3.org/2000/svg}title")
+            assert shown in title.text, title.text
+        result = subprocess.run([PROGRAM, "draw", name, "-o", "-", "--as", "json"], capture_output=True, timeout=60)
+        assert json.loads(result.stdout.decode())["model"] == shown
 
 
 def test_an_output_is_called_as_what_it_holds():

@@ -1,5 +1,6 @@
 // Textures of OBJ and glTF: texture coordinates, and the pictures that read_textures() reads.
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 
@@ -189,6 +190,23 @@ TEST_CASE("textures of one file share its picture, and those that no face uses a
     CHECK(source.warnings.empty());
     CHECK(texture_of(source, 0).picture == texture_of(source, 1).picture);
     CHECK(texture_of(source, 0).wrap_u == TextureWrap::repeat);
+}
+
+TEST_CASE(
+    "files that a model refers to are named, also those that no face uses or that are missing") {
+    const ScratchFolder folder;
+    folder.write("colors.mtl",
+                 "newmtl red\nmap_Kd red.png\nnewmtl other\nmap_Kd maps/gone.png\n"
+                 "newmtl outside\nmap_Kd ../red.png\n");
+    const MeshSource obj = read_mesh_file(
+        folder.write("a.obj", k_textured_square + "mtllib gone.mtl\nusemtl red\nf 1/1 2/2 3/3\n"));
+    for (const char* name : {"colors.mtl", "red.png", "maps/gone.png", "gone.mtl"}) {
+        CAPTURE(name);
+        CHECK(std::ranges::find(obj.files, folder.path() / name) != obj.files.end());
+    }
+    CHECK(std::ranges::find(obj.files, folder.path() / "../red.png") == obj.files.end());
+    CHECK(read_mesh_file(folder.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"))
+              .files.empty());
 }
 
 TEST_CASE("welding and subdivision keep textures") {

@@ -1,0 +1,90 @@
+#include "tools/output/part_name.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+namespace rimline::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view k_part_ending = ".part";
+
+// Takes .NUMBER from the end of `text`, or nothing.
+std::optional<pid_t> take_number(std::string_view& text) {
+    const std::size_t point = text.rfind('.');
+    if (point == std::string_view::npos) return std::nullopt;
+    const std::string_view digits = text.substr(point + 1);
+    pid_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc() || end != digits.data() + digits.size() || number < 0)
+        return std::nullopt;
+    text = text.substr(0, point);
+    return number;
+}
+
+// The process of a part file; nothing if the name is of another kind.
+std::optional<pid_t> process_of(std::string_view name) {
+    if (!name.starts_with('.') || !name.ends_with(k_part_ending)) return std::nullopt;
+    name.remove_suffix(k_part_ending.size());
+    if (!take_number(name)) return std::nullopt;
+    const std::optional<pid_t> process = take_number(name);
+    return process && *process > 0 && name.size() > 1 ? process : std::nullopt;
+}
+
+bool has_process_ended(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+
+bool is_locked(const fs::path& file) {
+    const int descriptor = open(file.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return true;
+    const bool is_free = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    close(descriptor);
+    return !is_free;
+}
+
+void remove_dead_parts_in(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::set<fs::path> seen;
+    const std::lock_guard lock(mutex);
+    if (!seen.insert(fs::absolute(folder)).second) return;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::optional<pid_t> process = process_of(entry->path().filename().native());
+        std::error_code ignored;
+        if (process && has_process_ended(*process) &&
+            entry->symlink_status(ignored).type() == fs::file_type::regular &&
+            !is_locked(entry->path()))
+            fs::remove(entry->path(), ignored);
+    }
+}
+
+}  // namespace
+
+std::string part_name(const fs::path& target, int attempt) {
+    std::string name(".");
+    name.append(target.filename().string()).append(".").append(std::to_string(getpid()));
+    return name.append(".").append(std::to_string(attempt)).append(k_part_ending);
+}
+
+void lock_part(int descriptor) noexcept { flock(descriptor, LOCK_EX | LOCK_NB); }
+
+void remove_dead_parts(const fs::path& folder) noexcept {
+    try {
+        remove_dead_parts_in(folder);
+    } catch (const std::exception&) {
+    }
+}
+
+}  // namespace rimline::tools
