@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <utility>
 
-#include "tools/printable_text.h"
+#include "silhouette/printable_text.h"
 
 namespace rimline::tools {
 
@@ -14,11 +16,18 @@ namespace {
 
 bool g_is_quiet = false;
 
-void print_message(const char* kind, std::string message) {
-    while (!message.empty() && message.back() == '\n') message.pop_back();
-    std::replace(message.begin(), message.end(), '\n', ' ');
+void print_message(const char* kind, std::string_view message) {
+    while (message.ends_with('\n')) message.remove_suffix(1);
     std::fflush(stdout);
-    std::fprintf(stderr, "rimline: %s: %s\n", kind, printable_text(message).c_str());
+    try {
+        std::string line(message);
+        std::ranges::replace(line, '\n', ' ');
+        std::fprintf(stderr, "rimline: %s: %s\n", kind, printable_text(line).c_str());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "rimline: %s: ", kind);
+        for (const char c : message) std::fputc(c >= ' ' && c < 0x7f ? c : '?', stderr);
+        std::fputc('\n', stderr);
+    }
 }
 
 using Json = nlohmann::ordered_json;
@@ -58,10 +67,10 @@ void write_list(const JsonList& list) {
 
 }  // namespace
 
-void print_error(std::string message) { print_message("error", std::move(message)); }
+void print_error(std::string_view message) { print_message("error", message); }
 
-void print_warning(std::string message) {
-    if (!g_is_quiet) print_message("warning", std::move(message));
+void print_warning(std::string_view message) {
+    if (!g_is_quiet) print_message("warning", message);
 }
 
 void be_quiet() noexcept { g_is_quiet = true; }

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "silhouette/error.h"
 #include "tools/run_times.h"
@@ -65,9 +66,9 @@ public:
 
 /// Flushes standard output, then writes `message` to standard error as one line; line breaks become spaces, and
 /// bytes that cannot be printed are escaped (printable_text.h).
-void print_error(std::string message);
+void print_error(std::string_view message);
 /// The same for a warning.
-void print_warning(std::string message);
+void print_warning(std::string_view message);
 /// From now on no warnings and no progress are shown (--quiet).
 void be_quiet() noexcept;
 bool is_quiet() noexcept;

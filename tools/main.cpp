@@ -225,22 +225,31 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    rimline::tools::open_missing_standard_descriptors();
-    ExitStatus status = ExitStatus::failed;
+// Throws only where there is no memory for the words.
+ExitStatus run_and_report(int argc, char** argv) {
     try {
-        status = parse_and_run(argc, argv,
-                               rimline::tools::stop_on_interrupt(rimline::tools::remove_leftovers));
+        return parse_and_run(argc, argv,
+                             rimline::tools::stop_on_interrupt(rimline::tools::remove_leftovers));
     } catch (const Error& e) {
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();
         print_error(e.what());
         if (e.code() == ErrorCode::io) rimline::tools::end_as_write_failed();
     } catch (const std::bad_alloc&) {
-        print_error("out of memory; take a smaller model or picture");
+        throw;
     } catch (const std::exception& e) {
         print_error(std::string("unexpected: ") + e.what());
     }
-    return static_cast<int>(status);
+    return ExitStatus::failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    rimline::tools::open_missing_standard_descriptors();
+    try {
+        return static_cast<int>(run_and_report(argc, argv));
+    } catch (const std::bad_alloc&) {
+        print_error("out of memory; take a smaller model or picture");
+        return static_cast<int>(ExitStatus::failed);
+    }
 }

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <system_error>
 
-#include "tools/printable_text.h"
+#include "silhouette/printable_text.h"
 
 namespace rimline::tools {
 

@@ -36,8 +36,8 @@ struct MeshSource {
     std::vector<std::string> warnings = {};
     /// Whether the format says which axis is up: STL and glTF do. OBJ, PLY and OFF do not.
     bool is_up_known = false;
-    /// Files that the model's file refers to: material libraries and textures, also those that no face uses or that
-    /// could not be read. A program that writes files must not replace them.
+    /// Files that the model's file refers to: material libraries, textures and buffers of glTF, also those that no
+    /// face uses or that could not be read. A program that writes files must not replace them.
     std::vector<std::filesystem::path> files = {};
 };
 

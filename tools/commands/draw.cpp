@@ -29,7 +29,7 @@
 #include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/output/page_lines.h"
-#include "tools/printable_text.h"
+#include "silhouette/printable_text.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {

@@ -23,7 +23,7 @@
 #include "tools/options/option_types.h"
 #include "tools/output/line_output.h"
 #include "tools/output/output_file.h"
-#include "tools/printable_text.h"
+#include "silhouette/printable_text.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {

@@ -3,7 +3,7 @@
 
 #include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
-#include "tools/printable_text.h"
+#include "silhouette/printable_text.h"
 
 namespace rimline::tools {
 

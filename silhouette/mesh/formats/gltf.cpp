@@ -380,7 +380,9 @@ MeshSource read_document(const SourceFile& file, std::string_view json, std::siz
         call.part(k_read_share, k_read_share + (1.0 - k_read_share) * k_flattening);
     const GltfScene scene = read_gltf_scene(file.name, json, first_byte, parsing);
     const GltfBuffers buffers(file, scene.buffers, binary_chunk, call.stop);
-    return Flattener(file, scene, buffers, bad, call).run(file, buffers);
+    MeshSource source = Flattener(file, scene, buffers, bad, call).run(file, buffers);
+    for (std::filesystem::path& path : buffers.paths()) source.files.push_back(std::move(path));
+    return source;
 }
 
 }  // namespace

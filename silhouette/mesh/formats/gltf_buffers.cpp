@@ -8,7 +8,8 @@
 namespace rimline {
 
 GltfBuffers::GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& buffers,
-                         std::string_view binary_chunk, const std::stop_token& stop) {
+                         std::string_view binary_chunk, const std::stop_token& stop)
+    : folder_(file.folder) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         if (i % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
         const GltfBuffer& buffer = buffers[i];
@@ -42,6 +43,12 @@ GltfBuffers::GltfBuffers(const SourceFile& file, const std::vector<GltfBuffer>& 
                         " has only " + std::to_string(bytes.size()) + " bytes");
         bytes_.push_back(bytes.substr(0, buffer.size_bytes));
     }
+}
+
+std::vector<std::filesystem::path> GltfBuffers::paths() const {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& [path, bytes] : files_) paths.push_back(folder_ / path);
+    return paths;
 }
 
 }  // namespace rimline

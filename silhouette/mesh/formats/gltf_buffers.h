@@ -34,10 +34,13 @@ public:
     /// The byteLength bytes of a buffer. data() is null if the document gives neither URI nor chunk. This
     /// is an error only if an accessor uses the buffer.
     std::string_view operator[](std::size_t buffer) const { return bytes_[buffer]; }
+    /// The paths of the files that were read.
+    std::vector<std::filesystem::path> paths() const;
     /// The number of bytes read or decoded, without the document itself.
     std::uint64_t bytes_read() const noexcept { return bytes_read_; }
 
 private:
+    std::filesystem::path folder_;
     std::vector<std::string_view> bytes_;
     // `bytes_` points into these two containers, which never move their strings.
     std::map<std::filesystem::path, std::string> files_;  // By normal path below the folder.

@@ -1,4 +1,5 @@
 #include "silhouette/mesh/formats/gltf_uri.h"
+#include "silhouette/printable_text.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -94,7 +95,7 @@ std::string GltfUri::read_file(const std::filesystem::path& relative,
         return read_source_file(file.folder / relative, {stop, {}}).bytes;
     } catch (const Error& e) {
         if (e.code() == ErrorCode::cancelled) throw;
-        throw Error(e.code(), file.name + ": " + place + ": " + printable(e.what()));
+        throw Error(e.code(), file.name + ": " + place + ": " + printable_text(e.what()));
     }
 }
 

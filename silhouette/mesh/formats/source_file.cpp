@@ -87,44 +87,4 @@ std::string excerpt(std::string_view token) {
     return text + (token.size() > k_longest ? "...'" : "'");
 }
 
-namespace {
-
-// The bytes of the UTF-8 character that `text` begins with; 0 if it begins with none or with a control character.
-std::size_t printable_bytes(std::string_view text) noexcept {
-    const auto byte = [&](std::size_t i) {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-    };
-    const unsigned first = byte(0);
-    if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-    const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-    if (first < 0xc2 || first > 0xf4) return 0;
-    unsigned code = first & (0xffu >> (size + 1));
-    for (std::size_t i = 1; i < size; ++i) {
-        if ((byte(i) & 0xc0u) != 0x80u) return 0;
-        code = code << 6 | (byte(i) & 0x3fu);
-    }
-    const bool is_control = code < 0xa0;
-    const bool is_too_long = (size == 3 && code < 0x800) || (size == 4 && code < 0x10000);
-    const bool is_surrogate = code >= 0xd800 && code < 0xe000;
-    return is_control || is_too_long || is_surrogate || code > 0x10ffff ? 0 : size;
-}
-
-}  // namespace
-
-std::string printable(std::string_view text) {
-    constexpr std::string_view k_hex = "0123456789abcdef";
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t size = printable_bytes(text);
-        if (size > 0) {
-            result += text.substr(0, size);
-        } else {
-            const auto byte = static_cast<unsigned char>(text[0]);
-            result += {'\\', 'x', k_hex[byte >> 4], k_hex[byte & 15]};
-        }
-        text.remove_prefix(std::max<std::size_t>(size, 1));
-    }
-    return result;
-}
-
 }  // namespace rimline

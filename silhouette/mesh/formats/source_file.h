@@ -46,8 +46,4 @@ constexpr std::uint64_t k_checkpoint_interval = 1 << 16;
 /// A token of a file for a message: in quotes, shortened, with only printable ASCII characters.
 std::string excerpt(std::string_view token);
 
-/// A text with names of a file for a message: control characters and bytes that are not UTF-8 become \x1b and the
-/// like.
-std::string printable(std::string_view text);
-
 }  // namespace rimline

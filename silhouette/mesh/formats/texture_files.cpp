@@ -7,6 +7,7 @@
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/formats/source_file.h"
+#include "silhouette/printable_text.h"
 
 namespace rimline {
 
@@ -22,7 +23,8 @@ PicturePointer decoded(const std::string& bytes) {
 PicturePointer read_picture(const MaterialTexture& texture, const LongCall& call,
                             std::vector<std::string>& warnings) {
     const auto warn = [&](const std::string& what) {
-        add_warning(warnings, texture.place + ": " + printable(what) + "; the texture is missing");
+        add_warning(warnings,
+                    texture.place + ": " + printable_text(what) + "; the texture is missing");
     };
     const std::string name = texture.embedded ? std::string() : texture.path.string() + ": ";
     try {

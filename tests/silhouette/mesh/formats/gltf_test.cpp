@@ -75,6 +75,10 @@ TEST_CASE("glTF: embedded, beside the file and in a GLB, the same model") {
         CHECK(source.positions == sample_positions());
         CHECK(source.triangles == sample_triangles());
         CHECK(source.up == UpAxis::y);
+        // A program that writes files must not replace those that the model refers to.
+        const bool has_part = path.filename() == "b.gltf";
+        CHECK(source.files == (has_part ? std::vector{folder.path() / "parts/some data.bin"}
+                                        : std::vector<std::filesystem::path>{}));
     }
 }
 

@@ -1,10 +1,10 @@
-#include "tools/printable_text.h"
+#include "silhouette/printable_text.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
-using rimline::tools::printable_text;
+using rimline::printable_text;
 
 TEST_CASE("text that can be printed stays as it is") {
     // Of two, three and four bytes, and the last before and the first after the surrogates.

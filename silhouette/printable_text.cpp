@@ -1,9 +1,9 @@
-#include "tools/printable_text.h"
+#include "silhouette/printable_text.h"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace rimline::tools {
+namespace rimline {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::string printable_text(std::string_view text) {
     return printable;
 }
 
-}  // namespace rimline::tools
+}  // namespace rimline

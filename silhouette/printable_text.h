@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-namespace rimline::tools {
+namespace rimline {
 
 /// `text` with every control character, and every byte that is not part of a character in UTF-8, as \xNN. Other
 /// characters stay as they are.
 std::string printable_text(std::string_view text);
 
-}  // namespace rimline::tools
+}  // namespace rimline
