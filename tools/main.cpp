@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
@@ -242,14 +243,31 @@ ExitStatus run_and_report(int argc, char** argv) {
     return ExitStatus::failed;
 }
 
+constexpr const char* k_out_of_memory = "out of memory; take a smaller model or picture";
+
+// The JSON library's destructors allocate. Where there is no memory for that, the exception ends the program here.
+[[noreturn]] void end_by_exception() {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception())
+            std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        print_error(k_out_of_memory);
+        rimline::tools::remove_leftovers();
+        std::_Exit(static_cast<int>(ExitStatus::failed));
+    } catch (...) {
+    }
+    std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::set_terminate(end_by_exception);
     rimline::tools::open_missing_standard_descriptors();
     try {
         return static_cast<int>(run_and_report(argc, argv));
     } catch (const std::bad_alloc&) {
-        print_error("out of memory; take a smaller model or picture");
+        print_error(k_out_of_memory);
         return static_cast<int>(ExitStatus::failed);
     }
 }

@@ -28,6 +28,8 @@ void* __libc_memalign(std::size_t, std::size_t);
 namespace {
 
 std::atomic<bool> is_counting{false};
+// glibc 2.36 crashes in dlopen where memory is short.
+thread_local bool is_opening = false;
 std::atomic<long> allocations{0}, writes{0}, reads{0};
 long failing_allocation = 0, failing_write = 0, failing_read = 0;
 bool goes_on = false;
@@ -40,7 +42,7 @@ long number_of(const char* variable) {
 }
 
 bool fails() {
-    if (!is_counting) return false;
+    if (!is_counting || is_opening) return false;
     const long number = ++allocations;
     if (failing_allocation == 0) return false;
     return number == failing_allocation || (goes_on && number > failing_allocation);
@@ -79,6 +81,14 @@ __attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, ch
     true_main = main;
     return next<decltype(__libc_start_main)>("__libc_start_main")(counted_main, argc, argv, init,
                                                                   end, rtld_end, stack_end);
+}
+
+__attribute__((visibility("default"))) void* dlopen(const char* file, int mode) {
+    static auto* const true_dlopen = next<void*(const char*, int)>("dlopen");
+    is_opening = true;
+    void* const library = true_dlopen(file, mode);
+    is_opening = false;
+    return library;
 }
 
 __attribute__((visibility("default"))) void* malloc(std::size_t size) {

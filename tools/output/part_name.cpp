@@ -1,5 +1,6 @@
 #include "tools/output/part_name.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
@@ -7,6 +8,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -58,15 +60,17 @@ void remove_dead_parts_in(const fs::path& folder) {
     static std::set<fs::path> seen;
     const std::lock_guard lock(mutex);
     if (!seen.insert(fs::absolute(folder)).second) return;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const std::optional<pid_t> process = process_of(entry->path().filename().native());
+    // The standard library's iterator ends the program where there is no memory for it.
+    const std::unique_ptr<DIR, int (*)(DIR*)> opened(opendir(folder.empty() ? "." : folder.c_str()),
+                                                     closedir);
+    if (!opened) return;
+    while (const dirent* const entry = readdir(opened.get())) {
+        const std::optional<pid_t> process = process_of(entry->d_name);
+        if (!process || !has_process_ended(*process)) continue;
+        const fs::path path = folder / entry->d_name;
         std::error_code ignored;
-        if (process && has_process_ended(*process) &&
-            entry->symlink_status(ignored).type() == fs::file_type::regular &&
-            !is_locked(entry->path()))
-            fs::remove(entry->path(), ignored);
+        if (fs::symlink_status(path, ignored).type() == fs::file_type::regular && !is_locked(path))
+            fs::remove(path, ignored);
     }
 }
 
