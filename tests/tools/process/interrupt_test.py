@@ -17,9 +17,27 @@ def without_core():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
+def wait_until(holds):
+    end = time.monotonic() + 30.0
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def waits_for_signals(process):
+    # A thread of its own waits for them, so that all others block them.
+    with open(f"/proc/{process.pid}/status") as status:
+        blocked = next(line for line in status if line.startswith("SigBlk:"))
+    return int(blocked.split()[1], 16) >> (signal.SIGTERM - 1) & 1
+
+
 def started(*arguments, preexec_fn=without_core):
-    return subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                            preexec_fn=preexec_fn)
+    """Begun, and a while in its work."""
+    process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               preexec_fn=preexec_fn)
+    wait_until(lambda: waits_for_signals(process))
+    time.sleep(0.3)
+    return process
 
 
 def check_end_by(number, process):
@@ -40,13 +58,11 @@ def test_a_signal_ends_the_program_and_leaves_nothing():
         path = os.path.join(folder, "lines.svg")
         for number in ENDING:
             process = started("draw", "shape:knot:4000", "--subdivide", "5", "-o", path)
-            time.sleep(0.5)
             check_end_by(number, process)
             assert os.listdir(folder) == []
         for arguments in (["track", "shape:knot:20000", "--frames", "10000000", "--verify"],
                           ["silhouette", "shape:knot:4000", "--subdivide", "5", "--from", "3,2,1", "-o", path]):
             process = started(*arguments)
-            time.sleep(0.5)
             check_end_by(signal.SIGINT, process)
             assert os.listdir(folder) == []
 
@@ -57,7 +73,6 @@ def test_a_signal_ends_the_program_where_nothing_asks_for_it():
         os.mkfifo(pipe)  # Opening it waits for a reader, and there is none.
         for number in (signal.SIGTERM, signal.SIGHUP):
             process = started("silhouette", "shape:box", "--from", "3,2,1", "-o", pipe)
-            time.sleep(0.5)
             check_end_by(number, process)
         assert os.listdir(folder) == ["pipe.svg"]
         if not has_methods():
@@ -72,7 +87,6 @@ def test_a_signal_ends_the_program_where_nothing_asks_for_it():
 def test_a_signal_that_was_ignored_stays_ignored():
     process = started("track", "shape:knot:20000", "--frames", "10000000", "--verify",
                       preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
-    time.sleep(0.5)
     process.send_signal(signal.SIGHUP)
     time.sleep(0.5)
     assert process.poll() is None
@@ -86,10 +100,16 @@ def test_a_program_that_is_killed_leaves_nothing():
         except OSError:
             skip("the file system of temporary files has no files without names")
         process = started("draw", "shape:knot:4000", "--subdivide", "5", "-o", os.path.join(folder, "lines.svg"))
-        time.sleep(0.5)
-        files = os.listdir(f"/proc/{process.pid}/fd")
-        targets = [os.readlink(f"/proc/{process.pid}/fd/{file}") for file in files]
-        assert any(target.startswith(folder) for target in targets), targets  # It has begun.
+
+        def has_output():
+            descriptors = f"/proc/{process.pid}/fd"
+            try:
+                return any(os.readlink(os.path.join(descriptors, file)).startswith(folder)
+                           for file in os.listdir(descriptors))
+            except FileNotFoundError:  # Closed in the meantime.
+                return False
+
+        wait_until(has_output)
         process.kill()
         process.communicate(timeout=60)
         assert os.listdir(folder) == []
