@@ -16,6 +16,7 @@
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/clear_creases.h"
+#include "silhouette/printable_text.h"
 #include "silhouette/srgb.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
@@ -29,7 +30,6 @@
 #include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/output/page_lines.h"
-#include "silhouette/printable_text.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {

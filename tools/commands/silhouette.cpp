@@ -15,6 +15,7 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/edge_convexity.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/printable_text.h"
 #include "tools/absent_part.h"
 #include "tools/command.h"
 #include "tools/commands/method_choice.h"
@@ -23,7 +24,6 @@
 #include "tools/options/option_types.h"
 #include "tools/output/line_output.h"
 #include "tools/output/output_file.h"
-#include "silhouette/printable_text.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {

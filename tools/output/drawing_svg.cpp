@@ -1,9 +1,9 @@
 #include <string>
 #include <string_view>
 
+#include "silhouette/printable_text.h"
 #include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
-#include "silhouette/printable_text.h"
 
 namespace rimline::tools {
 
