@@ -98,6 +98,17 @@ class Attack:
         return subprocess.Popen([self.program, *command], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, **options)
 
+    @staticmethod
+    def ended(process, limit_s=TIME_LIMIT_S):
+        """The status and what went to standard error."""
+        try:
+            _, errors = process.communicate(timeout=limit_s)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            raise Fault(f"no end within {limit_s} s") from None
+        return process.returncode, errors
+
     def prepare(self, command):
         for name in os.listdir(self.folder):
             os.remove(os.path.join(self.folder, name))
@@ -124,11 +135,13 @@ class Attack:
         if not self.output:
             return
         with open(self.output, "rb") as file:
-            is_old = file.read() == OLD_OUTPUT
-        if has_succeeded and is_old:
+            output = file.read()
+        if has_succeeded and output == OLD_OUTPUT:
             raise Fault("success, and no new output")
-        if not has_succeeded and not is_old:
-            raise Fault("a failure, and the old output is gone")
+        # A program that is ended after it has written its output leaves it.
+        end = b"</svg>\n" if self.output.endswith(".svg") else b"IEND\xaeB`\x82"
+        if output != OLD_OUTPUT and not output.endswith(end):
+            raise Fault("the output is neither the old one nor whole")
 
     def attack_with_a_file(self):
         target = self.source.choice(sorted(FORMATS))
@@ -140,13 +153,7 @@ class Attack:
         with open(os.path.join(self.folder, name), "wb") as file:
             file.write(data)
         process = self.start(command)
-        try:
-            _, errors = process.communicate(timeout=TIME_LIMIT_S)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-            raise Fault(f"no end within {TIME_LIMIT_S} s") from None
-        self.check(process.returncode, errors)
+        self.check(*self.ended(process))
         self.runs["files"] += 1
 
     def attack_with_a_limit(self):
@@ -155,13 +162,7 @@ class Attack:
         limit = self.source.randrange(20, 700) << 20
         process = self.start(command, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
         try:
-            _, errors = process.communicate(timeout=TIME_LIMIT_S)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-            raise Fault(f"no end within {TIME_LIMIT_S} s, at {limit >> 20} MB") from None
-        try:
-            self.check(process.returncode, errors, may_fail_to_start=True)
+            self.check(*self.ended(process), may_fail_to_start=True)
         except Fault as fault:
             raise Fault(f"{fault}, at {limit >> 20} MB") from None
         self.runs["limits"] += 1
@@ -174,16 +175,11 @@ class Attack:
         time.sleep(self.source.random() * 0.6)
         process.send_signal(chosen)
         try:
-            process.communicate(timeout=END_LIMIT_S)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-            raise Fault(f"{chosen.name} has no effect") from None
-        # It may have ended before, or in the middle of its start.
-        if -process.returncode in CRASHES:
-            raise Fault(f"{chosen.name}: a crash: {signal.Signals(-process.returncode).name}")
-        try:
-            self.check_files(process.returncode == 0)
+            # It may have ended before, or in the middle of its start.
+            status, _ = self.ended(process, END_LIMIT_S)
+            if -status in CRASHES:
+                raise Fault(f"a crash: {signal.Signals(-status).name}")
+            self.check_files(status == 0)
         except Fault as fault:
             raise Fault(f"{chosen.name}: {fault}") from None
         self.runs["signals"] += 1

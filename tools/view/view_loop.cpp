@@ -238,7 +238,10 @@ void ViewLoop::copy_command() {
 }
 
 void ViewLoop::execute(const PanelRequests& requests) {
-    if (requests.cancel) loader_.cancel();
+    if (requests.cancel) {
+        loader_.cancel();
+        panel_.forget_places();  // Else they would be asked for again.
+    }
     if (requests.open) open({*requests.open}, requests.adds);
     if (requests.arranged)
         loader_.arrange({.models = *requests.arranged,
