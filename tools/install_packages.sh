@@ -15,7 +15,7 @@ cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libstb-dev nlohmann-j
     libpng-dev libjpeg62-turbo-dev libcli11-dev libhwy-dev libtbb-dev libnanoflann-dev)
 engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libglfw3-dev libimgui-dev
     fonts-dejavu-core libmeshoptimizer-dev libqhull-dev)
-cpu_tests=(ccache doctest-dev python3 librsvg2-bin poppler-utils python3-ezdxf)
+cpu_tests=(ccache doctest-dev libgmp-dev python3 librsvg2-bin poppler-utils python3-ezdxf)
 engine_tests=(libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb)
 fuzz=(clang-16 libclang-rt-16-dev python3)
 

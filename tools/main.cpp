@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -205,11 +206,10 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
                                       [&](const auto& c) { return c->name() == chosen; });
     const std::uint32_t wanted = threads > 0 ? threads : rimline::tools::usual_threads();
     const std::uint32_t startable = rimline::tools::startable_threads(wanted);
-    // Lives as long as the program: oneTBB would start the threads that it was kept from when this ends.
-    [[maybe_unused]] static const tbb::global_control* const at_most =
-        threads > 0 || startable < wanted
-            ? new tbb::global_control(tbb::global_control::max_allowed_parallelism, startable)
-            : nullptr;
+    // Never destroyed: oneTBB would start the threads that it was kept from when this ends.
+    alignas(tbb::global_control) static std::byte at_most[sizeof(tbb::global_control)];
+    if (threads > 0 || startable < wanted)
+        new (at_most) tbb::global_control(tbb::global_control::max_allowed_parallelism, startable);
     rimline::tools::start_threads_before_memory_is_taken(startable);
     try {
         if (quiet) rimline::tools::be_quiet();

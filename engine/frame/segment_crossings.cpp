@@ -9,7 +9,7 @@ namespace rimline {
 namespace {
 
 // Relative error of the arithmetic, with a margin.
-constexpr double k_tolerance = 1e-12;
+constexpr double k_crossing_tolerance = 1e-12;
 
 double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 along = b - a;
@@ -64,7 +64,7 @@ double distance_to_triangle(const glm::dvec3& point, const Corners& corners) {
 Crossing crossing_of(const glm::dvec3& end, const Corners& corners) {
     double size = glm::length(end);
     for (const glm::dvec3& corner : corners) size = std::max(size, glm::length(corner));
-    const double tolerance = k_tolerance * size * size * size;
+    const double tolerance = k_crossing_tolerance * size * size * size;
     int positive = 0;
     int negative = 0;
     for (std::size_t i = 0; i < 3; ++i) {

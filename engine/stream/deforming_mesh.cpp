@@ -16,17 +16,17 @@ namespace rimline {
 
 namespace {
 
-struct Constants {
+struct DeformationConstants {
     VkDeviceAddress job;
     gpu::WaveConstants wave;
 };
-static_assert(sizeof(Constants) == 48);
+static_assert(sizeof(DeformationConstants) == 48);
 
 constexpr StageAccess k_shader_readers{
     VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
         VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT};
-constexpr StageAccess k_writers{
+constexpr StageAccess k_deformers{
     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
     VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr StageAccess k_normals{
@@ -121,7 +121,7 @@ std::uint64_t DeformingMesh::size_bytes() const noexcept {
 
 DeformPass::DeformPass(const DeviceContext& context)
     : groups_a_row_(std::min(k_min_group_limit, context.limits.maxComputeWorkGroupCount[0])),
-      layout_(make_pipeline_layout(context, "deformation", sizeof(Constants),
+      layout_(make_pipeline_layout(context, "deformation", sizeof(DeformationConstants),
                                    VK_SHADER_STAGE_COMPUTE_BIT)),
       wave_(make_compute_pipeline(context, "deformation, positions", deform_wave_comp, layout_)),
       normals_(
@@ -134,11 +134,11 @@ void DeformPass::record(Commands commands, std::span<const DeformingMesh* const>
                         groups_a_row_);
     };
     const auto push = [&](const DeformingMesh& mesh, const gpu::WaveConstants& wave) {
-        const Constants constants{mesh.job_.address(), wave};
+        const DeformationConstants constants{mesh.job_.address(), wave};
         commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
                                    sizeof constants, &constants);
     };
-    record_barrier(commands, k_shader_readers, k_writers);
+    record_barrier(commands, k_shader_readers, k_deformers);
     commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, wave_);
     for (const DeformingMesh* mesh : meshes) {
         if (mesh->vertex_count_ == 0) continue;
@@ -153,13 +153,13 @@ void DeformPass::record(Commands commands, std::span<const DeformingMesh* const>
         push(*mesh, constants_of(std::get<Wave>(mesh->deformation_)));
         dispatch(mesh->vertex_count_);
     }
-    record_barrier(commands, k_writers, k_normals);
+    record_barrier(commands, k_deformers, k_normals);
     commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, normals_);
     for (const DeformingMesh* mesh : meshes) {
         push(*mesh, {});
         dispatch(mesh->group_count_);
     }
-    record_barrier(commands, k_writers, k_shader_readers);
+    record_barrier(commands, k_deformers, k_shader_readers);
 }
 
 }  // namespace rimline

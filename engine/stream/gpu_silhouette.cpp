@@ -20,11 +20,11 @@ namespace {
 static_assert(sizeof(GpuSilhouetteCounts) == sizeof(gpu::SilhouetteCounts));
 static_assert(sizeof(WordWrite) == sizeof(gpu::PlacedWrite));
 
-struct Constants {
+struct SilhouetteConstants {
     VkDeviceAddress job;
     HomogeneousPoint point;
 };
-static_assert(sizeof(Constants) == 24);
+static_assert(sizeof(SilhouetteConstants) == 24);
 
 constexpr StageAccess k_compute{
     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
@@ -193,7 +193,7 @@ std::uint64_t GpuSilhouette::size_bytes() const noexcept {
 
 GpuSilhouettePass::GpuSilhouettePass(const DeviceContext& context, std::uint32_t groups_a_row)
     : groups_a_row_(std::min(groups_a_row, context.limits.maxComputeWorkGroupCount[0])),
-      layout_(make_pipeline_layout(context, "silhouettes", sizeof(Constants),
+      layout_(make_pipeline_layout(context, "silhouettes", sizeof(SilhouetteConstants),
                                    VK_SHADER_STAGE_COMPUTE_BIT)),
       faces_(
           (require_round_to_nearest(context, "a mesh that deforms"),
@@ -208,7 +208,7 @@ void GpuSilhouettePass::record(Commands commands, std::span<const SilhouetteRun>
     const auto for_each_run = [&](VkPipeline pipeline, auto&& dispatch_run) {
         commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
         for (const SilhouetteRun& run : runs) {
-            const Constants constants{run.silhouette->job_.address(), run.point};
+            const SilhouetteConstants constants{run.silhouette->job_.address(), run.point};
             commands->CmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
                                        sizeof constants, &constants);
             dispatch_run(*run.silhouette);

@@ -331,7 +331,8 @@ bool can_sample(const Gpu& gpu, VkFormat format) {
     return (properties.optimalTilingFeatures & k_needed) == k_needed;
 }
 
-TEST_CASE("over a picture that has the surfaces already, shadows and lines are those of our own") {
+TEST_CASE("over a picture that has the surfaces already shadows and lines are those of our own" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Place place;
     for (const HostView& view : k_views) {
@@ -446,7 +447,7 @@ TEST_CASE("shadows limited to where they can be seen fall on a backdrop as other
     CHECK(limited_count > 0);
 }
 
-TEST_CASE("a layer laid over a background is the picture on it") {
+TEST_CASE("a layer laid over a background is the picture on it" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Place place;
     const HostView& view = k_views[0];

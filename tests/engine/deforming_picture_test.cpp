@@ -178,8 +178,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "with has_deep_shadows any number of triangles may be in a row, at rest and as they move") {
+TEST_CASE("with has_deep_shadows any number of triangles may be in a row at rest and as they move" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const int sheets : {100, 256, 300, 512, 768}) {
         CAPTURE(sheets);

@@ -134,7 +134,7 @@ TEST_CASE("the bound of line paths finds a line that is missing, thin or elsewhe
     CHECK_FALSE(differ_within(expected, draw(*gpu, changed, LinePath::pulling), bound));
 }
 
-TEST_CASE("every line path gives the same pixels") {
+TEST_CASE("every line path gives the same pixels" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const char* name : {"knot", "spring", "terrain", "scene", "box"})
         check_paths(*gpu, name, Model(make_built_in_shape(name)));

@@ -67,7 +67,8 @@ MeshSource needle(const glm::vec2& from, const glm::vec2& to) {
             {{0, 1, 2}}};
 }
 
-TEST_CASE("a line's ink is its length times its width and the area of its round ends") {
+TEST_CASE("a line's ink is its length times its width and the area of its round ends" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const glm::vec2 to : {glm::vec2(0.6f, 0.0f), {0.5f, 0.31f}, {0.2f, -0.55f}}) {
         const Model model(needle(-to, to));
@@ -139,7 +140,8 @@ TEST_CASE("the edge of a line falls off over a pixel, evenly") {
     }
 }
 
-TEST_CASE("a line is whole on its own surface at every slant, and hidden by what lies before it") {
+TEST_CASE("a line is whole on its own surface at every slant and hidden by what lies before it" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     // Two long faces that bend by 20 degrees over the x axis.
     const float drop = 3.0f * std::tan(glm::radians(10.0f));
@@ -195,7 +197,8 @@ MeshSource hidden_needle(const glm::vec2& from, const glm::vec2& to, int parts) 
     return source;
 }
 
-TEST_CASE("dashes of hidden lines take their share, and join however finely a line is divided") {
+TEST_CASE("dashes of hidden lines take their share and join however finely a line is divided" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const double degrees : {0.0, 20.0, 45.0, 70.0, 90.0, 130.0, 175.0}) {
         CAPTURE(degrees);

@@ -83,7 +83,8 @@ int difference(const Picture& a, const Picture& b, std::size_t begin, std::size_
     return greatest;
 }
 
-TEST_CASE("lines have the color of their material in every style and on every line path") {
+TEST_CASE("lines have the color of their material in every style and on every line path" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(make_built_in_shape("knot", 1200));
     for (const Style style : {Style::ink, Style::toon, Style::blueprint, Style::hatch}) {
@@ -197,7 +198,8 @@ MeshSource three_knots() {
     return all;
 }
 
-TEST_CASE("lines have shades of the materials of their faces, while the model deforms too") {
+TEST_CASE("lines have shades of the materials of their faces while the model deforms too" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(three_knots());
     const std::array surfaces{glm::vec3(1.0f, 0.1f, 0.0f), glm::vec3(0.0f, 0.4f, 1.0f)};

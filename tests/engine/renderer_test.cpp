@@ -75,7 +75,8 @@ TEST_CASE(
     CHECK(renderer.render(unlit, 32, 32).rgba == first.rgba);
 }
 
-TEST_CASE("solids are the same pictures without the backs of their faces") {
+TEST_CASE("solids are the same pictures without the backs of their faces" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const std::string_view shape : {"sphere", "torus", "knot", "box", "spring"}) {
         const Mesh mesh(make_built_in_shape(shape, 3'000));

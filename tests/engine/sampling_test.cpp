@@ -89,14 +89,16 @@ void check_default(const tests::Gpu& gpu, const std::string& name, const Mesh& m
     }
 }
 
-TEST_CASE("pictures of a CPU device's default look like those of 16 samples a pixel") {
+TEST_CASE("pictures of a CPU device's default look like those of 16 samples a pixel" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     if (gpu->context().type != VK_PHYSICAL_DEVICE_TYPE_CPU) RIMLINE_SKIP("this is no CPU device");
     for (const char* shape : {"knot", "scene", "spring"})
         check_default(*gpu, shape, Mesh(make_built_in_shape(shape, 5000)));
 }
 
-TEST_CASE("pictures of real models by a CPU device's default look like those of 16 samples") {
+TEST_CASE("pictures of real models by a CPU device's default look like those of 16 samples" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     if (gpu->context().type != VK_PHYSICAL_DEVICE_TYPE_CPU) RIMLINE_SKIP("this is no CPU device");
     for (const char* name : {"fandisk.obj", "stanford-bunny.obj", "rocker-arm.obj"}) {

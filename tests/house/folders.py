@@ -8,9 +8,14 @@ import pathlib
 import sys
 
 MAX_FILES = 36
-# Tests of no single folder: a Vulkan that fails on demand, the same result everywhere, and the long comparison of all
-# methods.
-OTHER_TESTS = ("tests/engine/faults", "tests/silhouette/identity", "tests/silhouette/methods/proof")
+# Tests of no single folder: a Vulkan that fails on demand, exact arithmetic, the same result everywhere, and the long
+# comparison of all methods.
+OTHER_TESTS = (
+    "tests/engine/faults",
+    "tests/silhouette/exact",
+    "tests/silhouette/identity",
+    "tests/silhouette/methods/proof",
+)
 
 
 def few(root):

@@ -12,7 +12,8 @@ import sys
 LABELS = ("long", "threads", "plain")
 # A suite begins, a suite ends, or a case has a name of one or more string literals.
 PLACES = re.compile(r'TEST_SUITE(?:_BEGIN)?\("(?P<suite>[^"]*)"\)|(?P<end>^(?:TEST_SUITE_END|}))'
-                    r'|TEST_CASE\w*\(\s*(?P<name>(?:"(?:[^"\\]|\\.)*"\s*)+)', re.MULTILINE)
+                    r'|TEST_CASE\w*\(\s*(?P<name>(?:"(?:[^"\\]|\\.)*"\s*)+)'
+                    r'(?:\*\s*doctest::test_suite\("(?P<own>[^"]*)"\))?', re.MULTILINE)
 
 
 def misnamed(path):
@@ -28,8 +29,8 @@ def misnamed(path):
             where = f"{path}:{text.count(chr(10), 0, place.start()) + 1}"
             if ";" in name:
                 yield f"{where}: a semicolon in the name of a case: {name}"
-            if suite in LABELS and "," in name:
-                yield f"{where}: a comma in the name of a case in suite {suite}: {name}"
+            if (place["own"] or suite) in LABELS and "," in name:
+                yield f"{where}: a comma in the name of a case in suite {place['own'] or suite}: {name}"
 
 
 def main():

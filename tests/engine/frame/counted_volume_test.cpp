@@ -161,7 +161,7 @@ TEST_CASE("no ray meets more triangles than the bound, of a volume and of each o
     CHECK(tightness / cases < 8.0);
 }
 
-TEST_CASE("the bound does not grow with the distance of the light") {
+TEST_CASE("the bound does not grow with the distance of the light" * doctest::test_suite("plain")) {
     std::deque<Model> models;
     for (const char* name : {"box", "torus", "knot", "spring", "terrain", "scene"})
         models.emplace_back(make_built_in_shape(name, 20'000));

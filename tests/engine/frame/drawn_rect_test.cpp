@@ -99,7 +99,8 @@ Scene random_scene(std::mt19937& random, const Models& models, Style style) {
     return scene;
 }
 
-TEST_CASE("a picture drawn where its scene is equals one drawn everywhere") {
+TEST_CASE("a picture drawn where its scene is equals one drawn everywhere" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Models models;
     Renderer plain(gpu->context(), {.samples = 1, .scale = 1});

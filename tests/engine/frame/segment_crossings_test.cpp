@@ -7,6 +7,7 @@
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/shadow_scenes.h"
+#include "tests/silhouette/exact/exact_numbers.h"
 
 namespace rimline {
 namespace {
@@ -73,6 +74,37 @@ TEST_CASE("the winding number of closed shapes is that of their insides") {
     CHECK_FALSE(winding(box, {1.0, 0.2, -0.1}));
     CHECK_FALSE(winding(box, {1.0 + 1e-7, 0.2, -0.1}));
     CHECK(winding(box, {1.0 + 1e-4, 0.2, -0.1}) == 0);
+}
+
+TEST_CASE("winding numbers are those of exact arithmetic") {
+    constexpr std::uint64_t k_seed = 8;
+    CAPTURE(k_seed);
+    Random random(k_seed);
+    int known = 0;
+    for (const MeshSource& source :
+         {make_built_in_shape("knot", 500), figure_eight(16, 8), boxes_on_an_edge()}) {
+        const Mesh mesh(source);
+        const FaceTree tree(mesh);
+        const glm::dvec3 outside = mesh.center() + mesh.radius() * glm::dvec3(2.13, 3.31, -4.57);
+        for (int i = 0; i < 60; ++i) {
+            const glm::dvec3 p = mesh.center() + 0.7 * mesh.radius() * glm::dvec3(random.in_cube());
+            const std::optional<int> winding = winding_number(tree, mesh, p, 1e-9);
+            if (!winding) continue;
+            int exact = 0;
+            for (const Triangle& t : mesh.triangles()) {
+                SpaceTriangle corners;
+                for (std::size_t c = 0; c < 3; ++c)
+                    corners[c] = {whole(mesh.positions()[index(t[c])]), false};
+                const std::optional<int> crossed =
+                    crossing({whole(p), false}, {whole(outside), false}, corners);
+                REQUIRE(crossed);
+                exact -= *crossed;
+            }
+            CHECK(*winding == exact);
+            ++known;
+        }
+    }
+    CHECK(known > 150);
 }
 
 }  // namespace

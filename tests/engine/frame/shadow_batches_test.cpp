@@ -170,7 +170,8 @@ TEST_CASE("the bounds of each batch add up to at most its limit") {
     CHECK(parts > 100);
 }
 
-TEST_CASE("nothing shines through 256 triangles, 128 closed casters, or 256 in the single form") {
+TEST_CASE("nothing shines through 256 triangles 128 closed casters or 256 in the single form" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     struct Stack {
         MeshSource layer;

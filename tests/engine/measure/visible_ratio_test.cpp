@@ -171,7 +171,8 @@ RayRatios ray_ratios(const Model& model, const glm::dvec3& eye, std::uint32_t si
             length > 0.0 ? seen_length / length : 0.0};
 }
 
-TEST_CASE("a mask counted on the CPU equals the queries on every model, whichever way it is done") {
+TEST_CASE("a mask counted on the CPU equals the queries on every model whichever way it is done" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     constexpr VisibleRatioMethod k_ways[] = {
         {},
@@ -269,7 +270,7 @@ TEST_CASE("backs hide lines where a shell that crosses itself shows them") {
     }
 }
 
-TEST_CASE("the ratio is the one that rays along the edges see") {
+TEST_CASE("the ratio is the one that rays along the edges see" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     double difference = 0.0;
     double length_difference = 0.0;

@@ -303,7 +303,8 @@ void check_lines(const Gpu& gpu, const std::string& name, const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("lines of built-in shapes are inked where rays see them and nowhere else") {
+TEST_CASE("lines of built-in shapes are inked where rays see them and nowhere else" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const char* name : {"torus", "knot", "spring", "box", "terrain", "scene"}) {
         const Model model(make_built_in_shape(name));
@@ -311,7 +312,8 @@ TEST_CASE("lines of built-in shapes are inked where rays see them and nowhere el
     }
 }
 
-TEST_CASE("creases are inked where rays see them, ridges and valleys alike") {
+TEST_CASE("creases are inked where rays see them ridges and valleys alike" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const char* name : {"box", "scene"}) {
         const Model model(make_built_in_shape(name));
@@ -356,7 +358,8 @@ TEST_CASE("lines are inked where rays see them in every style and by every line 
     }
 }
 
-TEST_CASE("the foot of a thing is inked where it stands on the ground, not where it stands in it") {
+TEST_CASE("the foot of a thing is inked where it stands on the ground not where it stands in it" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model box(make_built_in_shape("box", 12));
     for (const float height : {-1e-2f, -1e-3f, -2e-4f, 2e-4f, 1e-3f}) {
@@ -383,7 +386,8 @@ TEST_CASE("the foot of a thing is inked where it stands on the ground, not where
     }
 }
 
-TEST_CASE("lines of models are inked where rays see them and nowhere else") {
+TEST_CASE("lines of models are inked where rays see them and nowhere else" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     std::string missing;
     for (const char* name :

@@ -183,7 +183,7 @@ MeshSource crowded(std::uint32_t vertices, std::uint32_t triangles, Random& rand
 
 }  // namespace
 
-TEST_CASE("the boundary of every emitted volume is zero") {
+TEST_CASE("the boundary of every emitted volume is zero" * doctest::test_suite("plain")) {
     constexpr std::uint64_t k_seed = 11;
     constexpr int k_pairs = RIMLINE_BOUNDARY_PAIRS;
     CAPTURE(k_seed);

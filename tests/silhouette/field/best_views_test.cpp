@@ -197,7 +197,8 @@ TEST_CASE("views from behind count a tenth less than three-quarter views in fron
     }
 }
 
-TEST_CASE("with an up direction the scores have the preference, and drawing all changes nothing") {
+TEST_CASE("with an up direction the scores have the preference and drawing all changes nothing" *
+          doctest::test_suite("plain")) {
     const Mesh mesh(make_built_in_shape("knot", 3000));
     const VisibleRatios ratios = [](std::span<const glm::dvec3> eyes) {
         std::vector<double> values;

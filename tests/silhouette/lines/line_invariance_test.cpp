@@ -152,7 +152,8 @@ std::vector<MeshSource> meshes_of_invariances() {
     return {tests::broken_knot(5), tests::crossing_knots(2000), make_built_in_shape("scene", 2000)};
 }
 
-TEST_CASE("counts along all edges stay when mesh and camera are turned together") {
+TEST_CASE("counts along all edges stay when mesh and camera are turned together" *
+          doctest::test_suite("plain")) {
     const std::vector<AxisTurn> turns = axis_turns();
     REQUIRE(turns.size() == 24);
     for (const MeshSource& source : meshes_of_invariances()) {

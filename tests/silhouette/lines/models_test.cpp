@@ -27,7 +27,8 @@ RIMLINE_LINES_CASE("rocker-arm.obj")
 RIMLINE_LINES_CASE("stanford-bunny.obj")
 
 // 10,000 borders, 6,000 non-manifold and 9,000 inconsistent edges.
-TEST_CASE("lines of a broken bunny are hidden where a count of faces says") {
+TEST_CASE("lines of a broken bunny are hidden where a count of faces says" *
+          doctest::test_suite("plain")) {
     const char* file = "stanford-bunny.obj";
     const auto path = tests::find_model(file);
     if (!path) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds stanford-bunny.obj");

@@ -40,8 +40,9 @@ std::unique_ptr<VirtualDisplay> VirtualDisplay::open(std::string& reason) {
     if (server == 0) {
         close(ends[0]);
         if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(126);
+        // Without -noreset it starts again after each window, and refuses the next one meanwhile.
         execlp("Xvfb", "Xvfb", "-displayfd", write_end.c_str(), "-screen", "0", "1600x1200x24",
-               "-nolisten", "tcp", static_cast<char*>(nullptr));
+               "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
         _exit(127);
     }
     close(ends[1]);

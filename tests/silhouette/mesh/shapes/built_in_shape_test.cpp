@@ -63,7 +63,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("coarse and fine shapes do not cut through themselves") {
+TEST_CASE("coarse and fine shapes do not cut through themselves" * doctest::test_suite("plain")) {
     for (const std::string_view name : k_closed_shapes)
         for (const std::uint32_t faces : {1u, 150u, 250u, 500u, 1500u, 3000u}) {
             CAPTURE(name);

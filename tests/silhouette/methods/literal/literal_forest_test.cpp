@@ -20,7 +20,8 @@ constexpr LiteralCulling k_cullings[] = {LiteralCulling::points_and_edges,
 static_assert(!std::is_constructible_v<LiteralForest, Mesh, std::span<const glm::dvec3>,
                                        std::span<const std::uint32_t>, LiteralCulling>);
 
-TEST_CASE("with several origins the literal extraction equals brute force by either culling") {
+TEST_CASE("with several origins the literal extraction equals brute force by either culling" *
+          doctest::test_suite("plain")) {
     for (const auto& [name, source] : tests::made_meshes(1200)) {
         CAPTURE(name);
         const Mesh mesh(source);
