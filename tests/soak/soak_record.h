@@ -22,9 +22,12 @@ struct Holdings {
 Holdings holdings_now();
 
 struct SoakLimits {
-    double memory_growth =
-        0.01;  ///< Of the resident bytes after the first tenth; and a page for each of k_spare_pages.
-    double slowest = 4.0;  ///< The 99.9th percentile of a step's time, in medians. 0: not judged.
+    /// Of a step's time, the 99.9th percentile in medians. 0: not judged.
+    double slowest = 4.0;
+    /// Whether memory is judged too that the heap does not know: not where drivers come and go, which leave some.
+    bool judges_anonymous = true;
+    /// What libraries that are not ours may leave behind with each step.
+    std::uint64_t lost_bytes = 0;
 };
 
 /// One kind of work, repeated until its time is over.

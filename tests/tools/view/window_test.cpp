@@ -264,7 +264,8 @@ TEST_CASE("a window that is not shown rests, whatever it has yet to draw") {
     Shown shown({.panel = true});
     CHECK(shown.loop->step(false));  // Coarse, and to be drawn finely soon.
     show_window(shown.window, false);
-    while (shown.loop->gallery().is_finding()) shown.loop->step(false);  // Its end wakes the window.
+    while (shown.loop->gallery().is_finding())
+        shown.loop->step(false);  // Its end wakes the window.
     for (int turn = 0; turn < 4; ++turn) shown.loop->step(false);
     const auto begun = std::chrono::steady_clock::now();
     for (int turn = 0; turn < 3; ++turn) CHECK_FALSE(shown.loop->step(false));
