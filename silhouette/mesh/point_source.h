@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct PointSource {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     /// The up axis of the file format.
     UpAxis up = UpAxis::y;
+    /// The files that the file refers to, as in MeshSource.
+    std::vector<std::filesystem::path> files = {};
 };
 
 /// The positions of a mesh. Its faces go to `triangles`.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "silhouette/mesh/formats/point_file.h"
+#include "tools/input_files.h"
 #include "tools/options/standard_input.h"
 #include "tools/progress.h"
 
@@ -54,6 +55,7 @@ PointCloud CloudArgument::load(const BeginCall& begin) const {
     else
         source = read_point_file(model, drop_bad ? BadPoints::keep : BadPoints::refuse,
                                  begin("reading " + model));
+    declare_inputs(source.files);
     if (!as_points && !source.triangles.empty())
         throw Error(ErrorCode::bad_input, model + ": it has " +
                                               std::to_string(source.triangles.size()) +

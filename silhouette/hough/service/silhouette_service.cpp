@@ -67,23 +67,21 @@ struct SilhouetteService::SlotBlock {
 };
 
 SilhouetteService::SilhouetteService(const SilhouetteServiceOptions& options)
-    : max_pending_(options.max_pending),
-      worker_count_(rimline::worker_count(options.workers)),
-      ready_(std::make_unique<ReadyQueue>()) {
+    : max_pending_(options.max_pending), ready_(std::make_unique<ReadyQueue>()) {
     RIMLINE_CHECK(options.max_pending > 0);
-    workers_.reserve(worker_count_);
+    const std::uint32_t wanted = rimline::worker_count(options.workers);
+    workers_.reserve(wanted);
     try {
-        for (std::uint32_t i = 0; i < worker_count_; ++i) workers_.emplace_back([this] { work(); });
+        while (workers_.size() < wanted) workers_.emplace_back([this] { work(); });
     } catch (const std::system_error& error) {
-        const std::size_t started = workers_.size();
-        stop();
-        throw Error(ErrorCode::io, "cannot start worker thread " + std::to_string(started + 1) +
-                                       " of " + std::to_string(worker_count_) + ": " +
-                                       error.what());
+        if (workers_.empty())
+            throw Error(ErrorCode::io,
+                        std::string("cannot start a worker thread: ") + error.what());
     } catch (...) {
         stop();
         throw;
     }
+    worker_count_ = static_cast<std::uint32_t>(workers_.size());
 }
 
 SilhouetteService::~SilhouetteService() {

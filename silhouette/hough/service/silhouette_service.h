@@ -61,7 +61,7 @@ struct SilhouetteServiceCounters {
 
 class SilhouetteService {
 public:
-    /// Starts the workers. Throws Error{io} if the system cannot start a thread.
+    /// Starts the workers, as many of them as the system can start. Throws Error{io} if it cannot start one.
     explicit SilhouetteService(const SilhouetteServiceOptions& options = {});
     /// Calls stop() and removes all trackers. No thread may be in a call or a wait.
     ~SilhouetteService();
@@ -129,7 +129,7 @@ private:
     void give_back(Slot& slot) noexcept;
 
     const std::uint32_t max_pending_;
-    const std::uint32_t worker_count_;
+    std::uint32_t worker_count_ = 0;
     std::array<std::atomic<SlotBlock*>, k_max_blocks> blocks_{};
     const std::unique_ptr<ReadyQueue> ready_;
     std::atomic<bool> stopped_{false};

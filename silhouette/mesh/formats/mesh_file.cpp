@@ -10,7 +10,9 @@
 
 namespace rimline {
 
-MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call) {
+namespace {
+
+MeshSource read_format(const KnownFile& known, BadPoints bad, const LongCall& call) {
     const SourceFile& file = known.file;
     switch (known.format) {
         case FileFormat::ply: return read_ply(file, call);
@@ -25,6 +27,15 @@ MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call
     return read_point_text_as_mesh(file, call);
 }
 
+}  // namespace
+
+MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call) {
+    MeshSource source = read_format(known, bad, call);
+    for (const MaterialTexture& texture : source.materials.textures)
+        if (!texture.path.empty()) source.files.push_back(texture.path);
+    return source;
+}
+
 namespace {
 
 MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, const LongCall& call) {
@@ -37,8 +48,6 @@ MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, con
                                      : std::to_string(source.positions.size()) + " points only") +
                                 "; a model with faces is needed");
     if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
-    for (const MaterialTexture& texture : source.materials.textures)
-        if (!texture.path.empty()) source.files.push_back(texture.path);
     drop_unused_materials(source);
     call.checkpoint(1.0);
     return source;

@@ -6,7 +6,10 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <string>
+#include <vector>
 
+#include "silhouette/mesh/formats/mtl.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/text_scanner.h"
 
@@ -92,7 +95,7 @@ private:
             read_references("a line", 2, [](std::string_view) {});
         else if (keyword == "p")
             read_references("a point element", 1, [](std::string_view) {});
-        else if (keyword == "mtllib" && !points_)
+        else if (keyword == "mtllib")
             result_.libraries.push_back({std::string(scanner_.free_text()), scanner_.line()});
         else if (keyword == "usemtl" && !points_)
             use_material(scanner_.free_text());
@@ -304,7 +307,13 @@ ObjScan scan_obj(const SourceFile& file, const LongCall& call) { return Scan(fil
 
 PointRecords read_obj_points(const SourceFile& file, BadPoints bad, const LongCall& call) {
     PointRecords records;
-    records.has_faces = Scan(file, call, &records.source, bad).run().face_count > 0;
+    const ObjScan scan = Scan(file, call, &records.source, bad).run();
+    records.has_faces = scan.face_count > 0;
+    if (!scan.libraries.empty()) {
+        std::vector<std::string> colors_are_not_read;
+        records.source.files =
+            read_material_libraries(file, scan.libraries, call, colors_are_not_read).files;
+    }
     return records;
 }
 

@@ -76,6 +76,8 @@ def test_no_output_takes_the_place_of_what_the_model_refers_to():
         before = {name: read_file(at(name)) for name in names}
         slice_of = lambda model, name: ["field", at(model), "--slice", "z=0", "--resolution", "16", "-o", at(name)]
         for arguments in (slice_of("a.obj", "wood.png"), slice_of("a.obj", "unused.png"), slice_of("a.gltf", "wood.png"),
+                          ["points", at("a.obj"), "--as-points", "-o", at("unused.png")],
+                          ["points", at("a.gltf"), "--as-points", "-o", at("wood.png")],
                           ["silhouette", at("a.obj"), "--from", "3,2,1", "-o", at("link.svg")]):
             assert "the model refers to this file" in fail(2, *arguments), arguments
         assert sorted(os.listdir(folder)) == names

@@ -1,6 +1,9 @@
 #include "silhouette/hough/service/silhouette_service.h"
 
 #include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -471,6 +474,27 @@ TEST_CASE("a service may be destroyed with work pending and trackers left") {
         CHECK(ids.size() == 12);  // And that it ends, within the time limit of the test.
     }
     const SilhouetteService unused;  // Neither need it ever have had any.
+}
+
+TEST_SUITE("plain") {
+    TEST_CASE("a service has as many workers as memory has stacks for") {
+        const tests::IndexedShape model("knot", 200);
+        const pid_t child = fork();
+        if (child == 0) {
+            // The limit is of this process alone. Stacks have 8 MB, or what the limit of stacks says.
+            const rlimit space{1024ul << 20, 1024ul << 20};
+            setrlimit(RLIMIT_AS, &space);
+            SilhouetteService service({.workers = 4096});
+            const TrackerId id = service.add(model.octree, place(0));
+            SilhouetteSnapshot start;
+            const bool follows = service.snapshot(id, start) && service.post(id, place(1)) &&
+                                 service.wait_for_change(id);
+            _exit(follows && service.worker_count() < 4096 ? 0 : 1);
+        }
+        int status = 0;
+        REQUIRE(waitpid(child, &status, 0) == child);
+        CHECK(status == 0);
+    }
 }
 
 }  // namespace
