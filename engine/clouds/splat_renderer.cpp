@@ -186,7 +186,10 @@ Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std:
     const Image image = make_picture_image(state.context, size);
     const Buffer pixels = make_picture_buffer(state.context, size);
     const PictureTarget target = picture_target(image);
-    state.uploaded.reset();  // Another cloud may be at the same address now.
+    // Another cloud may be at the same address now. Copies to the one before may be in progress, where the render()
+    // that began them failed.
+    if (state.uploaded) state.uploads.wait();
+    state.uploaded.reset();
     const UploadPoint uploaded = prepare(scene, target);
     run_commands(
         state.context,

@@ -52,9 +52,9 @@ inline std::uint32_t may_lie_before(const EightPictureBoxes& eight,
     std::array<std::int16_t, 8> does;
     for (std::size_t k = 0; k < 8; ++k)  // Becomes a few instructions on vectors.
         does[k] = static_cast<std::int16_t>(
-            (eight.low_x[k] <= box.high_x) & (eight.low_y[k] <= box.high_y) &
-            (eight.high_x[k] >= box.low_x) & (eight.high_y[k] >= box.low_y) &
-            (eight.near[k] <= box.far));
+            int(eight.low_x[k] <= box.high_x) & int(eight.low_y[k] <= box.high_y) &
+            int(eight.high_x[k] >= box.low_x) & int(eight.high_y[k] >= box.low_y) &
+            int(eight.near[k] <= box.far));
     // The product's highest number is the sum of four, each times its power of two.
     constexpr std::uint64_t k_powers = 0x0001'0002'0004'0008u;
     static_assert(std::endian::native == std::endian::little);

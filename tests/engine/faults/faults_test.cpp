@@ -2,12 +2,14 @@
 
 #include <array>
 
+#include "engine/clouds/splat_renderer.h"
 #include "engine/frame/draw_data.h"
 #include "engine/frame/render_targets.h"
 #include "engine/measure/visible_ratio.h"
 #include "engine/passes/face_bits_pass.h"
 #include "engine/passes/line_pass.h"
 #include "engine/passes/shadow_volume_pass.h"
+#include "engine/picture_lines.h"
 #include "engine/stream/change_stream.h"
 #include "engine/vulkan/barrier.h"
 #include "engine/vulkan/commands.h"
@@ -83,6 +85,64 @@ RIMLINE_FAULT_SCENARIO("pictures of a mesh that deforms") {
     for (const double turns : {0.0, 0.3}) {
         scene.instances.back().deformation = default_wave(mesh, {0, 1, 0}, turns);
         stage.show(stage.step([&] { return renderer->render(scene, 16, 16); }).rgba);
+    }
+}
+
+// A sheet whose two materials have a texture and a color.
+MeshSource textured_sheet() {
+    MeshSource source{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {{0, 2, 1}, {0, 3, 2}}};
+    Picture picture{4, 2, {}};
+    for (std::uint8_t i = 0; i < 32; ++i) picture.rgba.push_back(i % 4 == 3 ? 255 : 7 * i);
+    FaceMaterials& materials = source.materials;
+    materials.textures.push_back(
+        {.place = "a test", .picture = std::make_shared<const Picture>(std::move(picture))});
+    materials.materials = {{.texture = TextureId{0}}, {.base_color = glm::vec3(0.7f, 0.2f, 0.1f)}};
+    materials.of_face = {MaterialId{0}, MaterialId{1}};
+    for (const auto& triangle : source.triangles)
+        for (const std::uint32_t v : triangle)
+            materials.corner_uvs.push_back({source.positions[v].x, source.positions[v].z});
+    return source;
+}
+
+RIMLINE_FAULT_SCENARIO("pictures with textures and with lines of a caller") {
+    const auto sheet = stage.undisturbed([] { return std::make_unique<Model>(textured_sheet()); });
+    const auto renderer = undisturbed_renderer(stage);
+    const PictureLines lines = stage.undisturbed([] {
+        return PictureLines{.points = {{-0.2, 0.0}, {0.1, 0.1}, {0.2, -0.1}},
+                            .lines = {{0, 3, true, true}, {0, 2}},
+                            .colors = {glm::vec3(0.0f, 0.2f, 0.6f)}};
+    });
+    Scene scene = stage.scene();
+    scene.style = Style::toon;
+    const auto show = [&] {
+        stage.show(stage.step([&] { return renderer->render(scene, 16, 16); }).rgba);
+    };
+    show();
+    scene.instances.push_back({.octree = &sheet->octree, .material = {.shows_mesh_colors = true}});
+    show();
+    scene.instances[0].picture_lines = &lines;
+    show();
+}
+
+RIMLINE_FAULT_SCENARIO("pictures of clouds") {
+    const auto renderer =
+        stage.make<SplatRenderer>(stage.context(), SplatRendererOptions{.samples = 1, .scale = 1});
+    SplatCloud cloud;
+    SplatScene scene{.cloud = &cloud};
+    scene.camera = {.eye = {0, 0, 5}, .target = {0, 0, 0}, .ortho_height = 2.0};
+    const auto show = [&] {
+        stage.show(stage.step([&] { return renderer->render(scene, 16, 16); }).rgba);
+    };
+    const auto change = [&](const auto& how) { stage.undisturbed([&] { return how(), 0; }); };
+    show();
+    for (const float x : {-0.4f, 0.3f}) {
+        change([&] {
+            cloud.splats.push_back({{x, 0.1f, 0.0f}, 0.4f, {0.0f, 0.0f, 1.0f}, 0xff20c040u, {}});
+            ++cloud.revision;
+            scene.strokes.push_back({{x, -0.5f, 0.2f}, 1.0f, {0.4f, 0.5f, 0.2f}, 0xff000000u, {}});
+        });
+        scene.camera.eye.x += 0.1;
+        show();
     }
 }
 
