@@ -90,6 +90,13 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
     const auto preference = [&](const glm::dvec3& point) {
         return options.up ? view_preference(point, *options.up) : 1.0;
     };
+    // Where a view is drawn, its preference is known before.
+    if (options.visible_ratios && options.up)
+        interest.bound = [&](std::span<const glm::dvec3> points) {
+            std::vector<double> bounds;
+            for (const glm::dvec3& point : points) bounds.push_back(preference(point));
+            return bounds;
+        };
     if (options.visible_ratios || options.up)
         interest.weigh = [&](std::span<const glm::dvec3> points) {
             std::vector<double> weights(points.size(), 1.0);

@@ -283,8 +283,8 @@ private:
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < candidates.size(); ++i)
             if (candidates[i].votes > min_) order.push_back(i);
-        std::ranges::stable_sort(order, std::greater(),
-                                 [&](std::size_t i) { return candidates[i].votes; });
+        const std::vector<double> highest = highest_scores(candidates);
+        std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return highest[i]; });
         if (options_.weigh) result_.candidates += order.size();
 
         std::vector<PointOfInterest> weighed;
@@ -295,7 +295,7 @@ private:
             const std::size_t begin = next;
             for (; next < order.size() && batch.size() < options_.weigh_batch; ++next) {
                 const Sample& candidate = candidates[order[next]];
-                if (!options_.weighs_all && candidate.votes < max_score - tie_) break;
+                if (!options_.weighs_all && highest[order[next]] < max_score - tie_) break;
                 batch.push_back(candidate.point);
             }
             if (batch.empty()) break;
@@ -313,6 +313,18 @@ private:
             if (!best || comes_before(point.point, best->point)) best = point;
         }
         return best;
+    }
+
+    std::vector<double> highest_scores(std::span<const Sample> candidates) const {
+        std::vector<double> scores;
+        for (const Sample& candidate : candidates) scores.push_back(candidate.votes);
+        if (!options_.weigh || !options_.bound) return scores;
+        std::vector<glm::dvec3> points;
+        for (const Sample& candidate : candidates) points.push_back(candidate.point);
+        const std::vector<double> bounds = options_.bound(points);
+        RIMLINE_CHECK(bounds.size() == points.size());
+        for (std::size_t i = 0; i < scores.size(); ++i) scores[i] *= bounds[i];
+        return scores;
     }
 
     std::vector<double> weights_of(std::span<const glm::dvec3> points) {
