@@ -27,7 +27,8 @@ public:
     LineDrawer& operator=(LineDrawer&&) noexcept;
 
     /// `silhouette`: the silhouette from view.point(), by a tracker, an octree or brute force, in any order.
-    /// The drawing is valid until the next call. Ids of chains are their indices.
+    /// The drawing is valid until the next call. Ids of chains are their indices. What is nearer to a perspective eye
+    /// than 1e-5 radii of the mesh, in depth, is not drawn and hides nothing.
     /// O(lines · degree + crossings + components · log faces + faces): the last is one comparison a face.
     /// Memory is kept for the next call. Throws Error{cancelled}.
     const LineDrawing& draw(const LineView& view, std::span<const EdgeId> silhouette,

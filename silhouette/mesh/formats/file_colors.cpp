@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "silhouette/mesh/formats/source_file.h"
+#include "silhouette/printable_text.h"
 
 namespace rimline {
 
@@ -50,10 +51,10 @@ void drop_unused_materials(MeshSource& source) noexcept {
     materials.corner_uvs = {};
 }
 
-void add_warning(std::vector<std::string>& warnings, std::string warning) {
+void add_warning(std::vector<std::string>& warnings, std::string_view warning) {
     constexpr std::size_t k_max_warnings = 20;
     if (warnings.size() < k_max_warnings)
-        warnings.push_back(std::move(warning));
+        warnings.push_back(printable_text(warning));
     else if (warnings.size() == k_max_warnings)
         warnings.emplace_back("there are more warnings about this file");
 }

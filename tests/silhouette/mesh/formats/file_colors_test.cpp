@@ -105,6 +105,13 @@ TEST_CASE("OBJ: faces have the Kd of their materials, and all triangles of a pol
     CHECK(colors_of(source.materials, 5).empty());
 }
 
+TEST_CASE("OBJ: a warning shows control characters of a library's name as numbers") {
+    const MeshSource source = read_with_library(k_flat_square + "mtllib a\x7f.mtl\nf 1 2 3\n");
+    REQUIRE(source.warnings.size() == 1);
+    CAPTURE(source.warnings[0]);
+    CHECK(source.warnings[0].find(R"(a\x7f.mtl: cannot open it)") != std::string::npos);
+}
+
 TEST_CASE(
     "OBJ: names of libraries and materials may hold spaces and '#', and end before a comment") {
     const ScratchFolder folder;
