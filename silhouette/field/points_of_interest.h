@@ -9,10 +9,10 @@
 // have shrunk to an eighth. Candidates are the lattice samples and the peaks. The best one is chosen.
 //
 //   Weights. A candidate's score is its votes times a weight in [0, 1] (4.5.3: the visible share of the
-//   silhouette). A weight may be expensive. Votes times a cheap bound of the weight bound scores, so candidates are
-//   weighed in descending order of these until no other candidate can win. If weights vary slowly, the peaks and a part of the
-//   lattice are sufficient (weighed_stride). Around the winner, patterns of 7 points are weighed in the
-//   same way, down to the weighed tolerance.
+//   silhouette). A weight may be expensive. Votes times a cheap bound of the weight bound scores, so
+//   candidates are weighed in descending order of these until no other candidate can win. If weights vary
+//   slowly, the peaks and a part of the lattice are sufficient (weighed_stride). Around the winner, patterns
+//   of 7 points are weighed in the same way, down to the weighed tolerance.
 //
 //   Ties. Symmetric meshes have several maxima that are equal up to rounding. Scores are equal if they
 //   differ by less than 2^-20 of the field's maximum value. Among equal scores, the candidate with the
@@ -53,8 +53,8 @@ struct PointOfInterest {
     double score() const noexcept { return votes * weight; }
 };
 
-/// Returns the weights of points, or bounds of them, each in [0, 1], in their order. Receives many points at once, so that
-/// they can be rendered together.
+/// Returns the weights of points, or bounds of them, each in [0, 1], in their order. Receives many points at
+/// once, so that they can be rendered together.
 using Weigh = std::function<std::vector<double>(std::span<const glm::dvec3>)>;
 
 struct InterestOptions {
@@ -63,7 +63,7 @@ struct InterestOptions {
     double tolerance = 1e-3;          ///< Tolerance of positions, in unit coordinates.
     std::uint32_t climbs = 8;         ///< Number of climbs, from the best samples.
     Weigh weigh;                      ///< Empty: all weights are 1.
-    Weigh bound;                      ///< Upper bounds of weights, at no cost. Empty: 1.
+    Weigh bound;                      ///< Upper bounds of weights; cheap. Empty: 1.
     double weighed_tolerance = 0.05;  ///< Tolerance of positions with weights.
     /// With weights, every `weighed_stride`-th lattice sample along each axis is a candidate.
     std::uint32_t weighed_stride = 1;

@@ -1,6 +1,6 @@
-// soak MINUTES [PART]: moves, frames under 24 lights, and window sessions, each for its share of the time. Fails where one of
-// them holds more at its end than after its first tenth, or takes long now and then (soak_record.h). Status 77 where
-// there is no display or no Vulkan device; the parts before have run then.
+// soak MINUTES [PART]: moves, frames under 24 lights, and window sessions, each for its share of the time. Fails where
+// one of them holds more at its end than after its first tenth, or takes long now and then (soak_record.h). Status 77
+// where there is no display or no Vulkan device; the parts before have run then.
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
