@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "silhouette/error.h"
+#include "silhouette/printable_text.h"
 #include "tools/command.h"
 #include "tools/nearest_name.h"
 #include "tools/options/exact_text.h"
@@ -55,7 +56,8 @@ constexpr std::array<PictureKey, 15> k_picture_keys{{{"style", Kind::text},
                                                      {"size", Kind::text}}};
 
 [[noreturn]] void fail(const std::string& path, const std::string& place, const std::string& what) {
-    throw Error(ErrorCode::bad_input, path + ":" + place + ": " + what);
+    throw Error(ErrorCode::bad_input,
+                path + ":" + printable_text(place) + ": " + printable_text(what));
 }
 
 // Without the name of the option before it.
@@ -181,8 +183,9 @@ Json parse_json(const std::string& path, const std::string& text) {
         if (event == Json::parse_event_t::object_end) keys.pop_back();
         if (event == Json::parse_event_t::key &&
             !keys.back().insert(parsed.get<std::string>()).second)
-            throw Error(ErrorCode::bad_input, path + ": the key \"" + parsed.get<std::string>() +
-                                                  "\" occurs twice in one object");
+            throw Error(ErrorCode::bad_input,
+                        path + ": the key \"" + printable_text(parsed.get<std::string>()) +
+                            "\" occurs twice in one object");
         return true;
     };
     try {

@@ -77,6 +77,7 @@ private:
 
 void check_drawing(const Mesh& mesh, const LineView& view, const LineDrawing& drawing,
                    std::size_t most_pieces, LineTotals& totals) {
+    CHECK(drawing.report.undecided_lines == 0);
     const ExactView exact(mesh, view);
     const std::size_t step = drawing.points.size() / most_pieces + 1;
     std::size_t number = 0;

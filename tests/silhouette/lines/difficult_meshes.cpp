@@ -8,7 +8,7 @@
 
 namespace rimline::tests {
 
-MeshSource broken(const MeshSource& whole, std::uint64_t seed) {
+MeshSource broken(const MeshSource& whole, std::uint64_t seed, float size) {
     MeshSource source = whole;
     Random random(seed);
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -20,7 +20,7 @@ MeshSource broken(const MeshSource& whole, std::uint64_t seed) {
         if (chance >= 97) triangles.push_back(t);
         if (chance == 50) {
             const auto fin = static_cast<std::uint32_t>(source.positions.size());
-            source.positions.push_back(source.positions[t[0]] + 0.1f * random.in_cube());
+            source.positions.push_back(source.positions[t[0]] + 0.1f * size * random.in_cube());
             triangles.push_back({t[0], t[1], fin});
         }
     }

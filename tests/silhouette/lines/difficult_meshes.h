@@ -8,8 +8,8 @@
 
 namespace rimline::tests {
 
-/// A mesh with holes, faces the other way round, faces twice, and fins.
-MeshSource broken(const MeshSource& whole, std::uint64_t seed);
+/// A mesh with holes, faces the other way round, faces twice, and fins of up to a tenth of `size`.
+MeshSource broken(const MeshSource& whole, std::uint64_t seed, float size = 1.0f);
 /// The same of a knot.
 MeshSource broken_knot(std::uint64_t seed);
 
