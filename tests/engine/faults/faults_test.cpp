@@ -1,6 +1,7 @@
 // Whatever fails, and whenever: stage.h says what is played and what must hold.
 
 #include <array>
+#include <cstring>
 
 #include "engine/clouds/splat_renderer.h"
 #include "engine/frame/draw_data.h"
@@ -13,6 +14,7 @@
 #include "engine/stream/change_stream.h"
 #include "engine/vulkan/barrier.h"
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/image_barrier.h"
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/face_bits.h"
 #include "tests/engine/faults/stage.h"
@@ -179,51 +181,125 @@ RIMLINE_FAULT_SCENARIO("pictures of shadows by every method and form") {
         }
 }
 
-// The caller drops a frame that failed, and records it once more.
-RIMLINE_FAULT_SCENARIO("frames recorded into a caller's commands") {
-    const auto renderer = undisturbed_renderer(stage);
-    constexpr VkExtent2D k_extent{16, 16};
-    constexpr VkFormat k_format = VK_FORMAT_R8G8B8A8_UNORM;
-    const Image image = stage.undisturbed([&] {
-        return Image(
-            stage.context(),
-            {.format = k_format,
-             .extent = k_extent,
-             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-            "a caller's image");
-    });
-    const Buffer pixels = stage.undisturbed([&] {
-        return Buffer(stage.context(), 4 * k_extent.width * k_extent.height, BufferPlace::readback,
-                      "a caller's pixels");
-    });
-    Scene scene = stage.scene();
-    for (int frame = 0; frame < 3; ++frame) {
-        scene.camera.eye.x += 0.05;
-        scene.lights[1].vector.y += 0.1;
-        if (frame == 2) scene.instances.push_back({.octree = &stage.models().box.octree});
-        const PictureTarget target{.image = image.handle(),
-                                   .view = image.attachment_view(),
-                                   .format = k_format,
-                                   .extent = k_extent,
-                                   .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+// A caller's image, and the commands of a caller that draw into it. The caller drops a frame that failed, and records
+// it once more.
+class CallersPicture {
+public:
+    explicit CallersPicture(Stage& stage)
+        : image_(stage.undisturbed([&] {
+              return Image(
+                  stage.context(),
+                  {.format = k_format,
+                   .extent = k_extent,
+                   .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+                  "a caller's image");
+          })),
+          pixels_(stage.undisturbed([&] {
+              return Buffer(stage.context(), 4 * k_extent.width * k_extent.height,
+                            BufferPlace::readback, "a caller's pixels");
+          })) {}
+
+    static constexpr VkExtent2D k_extent{16, 16};
+
+    PictureTarget target() const {
+        return {.image = image_.handle(),
+                .view = image_.attachment_view(),
+                .format = k_format,
+                .extent = k_extent,
+                .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+    }
+
+    void show(Stage& stage, Renderer& renderer, const Scene& scene) {
+        show(stage, renderer, scene, target(), [](Commands) {});
+    }
+    /// `record_before` records the caller's own commands before the frame.
+    template <typename Record>
+    void show(Stage& stage, Renderer& renderer, const Scene& scene, const PictureTarget& target,
+              const Record& record_before) {
         stage.step([&] {
-            renderer->forget_recorded();
-            const UploadPoint uploaded = renderer->prepare(scene, target);
+            renderer.forget_recorded();
+            const UploadPoint uploaded = renderer.prepare(scene, target);
             const auto record = [&](Commands commands) {
-                renderer->record(commands, scene, target);
+                record_before(commands);
+                renderer.record(commands, scene, target);
                 const VkBufferImageCopy region{
                     .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                     .imageExtent = {k_extent.width, k_extent.height, 1}};
-                commands->CmdCopyImageToBuffer(commands, image.handle(),
+                commands->CmdCopyImageToBuffer(commands, image_.handle(),
                                                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                               pixels.handle(), 1, &region);
+                                               pixels_.handle(), 1, &region);
                 record_barrier(commands,
                                {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                                {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
             };
             run_commands(stage.context(), record, uploaded);
         });
-        stage.show(std::vector<std::byte>(pixels.mapped(), pixels.mapped() + pixels.size()));
+        stage.show(std::vector<std::byte>(pixels_.mapped(), pixels_.mapped() + pixels_.size()));
+    }
+
+private:
+    static constexpr VkFormat k_format = VK_FORMAT_R8G8B8A8_UNORM;
+
+    Image image_;
+    Buffer pixels_;
+};
+
+RIMLINE_FAULT_SCENARIO("frames recorded into a caller's commands") {
+    const auto renderer = undisturbed_renderer(stage);
+    CallersPicture picture(stage);
+    Scene scene = stage.scene();
+    for (int frame = 0; frame < 3; ++frame) {
+        scene.camera.eye.x += 0.05;
+        scene.lights[1].vector.y += 0.1;
+        if (frame == 2) scene.instances.push_back({.octree = &stage.models().box.octree});
+        picture.show(stage, *renderer, scene);
+    }
+}
+
+RIMLINE_FAULT_SCENARIO("frames behind and before what a caller has drawn") {
+    const auto renderer = undisturbed_renderer(stage);
+    CallersPicture picture(stage);
+    constexpr VkExtent2D k_size = CallersPicture::k_extent;
+    const Image depth = stage.undisturbed([&] {
+        return Image(stage.context(),
+                     {.format = VK_FORMAT_D32_SFLOAT,
+                      .extent = k_size,
+                      .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                               VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                      .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
+                     "a caller's depth");
+    });
+    // The caller has drawn near things on the left and nothing on the right.
+    const Buffer depths = stage.undisturbed([&] {
+        std::vector<float> values(k_size.width * k_size.height, 0.0f);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (i % k_size.width < k_size.width / 2) values[i] = 1.0f;
+        Buffer buffer(stage.context(), values.size() * sizeof(float), BufferPlace::upload,
+                      "a caller's depths");
+        std::memcpy(buffer.mapped(), values.data(), values.size() * sizeof(float));
+        return buffer;
+    });
+    const Scene scene = stage.scene();
+    for (const PictureUse use : {PictureUse::whole, PictureUse::layer}) {
+        PictureTarget target = picture.target();
+        target.use = use;
+        target.backdrop = BackdropDepth{
+            .image = depth.handle(), .view = depth.sampled_view(), .format = VK_FORMAT_D32_SFLOAT};
+        picture.show(stage, *renderer, scene, target, [&](Commands commands) {
+            record_barrier(commands, {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE},
+                           {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                           {{depth, VK_IMAGE_LAYOUT_UNDEFINED,
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL}});
+            const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1},
+                                           .imageExtent = {k_size.width, k_size.height, 1}};
+            commands->CmdCopyBufferToImage(commands, depths.handle(), depth.handle(),
+                                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+            record_barrier(
+                commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT},
+                {{depth, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                  VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL}});
+        });
     }
 }
 
