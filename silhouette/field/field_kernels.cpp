@@ -181,6 +181,8 @@ HWY_INLINE void prefetch(const T* data) {
 }
 
 // Sums of a node's clusters from a lane on, with upper bounds of their errors. Both are for a weight of 1.
+// Made with all members: gcc compiles a constructor without arguments for another instruction set, and on AArch64
+// refuses to.
 struct Estimate {
     V value, error, max_vote, min_vote;
 };
@@ -210,14 +212,13 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
     const V t = hn::Sub(s, f.start);
     const V at_mean = hn::MulAdd(hn::MulAdd(hn::MulAdd(f.c3, t, f.c2), t, f.c1), t, f.c0);
     const V bend = hn::MulAdd(hn::Mul(hn::Set(d, 3.0f), f.c3), t, f.c2);
-    Estimate result;
-    result.value = hn::MulAdd(bend, variance, at_mean);
+    V value = hn::MulAdd(bend, variance, at_mean);
     if (!hn::AllTrue(d, hn::Eq(f.c3, hn::Zero(d)))) {
         V third = hn::Zero(d);
 #pragma GCC unroll 20
         for (std::size_t j = 0; j < 20; ++j)
             third = hn::MulAdd(at(node.third[j]), hn::Set(d, q.q3[j]), third);
-        result.value = hn::MulAdd(f.c3, third, result.value);
+        value = hn::MulAdd(f.c3, third, value);
     }
 
     V error = hn::Zero(d);
@@ -232,18 +233,17 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
     // If a variance rounds to 0, a part of the slack replaces it.
     const V share =
         hn::Div(hn::MulAdd(slack, hn::Set(d, 0x1p-12f), variance), hn::Mul(radius, radius));
-    result.error = hn::Mul(error, hn::Min(share, hn::Set(d, 1.0f)));
+    error = hn::Mul(error, hn::Min(share, hn::Set(d, 1.0f)));
 
     if constexpr (discounted) {
         const V slope = hn::MulAdd(hn::Add(bend, f.c2), t, f.c1);  // 3 c3 t² + 2 c2 t + c1
         const V reach =
             hn::Mul(radius, hn::MulAdd(hn::Set(d, function.curvature), radius, hn::Abs(slope)));
-        result.max_vote = hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.max_vote));
-        result.min_vote = hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.min_vote));
+        return {value, error, hn::Min(hn::Add(at_mean, reach), hn::Set(d, function.max_vote)),
+                hn::Max(hn::Sub(at_mean, reach), hn::Set(d, function.min_vote))};
     } else {
-        result.max_vote = result.min_vote = hn::Zero(d);
+        return {value, error, hn::Zero(d), hn::Zero(d)};
     }
-    return result;
 }
 
 // Clusters with inexact sums.

@@ -1,5 +1,7 @@
 #include "silhouette/hough/block_kernels.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "silhouette/hough/block_kernels.cpp"
 #include "silhouette/vector_targets-inl.h"
@@ -193,18 +195,6 @@ std::uint32_t FindChanging(const BoxTree& tree, std::span<const NodeFrames> fram
     return count;
 }
 
-std::uint32_t TakeAll(std::span<const NodeFrames> frames, std::uint32_t block_count,
-                      const BlockPoint& point, BlockScratch& scratch) {
-    const Ints di;
-    for (std::uint32_t b = 0; b < block_count; b += static_cast<std::uint32_t>(hn::Lanes(di))) {
-        const Thresholds t = make_thresholds(frames[b / k_node_width], b % k_node_width, point);
-        hn::StoreU(t.threshold, di, scratch.threshold.data() + b);
-        hn::StoreU(t.margin, di, scratch.margin.data() + b);
-    }
-    for (std::uint32_t b = 0; b < block_count; ++b) scratch.block[b] = b;
-    return block_count;
-}
-
 std::uint32_t FindNear(std::span<const NodeFrames> frames, std::uint32_t block_count,
                        const BlockPoint& point, BlockScratch& scratch) {
     const Ints di;
@@ -349,6 +339,52 @@ std::uint32_t TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::
     return found;
 }
 
+std::uint32_t FrontBits(const FaceBlocks& blocks, const BlockPoint& point,
+                        std::span<std::uint16_t> bits, BlockScratch& scratch) {
+    const Ints di;
+    const Weights weights(point);
+    const auto block_count = static_cast<std::uint32_t>(blocks.planes.size());
+    HWY_ALIGN std::int32_t thresholds[k_node_width], margins[k_node_width];
+    std::uint32_t found = 0;
+    for (std::uint32_t n = 0; n < blocks.frames.size(); ++n) {
+        for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(di)) {
+            const Thresholds t = make_thresholds(blocks.frames[n], lane, point);
+            hn::Store(t.threshold, di, thresholds + lane);
+            hn::Store(t.margin, di, margins + lane);
+        }
+        const std::uint32_t first = n * k_node_width;
+        const std::uint32_t count = std::min<std::uint32_t>(k_node_width, block_count - first);
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const std::uint32_t b = first + k;
+            const auto threshold = hn::Set(di, thresholds[k]);
+            const auto margin = hn::Set(di, margins[k]);
+            std::uint32_t front = 0;
+            auto nearest = hn::Abs(hn::Set(di, 0x7fffffff));
+            for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(di)) {
+                const auto x = hn::Add(weights.times(blocks.planes[b], lane), threshold);
+                front |= lanes_of(di, hn::Gt(x, hn::Zero(di))) << lane;
+                nearest = hn::Min(nearest, hn::Abs(x));
+            }
+            bits[b] = static_cast<std::uint16_t>(front);
+            if (HWY_LIKELY(b + 1 < block_count && hn::AllFalse(di, hn::Lt(nearest, margin))))
+                continue;
+            std::uint32_t doubts = 0;
+            for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(di)) {
+                const auto x = hn::Add(weights.times(blocks.planes[b], lane), threshold);
+                doubts |= lanes_of(di, hn::Lt(hn::Abs(x), margin)) << lane;
+            }
+            const std::uint32_t in_use = b + 1 == block_count ? blocks.last_lanes : 0xffffu;
+            doubts &= in_use;
+            bits[b] = static_cast<std::uint16_t>(front & in_use & ~doubts);
+            if (doubts == 0) continue;
+            scratch.found_block[found] = b;
+            scratch.found_lanes[found] = 0;
+            scratch.found_doubts[found++] = doubts;
+        }
+    }
+    return found;
+}
+
 const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace rimline::kernels::HWY_NAMESPACE
@@ -359,11 +395,11 @@ namespace rimline::kernels {
 
 HWY_EXPORT(FindMixed);
 HWY_EXPORT(FindChanging);
-HWY_EXPORT(TakeAll);
 HWY_EXPORT(FindNear);
 HWY_EXPORT(TestEdges);
 HWY_EXPORT(WriteEdges);
 HWY_EXPORT(TestFaces);
+HWY_EXPORT(FrontBits);
 HWY_EXPORT(TargetName);
 
 std::uint32_t find_mixed(const BoxTree& tree, std::span<const NodeFrames> frames,
@@ -378,11 +414,6 @@ std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> fra
                             std::uint64_t& nodes) {
     return HWY_DYNAMIC_DISPATCH(FindChanging)(tree, frames, from, to, point, scratch, certain_count,
                                               nodes);
-}
-
-std::uint32_t take_all(std::span<const NodeFrames> frames, std::uint32_t block_count,
-                       const BlockPoint& point, BlockScratch& scratch) {
-    return HWY_DYNAMIC_DISPATCH(TakeAll)(frames, block_count, point, scratch);
 }
 
 std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_count,
@@ -403,6 +434,11 @@ EdgeId* write_edges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count
 std::uint32_t test_faces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
                          std::span<const std::uint16_t> bits, BlockScratch& scratch) {
     return HWY_DYNAMIC_DISPATCH(TestFaces)(blocks, point, count, bits, scratch);
+}
+
+std::uint32_t front_bits(const FaceBlocks& blocks, const BlockPoint& point,
+                         std::span<std::uint16_t> bits, BlockScratch& scratch) {
+    return HWY_DYNAMIC_DISPATCH(FrontBits)(blocks, point, bits, scratch);
 }
 
 std::string_view instruction_set() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }

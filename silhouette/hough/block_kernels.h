@@ -29,9 +29,6 @@ std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> fra
                             BlockScratch& scratch, std::uint32_t& certain_count,
                             std::uint64_t& nodes);
 
-/// Fills `scratch` with all blocks.
-std::uint32_t take_all(std::span<const NodeFrames> frames, std::uint32_t block_count,
-                       const BlockPoint& point, BlockScratch& scratch);
 /// Fills `scratch` with the blocks that their thresholds do not decide. Returns their number.
 std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_count,
                         const BlockPoint& point, BlockScratch& scratch);
@@ -52,6 +49,11 @@ EdgeId* write_edges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count
 /// found_lanes; those to be decided are in found_doubts alone. Returns their number.
 std::uint32_t test_faces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
                          std::span<const std::uint16_t> bits, BlockScratch& scratch);
+
+/// Writes the front bits of all blocks to `bits`, one word for each block. Lanes that must be decided exactly are 0;
+/// they are in found_doubts of the found blocks, whose found_lanes are 0. Returns the number of these blocks.
+std::uint32_t front_bits(const FaceBlocks& blocks, const BlockPoint& point,
+                         std::span<std::uint16_t> bits, BlockScratch& scratch);
 
 /// The selected instruction set, by Highway's name.
 std::string_view instruction_set();

@@ -4,6 +4,7 @@
 // edges for extraction, and a tree over each.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -38,6 +39,15 @@ struct BlockSpace {
     }
 };
 
+constexpr std::uint32_t block_count_of(std::size_t lanes) noexcept {
+    return static_cast<std::uint32_t>((lanes + k_block_size - 1) / k_block_size);
+}
+/// The lanes in use of the last block.
+constexpr std::uint32_t lanes_of_last_block(std::size_t lanes) noexcept {
+    const std::size_t over = lanes % k_block_size;
+    return over == 0 ? 0xffffu : (1u << over) - 1;
+}
+
 /// Blocks of faces. All lanes are in use, except in the last block.
 struct FaceBlocks {
     BlockSpace space;
@@ -46,6 +56,11 @@ struct FaceBlocks {
     std::vector<PlaneBlock> planes;
     std::uint32_t first_block = 0;  ///< The number of the first among the blocks of all origins.
     std::uint32_t last_lanes = 0;   ///< Of the last block, the lanes in use.
+
+    /// Makes room for all blocks.
+    void resize(std::size_t faces);
+    /// Writes the planes of a block, at most sixteen. Blocks can be written at the same time.
+    void set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
 };
 
 /// The planes of both faces of an edge. The second is negated where both faces traverse the edge in the same
@@ -59,6 +74,11 @@ struct EdgeBlocks {
     std::vector<EdgePlanes> planes;
     std::vector<EdgeId> edges;  ///< Sixteen for each block; k_no_edge after the last edge.
     std::uint32_t last_lanes = 0;
+
+    /// Makes room for all blocks. All edges are k_no_edge.
+    void resize(std::size_t edge_count);
+    /// Writes the planes of a block, two for each edge, at most 32. Blocks can be written at the same time.
+    void set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
 };
 
 }  // namespace rimline

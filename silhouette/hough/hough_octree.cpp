@@ -129,18 +129,14 @@ void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::u
     RIMLINE_CHECK(point.is_valid());
     RIMLINE_CHECK(bits.size() == block_count());
     RIMLINE_CHECK(scratch.max_blocks >= max_blocks_);
-    std::fill(bits.begin(), bits.end(), std::uint16_t{0});
     for (const FaceBlocks& blocks : face_blocks_) {
         if (blocks.planes.empty()) continue;
-        const BlockPoint seen_from = blocks.space.seen_from(point);
         const std::span own_bits = bits.subspan(blocks.first_block, blocks.planes.size());
-        const std::uint32_t count = kernels::take_all(
-            blocks.frames, static_cast<std::uint32_t>(blocks.planes.size()), seen_from, scratch);
         const std::uint32_t found =
-            kernels::test_faces(blocks, seen_from, count, own_bits, scratch);
+            kernels::front_bits(blocks, blocks.space.seen_from(point), own_bits, scratch);
         decide_faces(blocks, point, own_bits, found, scratch);
         for (std::uint32_t j = 0; j < found; ++j)
-            own_bits[scratch.found_block[j]] = static_cast<std::uint16_t>(scratch.found_lanes[j]);
+            own_bits[scratch.found_block[j]] |= static_cast<std::uint16_t>(scratch.found_lanes[j]);
     }
 }
 

@@ -24,29 +24,6 @@ constexpr std::uint32_t k_grain = 1024;
 
 std::uint32_t size32(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
-std::uint32_t block_count_of(std::size_t lanes) {
-    return size32((lanes + k_block_size - 1) / k_block_size);
-}
-
-std::uint32_t lanes_of_last_block(std::size_t lanes) {
-    const std::uint32_t over = size32(lanes % k_block_size);
-    return over == 0 ? 0xffffu : (1u << over) - 1;
-}
-
-std::vector<NodeFrames> make_node_frames(std::uint32_t block_count) {
-    // Lanes beyond the last block are read, but not used.
-    return std::vector<NodeFrames>((block_count + k_node_width - 1) / k_node_width);
-}
-
-void set_frame(std::vector<NodeFrames>& frames, std::size_t block, const BlockFrame& frame,
-               float longest) {
-    NodeFrames& node = frames[block / k_node_width];
-    const std::size_t lane = block % k_node_width;
-    for (std::size_t i = 0; i < 4; ++i) node.center[i][lane] = frame.center[i];
-    node.step_inverse[lane] = frame.step_inverse;
-    node.longest[lane] = longest;
-}
-
 }  // namespace
 
 // Fills an octree that has its mesh and its origins.
@@ -156,10 +133,8 @@ private:
         FaceBlocks blocks;
         blocks.space = space_of(group, length);
         blocks.first_block = octree_.block_count();
-        blocks.last_lanes = lanes_of_last_block(members.size());
+        blocks.resize(members.size());
         const std::uint32_t block_count = block_count_of(members.size());
-        blocks.planes.resize(block_count);
-        blocks.frames = make_node_frames(block_count);
         const std::size_t first_position = octree_.faces_.size();
         octree_.faces_.resize(first_position + std::size_t{block_count} * k_block_size,
                               HoughOctree::PlacedFace{k_no_face, {}, {}});
@@ -175,13 +150,7 @@ private:
                 bounds[b].include(points[order[i]]);
                 planes[i - begin] = blocks.space.vector_of(mesh_.plane(face));
             }
-            const BlockFrame frame = BlockFrame::around(std::span(planes).first(end - begin));
-            float longest = 0.0f;
-            blocks.planes[b] = {};
-            for (std::size_t i = begin; i < end; ++i)
-                longest = std::max(
-                    longest, frame.encode(planes[i - begin], size32(i - begin), blocks.planes[b]));
-            set_frame(blocks.frames, b, frame, longest);
+            blocks.set(b, std::span(planes).first(end - begin));
         });
         blocks.tree = BoxTree(std::move(bounds));
         return blocks;
@@ -270,11 +239,8 @@ private:
         EdgeBlocks blocks;
         const auto farthest = std::max_element(lengths.begin(), lengths.end());
         blocks.space = space_of(around, farthest == lengths.end() ? 0.0 : *farthest);
-        blocks.last_lanes = lanes_of_last_block(edges.size());
+        blocks.resize(edges.size());
         const std::uint32_t block_count = block_count_of(edges.size());
-        blocks.planes.resize(block_count);
-        blocks.frames = make_node_frames(block_count);
-        blocks.edges.assign(std::size_t{block_count} * k_block_size, k_no_edge);
         std::vector<HoughBounds> bounds(block_count);
         for_each_index(block_count, [&](std::size_t b) {
             const std::size_t begin = b * k_block_size;
@@ -292,13 +258,7 @@ private:
                         for (double& component : plane) component = -component;
                 }
             }
-            const BlockFrame frame = BlockFrame::around(std::span(planes).first(count));
-            float longest = 0.0f;
-            blocks.planes[b] = {};
-            for (std::size_t i = 0; i < count; ++i)
-                longest = std::max(longest,
-                                   frame.encode(planes[i], size32(i / 2), blocks.planes[b][i % 2]));
-            set_frame(blocks.frames, b, frame, longest);
+            blocks.set(b, std::span(planes).first(count));
         });
         if (!always) blocks.tree = BoxTree(std::move(bounds));
         return blocks;

@@ -2,9 +2,9 @@
 
 // Follows a moving point without an index: the baseline for updates.
 //
-//     every face's bit, packed     old words XOR new words     the faces that flipped     their edges
+//     every face's bit     old bits XOR new bits     the faces that flipped     their edges
 //
-// The bits cost O(faces) for every move. The rest of the work is that of the tracker with an index
+// The bits cost O(faces) for every move (windowed_brute_force.h; faces are stored in its order). The rest of the work is that of the tracker with an index
 // (silhouette_tracker.h), by the same rules: an edge of a flipped face changes when its other face did not
 // flip; where examining those edges costs more than a pass over all edges, the silhouette is extracted
 // afresh and compared. Both trackers write the same change set (silhouette_record.h).
@@ -17,7 +17,7 @@
 #include "silhouette/hough/change_set.h"
 #include "silhouette/hough/silhouette_record.h"
 #include "silhouette/mesh/mesh.h"
-#include "silhouette/methods/brute_force_packed.h"
+#include "silhouette/methods/windowed_brute_force.h"
 
 namespace rimline {
 
@@ -41,11 +41,11 @@ public:
     bool was_extracted() const noexcept { return was_extracted_; }
 
 private:
-    // The edges of a face and their other faces. An edge that has not exactly two faces is stored as
-    // k_no_edge and the face itself.
+    // The edges of a face and the places of their other faces. An edge that has not exactly two faces is stored
+    // as k_no_edge and the face's own place.
     struct Neighbors {
         std::array<EdgeId, 3> edges;
-        std::array<FaceId, 3> faces;
+        std::array<std::uint32_t, 3> places;
     };
 
     SilhouetteRecord make_record(const HomogeneousPoint& point);
@@ -53,10 +53,11 @@ private:
     std::span<const EdgeId> changed_edges() noexcept;
 
     const Mesh* mesh_;
-    PackedBruteForce brute_force_;
-    std::vector<Neighbors> neighbors_;  // One a face.
-    std::vector<std::uint32_t> words_;  // Face bits of the new point.
-    std::vector<std::uint32_t> flips_;  // Face bits that differ from before.
+    WindowedBruteForce brute_force_;
+    std::vector<Neighbors> neighbors_;       // By place.
+    std::vector<std::uint16_t> bits_;        // From the point before.
+    std::vector<std::uint16_t> flips_;       // Bits that differ from before.
+    std::vector<std::uint32_t> flipped_at_;  // Places of the faces that flipped.
     std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
     std::vector<EdgeId> toggled_;  // One more than the greatest number of edges.

@@ -3,13 +3,13 @@
 #include <array>
 #include <optional>
 
+#include "silhouette/methods/brute_force_method.h"
 #include "silhouette/methods/cone_tree.h"
 #include "silhouette/methods/dual_tree.h"
 #include "silhouette/methods/edge_buffer.h"
 #include "silhouette/methods/gauss_map.h"
 #include "silhouette/methods/literal_method.h"
 #include "silhouette/methods/octree_method.h"
-#include "silhouette/methods/packed_brute_force_method.h"
 #include "silhouette/methods/plane_tree.h"
 #include "silhouette/methods/quadric_tree.h"
 #include "silhouette/methods/randomised.h"
@@ -51,17 +51,9 @@ Method make(const Mesh& mesh, const Options&) {
 
 // In the order of k_silhouette_methods.
 constexpr std::array<Method (*)(const Mesh&, const Options&), k_silhouette_methods.size()> k_makers{
-    make_octree,
-    make_literal,
-    make<PackedBruteForceMethod>,
-    make<ScalarBruteForceMethod>,
-    make<EdgeBuffer>,
-    make_dual,
-    make<PlaneTree>,
-    make<GaussMap>,
-    make<ConeTree>,
-    make<QuadricTree>,
-    make_randomised,
+    make_octree,      make_literal,      make<BruteForceMethod>, make<ScalarBruteForceMethod>,
+    make<EdgeBuffer>, make_dual,         make<PlaneTree>,        make<GaussMap>,
+    make<ConeTree>,   make<QuadricTree>, make_randomised,
 };
 
 }  // namespace

@@ -1,45 +1,39 @@
 #include "tools/bench/ceiling.h"
 
-#include "tools/bench/targets.h"
-
 namespace rimline::tools {
 
 namespace {
 
-struct Known {
-    std::uint32_t faces;
-    double extraction_us;
-    double face_bits_us;
-};
-constexpr Known k_known[] = {{k_bunny_faces, 63.0, 14.0}, {k_igea_faces, 330.0, 137.0}};
 constexpr double k_allowance = 1.25;
+constexpr double k_plain_loops = 1.6;
 
 }  // namespace
 
-PlainLoop::PlainLoop(const Mesh& mesh) : kernel_(best_version<Kernel>()) {
+PlainLoop::PlainLoop(const Mesh& mesh)
+    : face_kernel_(best_version<FaceKernel>()), edge_kernel_(best_version<EdgeKernel>()) {
     for (const Plane& plane : mesh.planes()) {
         nx_.push_back(plane.nx);
         ny_.push_back(plane.ny);
         nz_.push_back(plane.nz);
         d_.push_back(plane.d);
     }
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
+        faces_of_edges_.push_back(index(mesh.faces_of(EdgeId{e}).front()));
 }
 
 std::uint32_t PlainLoop::count_front(const HomogeneousPoint& point) const {
-    return kernel_(nx_.data(), ny_.data(), nz_.data(), d_.data(), d_.size(), point.x, point.y,
-                   point.z, point.w);
+    return face_kernel_(nx_.data(), ny_.data(), nz_.data(), d_.data(), d_.size(), point.x, point.y,
+                        point.z, point.w);
 }
 
-std::optional<BruteForceCeiling> brute_force_ceiling(std::uint32_t faces,
-                                                     std::string_view instruction_set,
-                                                     double plain_us, double measured_us) {
-    for (const Known& known : k_known)
-        if (known.faces == faces)
-            return BruteForceCeiling{
-                plain_us, measured_us,
-                k_allowance * known.extraction_us * plain_us / known.face_bits_us,
-                instruction_set == "AVX-512"};
-    return std::nullopt;
+std::uint32_t PlainLoop::count_edges(std::uint32_t limit) const {
+    return edge_kernel_(faces_of_edges_.data(), faces_of_edges_.size(), limit);
+}
+
+std::optional<BruteForceCeiling> brute_force_ceiling(std::uint32_t faces, double plain_us,
+                                                     double measured_us) {
+    if (faces < k_min_ceiling_faces) return std::nullopt;
+    return BruteForceCeiling{plain_us, measured_us, k_allowance * k_plain_loops * plain_us};
 }
 
 }  // namespace rimline::tools

@@ -9,6 +9,7 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/methods/brute_force_packed.h"
 #include "silhouette/methods/brute_force_tracker.h"
+#include "silhouette/methods/windowed_brute_force.h"
 #include "tools/bench/fresh_tracker.h"
 #include "tools/bench/viewpoints.h"
 #include "tools/commands/frame_check.h"
@@ -49,7 +50,8 @@ public:
         : result_(result),
           octree_(octree),
           mesh_(octree.mesh()),
-          packed_(mesh_),
+          reference_(mesh_),
+          brute_force_(mesh_),
           options_(options),
           context_(context) {}
 
@@ -72,16 +74,19 @@ public:
                      octree_.extract(point, edges_, work, scratch);
                  },
              .counters = [&] { return work; }},
-            packed_in_full(),
+            brute_in_full(),
             scalar(points.size()),
             {.name = "plain loop",
-             .step = [&](const HomogeneousPoint& point) { plain_sum += plain.count_front(point); },
-             .counters = [&] { return every_face(); },
+             .step =
+                 [&](const HomogeneousPoint& point) {
+                     plain_sum += plain.count_edges(plain.count_front(point));
+                 },
+             .counters = [&] { return everything(); },
              .is_part = true}};
         c.methods = time_in_turn(contenders, points, options_.rounds,
                                  "measuring extraction of " + result_.model, context_);
-        result_.ceiling = brute_force_ceiling(mesh_.face_count(), packed_.instruction_set(),
-                                              c.methods[3].median_us(), c.methods[1].median_us());
+        result_.ceiling = brute_force_ceiling(mesh_.face_count(), c.methods[3].median_us(),
+                                              c.methods[1].median_us());
     }
 
     void update() {
@@ -92,20 +97,20 @@ public:
         SilhouetteTracker tracker(octree_, points.front());
         BruteForceTracker brute(mesh_, points.front());
         result_.tracker_bytes = tracker.size_bytes();
-        result_.stream = check_updates(c, tracker, brute, "packed tracker", steps);
+        result_.stream = check_updates(c, tracker, brute, "brute tracker", steps);
         if (!c.difference.empty()) return;
 
         TraversalCounters brute_work;
         const std::vector<Contender> contenders{
             moves_of(tracker, points.front()),
-            {.name = "packed tracker",
+            {.name = "brute tracker",
              .step =
                  [&](const HomogeneousPoint& point) { brute_work = brute.move_to(point).counters; },
              .counters = [&] { return brute_work; },
              .prepare = [&] { brute.move_to(points.front()); }},
-            packed_in_full(),
-            {.name = "packed, bits only",
-             .step = [&](const HomogeneousPoint& point) { packed_.face_bits(point, words_); },
+            brute_in_full(),
+            {.name = "brute, bits only",
+             .step = [&](const HomogeneousPoint& point) { brute_force_.look_from(point); },
              .counters = [&] { return every_face(); },
              .is_part = true},
             scalar(steps.size())};
@@ -141,12 +146,12 @@ private:
     TraversalCounters every_face() const { return {0, mesh_.face_count(), 0}; }
     TraversalCounters everything() const { return {0, mesh_.face_count(), mesh_.edge_count()}; }
 
-    Contender packed_in_full() {
-        return {.name = "packed",
+    Contender brute_in_full() {
+        return {.name = "brute force",
                 .step =
                     [this](const HomogeneousPoint& point) {
-                        packed_.face_bits(point, words_);
-                        packed_.silhouette(words_, edges_);
+                        brute_force_.look_from(point);
+                        brute_force_.silhouette(edges_);
                     },
                 .counters = [this] { return everything(); }};
     }
@@ -178,8 +183,8 @@ private:
         std::vector<EdgeId> found;
         for (std::size_t i = 0; i < points.size(); ++i) {
             call.checkpoint(static_cast<double>(i) / static_cast<double>(points.size()));
-            packed_.face_bits(points[i], words_);
-            packed_.silhouette(words_, edges_);
+            reference_.face_bits(points[i], words_);
+            reference_.silhouette(words_, edges_);
             octree_.extract(points[i], found, work, scratch);
             const std::string place = ", viewpoint " + std::to_string(i);
             if (i % stride == 0 && edges_ != brute_force_silhouette(mesh_, points[i]))
@@ -208,8 +213,8 @@ private:
             const std::string frame = ", frame " + std::to_string(i + 1);
             const ChangeSet& change = tracker.move_to(steps[i]);
             const ChangeSet& same = baseline.move_to(steps[i]);
-            packed_.face_bits(steps[i], words_);
-            packed_.silhouette(words_, edges_);
+            reference_.face_bits(steps[i], words_);
+            reference_.silhouette(words_, edges_);
             if (i < scalar_frames)
                 if (const auto difference = frame_check.difference(change))
                     c.difference = "tracker" + frame + ": " + *difference;
@@ -262,7 +267,8 @@ private:
     ModelResult& result_;
     const HoughOctree& octree_;
     const Mesh& mesh_;
-    PackedBruteForce packed_;
+    PackedBruteForce reference_;
+    WindowedBruteForce brute_force_;
     const HoughBenchOptions& options_;
     const Context& context_;
     std::vector<EdgeId> edges_;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The time of silhouettes of one model: the octree and its tracker against packed brute force, in one run.
+// The time of silhouettes of one model: the octree and its tracker against brute force, in one run.
 //
 // Every case checks its results first, and is not timed where one differs. The cases:
 //   extraction   static, from viewpoints spread over the sphere at one, two and three radii;
@@ -8,8 +8,8 @@
 //   worst        with its change set, on a random path with jumps, against a fresh extraction a frame.
 //
 // Up to a million faces a case takes all requested points. Above, it takes fewer in proportion, at least
-// k_min_points, so that its time is about the same for any model. Every result is compared with packed brute
-// force. Packed brute force is compared with the scalar oracle at so many points that the oracle tests about
+// k_min_points, so that its time is about the same for any model. Every result is compared with
+// brute_force_packed.h, and that is compared with the scalar oracle at so many points that the oracle tests about
 // k_scalar_faces faces.
 
 #include <cstdint>

@@ -28,22 +28,18 @@ std::string processor_name() {
 
 BenchMachine this_machine() {
     return {processor_name(), std::thread::hardware_concurrency(),
-            std::string(HoughOctree::instruction_set()), packed_instruction_set()};
+            std::string(HoughOctree::instruction_set())};
 }
 
 void print_machine(const BenchMachine& machine) {
-    std::printf("%s, %u threads, one of them measured; the octree uses %s", machine.cpu.c_str(),
-                machine.threads, machine.tree.c_str());
-    if (!machine.packed.empty()) std::printf(", packed brute force %s", machine.packed.c_str());
-    std::printf("\n\n");
+    std::printf("%s, %u threads, one of them measured; octree and brute force use %s\n\n",
+                machine.cpu.c_str(), machine.threads, machine.instruction_set.c_str());
 }
 
 nlohmann::ordered_json to_json(const BenchMachine& machine) {
     return {{"cpu", machine.cpu},
             {"threads", machine.threads},
-            {"tree", machine.tree},
-            {"packed", machine.packed.empty() ? nlohmann::ordered_json()
-                                              : nlohmann::ordered_json(machine.packed)}};
+            {"instruction_set", machine.instruction_set}};
 }
 
 std::uint64_t peak_resident_bytes() {

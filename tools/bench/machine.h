@@ -10,14 +10,11 @@ namespace rimline::tools {
 
 struct BenchMachine {
     std::string cpu;
-    std::uint32_t threads;  ///< Of the system. Only builds use more than one.
-    std::string tree;       ///< The instruction set of the octree's loops.
-    std::string packed;     ///< That of packed brute force; empty in a build without it.
+    std::uint32_t threads;        ///< Of the system. Only builds use more than one.
+    std::string instruction_set;  ///< Of the loops of the octree and of brute force.
 };
 
 BenchMachine this_machine();
-/// The instruction set of packed brute force. Empty in a build without the other methods.
-std::string packed_instruction_set();
 void print_machine(const BenchMachine& machine);
 nlohmann::ordered_json to_json(const BenchMachine& machine);
 

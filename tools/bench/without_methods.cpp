@@ -12,6 +12,4 @@ std::unique_ptr<Command> make_hough_suite() {
                                            "bench");
 }
 
-std::string packed_instruction_set() { return {}; }
-
 }  // namespace rimline::tools

@@ -183,9 +183,9 @@ Json parse_json(const std::string& path, const std::string& text) {
         if (event == Json::parse_event_t::object_end) keys.pop_back();
         if (event == Json::parse_event_t::key &&
             !keys.back().insert(parsed.get<std::string>()).second)
-            throw Error(ErrorCode::bad_input,
-                        path + ": the key \"" + printable_text(parsed.get<std::string>()) +
-                            "\" occurs twice in one object");
+            throw Error(ErrorCode::bad_input, path + ": the key \"" +
+                                                  printable_text(parsed.get<std::string>()) +
+                                                  "\" occurs twice in one object");
         return true;
     };
     try {

@@ -286,10 +286,10 @@ RIMLINE_FAULT_SCENARIO("frames behind and before what a caller has drawn") {
         target.backdrop = BackdropDepth{
             .image = depth.handle(), .view = depth.sampled_view(), .format = VK_FORMAT_D32_SFLOAT};
         picture.show(stage, *renderer, scene, target, [&](Commands commands) {
-            record_barrier(commands, {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE},
-                           {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                           {{depth, VK_IMAGE_LAYOUT_UNDEFINED,
-                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL}});
+            record_barrier(
+                commands, {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE},
+                {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                {{depth, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL}});
             const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1},
                                            .imageExtent = {k_size.width, k_size.height, 1}};
             commands->CmdCopyBufferToImage(commands, depths.handle(), depth.handle(),

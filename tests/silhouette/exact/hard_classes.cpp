@@ -69,7 +69,8 @@ std::vector<NamedSource> hard_classes(std::uint32_t round) {
     std::vector<NamedSource> all;
     for (NamedSource& base : bases(round)) {
         all.push_back({base.name + " on a lattice", on_lattice(base.source)});
-        all.push_back({base.name + " broken", broken(base.source, 17 + round, size_of(base.source))});
+        all.push_back(
+            {base.name + " broken", broken(base.source, 17 + round, size_of(base.source))});
         all.push_back({base.name + " through itself", through_itself(base.source)});
         all.push_back(std::move(base));
     }

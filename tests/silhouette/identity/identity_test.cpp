@@ -232,7 +232,7 @@ TEST_CASE("every instruction set finds the same") {
         for (const auto& [shape, faces] : k_shapes)
             check("shape:" + shape, Mesh(make_built_in_shape(shape, faces)));
     });
-    CHECK(sets >= 2);
+    CHECK(sets >= (HWY_ARCH_X86 ? 2u : 1u));
 }
 
 TEST_SUITE_BEGIN("long");

@@ -34,9 +34,8 @@ TEST_CASE("messages show the control characters of a scene file as numbers") {
         CAPTURE(text);
         const std::string message = message_of(text);
         CHECK(message.find("\\x") != std::string::npos);
-        CHECK(std::ranges::none_of(message, [](char c) {
-            return (static_cast<unsigned char>(c) < 0x20) || c == 0x7f;
-        }));
+        CHECK(std::ranges::none_of(
+            message, [](char c) { return (static_cast<unsigned char>(c) < 0x20) || c == 0x7f; }));
     }
 }
 

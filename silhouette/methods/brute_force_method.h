@@ -1,19 +1,19 @@
 #pragma once
 
-// Packed brute force (brute_force_packed.h) and its tracker (brute_force_tracker.h) as a method.
+// Brute force (windowed_brute_force.h) and its tracker (brute_force_tracker.h) as a method.
 
 #include <optional>
 
-#include "silhouette/methods/brute_force_packed.h"
 #include "silhouette/methods/brute_force_tracker.h"
 #include "silhouette/methods/silhouette_method.h"
+#include "silhouette/methods/windowed_brute_force.h"
 
 namespace rimline {
 
-class PackedBruteForceMethod final : public SilhouetteMethod {
+class BruteForceMethod final : public SilhouetteMethod {
 public:
     /// `mesh` must outlive the method.
-    explicit PackedBruteForceMethod(const Mesh& mesh) : mesh_(&mesh), brute_force_(mesh) {}
+    explicit BruteForceMethod(const Mesh& mesh) : mesh_(&mesh), brute_force_(mesh) {}
 
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  TraversalCounters& counters) override;
@@ -22,8 +22,7 @@ public:
 
 private:
     const Mesh* mesh_;
-    PackedBruteForce brute_force_;
-    std::vector<std::uint32_t> words_;
+    WindowedBruteForce brute_force_;
     std::optional<BruteForceTracker> tracker_;  // Made by the first update.
 };
 

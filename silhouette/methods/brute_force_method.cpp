@@ -1,18 +1,18 @@
-#include "silhouette/methods/packed_brute_force_method.h"
+#include "silhouette/methods/brute_force_method.h"
 
 namespace rimline {
 
-void PackedBruteForceMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
-                                     TraversalCounters& counters) {
+void BruteForceMethod::extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                               TraversalCounters& counters) {
     RIMLINE_CHECK(point.is_valid());
-    brute_force_.face_bits(point, words_);
-    brute_force_.silhouette(words_, edges);
+    brute_force_.look_from(point);
+    brute_force_.silhouette(edges);
     counters.face_checks += mesh_->face_count();
     counters.edge_checks += mesh_->edges_of_class(EdgeClass::border).first;
 }
 
-void PackedBruteForceMethod::update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
-                                    TraversalCounters& counters) {
+void BruteForceMethod::update(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
+                              TraversalCounters& counters) {
     if (!tracker_) {
         tracker_.emplace(*mesh_, point);
         counters.face_checks += mesh_->face_count();
