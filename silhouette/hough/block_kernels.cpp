@@ -17,6 +17,7 @@ using Ints = hn::RebindToSigned<Floats>;
 using Unsigneds = hn::RebindToUnsigned<Floats>;
 
 constexpr std::uint32_t k_prefetch_ahead = 5;
+constexpr std::uint32_t k_prefetch_far = 8;  // Where a step is short.
 
 HWY_INLINE void prefetch(const void* data, std::size_t size) {
     for (std::size_t offset = 0; offset < size; offset += 64)
@@ -255,15 +256,15 @@ private:
 };
 #endif
 
-std::uint32_t TestEdges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
-                        BlockScratch& scratch) {
+TestedEdges TestEdges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
+                      BlockScratch& scratch) {
     const Ints di;
     const Weights weights(point);
     const auto last = static_cast<std::uint32_t>(blocks.planes.size()) - 1;
-    std::uint32_t found = 0;
+    TestedEdges tested{};
     for (std::uint32_t j = 0; j < count; ++j) {
-        if (j + k_prefetch_ahead < count)
-            prefetch(&blocks.planes[scratch.block[j + k_prefetch_ahead]], sizeof(EdgePlanes));
+        if (j + k_prefetch_far < count)
+            prefetch(&blocks.planes[scratch.block[j + k_prefetch_far]], sizeof(EdgePlanes));
         const std::uint32_t b = scratch.block[j];
         const EdgePlanes& planes = blocks.planes[b];
         const auto threshold = hn::Set(di, scratch.threshold[j]);
@@ -279,12 +280,15 @@ std::uint32_t TestEdges(const EdgeBlocks& blocks, const BlockPoint& point, std::
         const std::uint32_t in_use = b == last ? blocks.last_lanes : 0xffffu;
         doubts &= in_use;
         on &= in_use & ~doubts;
-        scratch.found_block[found] = b;
-        scratch.found_lanes[found] = on;
-        scratch.found_doubts[found] = doubts;
-        found += (on | doubts) != 0;
+        scratch.found_block[tested.found] = b;
+        scratch.found_lanes[tested.found] = on;
+        scratch.found_doubts[tested.found] = doubts;
+        scratch.doubtful[tested.doubtful] = tested.found;
+        tested.certain += static_cast<std::uint32_t>(hwy::PopCount(std::uint64_t{on}));
+        tested.doubtful += doubts != 0;
+        tested.found += (on | doubts) != 0;
     }
-    return found;
+    return tested;
 }
 
 EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
@@ -421,8 +425,8 @@ std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_
     return HWY_DYNAMIC_DISPATCH(FindNear)(frames, block_count, point, scratch);
 }
 
-std::uint32_t test_edges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
-                         BlockScratch& scratch) {
+TestedEdges test_edges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
+                       BlockScratch& scratch) {
     return HWY_DYNAMIC_DISPATCH(TestEdges)(blocks, point, count, scratch);
 }
 

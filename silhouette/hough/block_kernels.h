@@ -33,11 +33,15 @@ std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> fra
 std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_count,
                         const BlockPoint& point, BlockScratch& scratch);
 
+struct TestedEdges {
+    std::uint32_t found;     ///< Blocks.
+    std::uint32_t doubtful;  ///< Of these, with doubts.
+    std::uint32_t certain;   ///< Edges of found_lanes.
+};
 /// For the first `count` blocks of `scratch`: writes the blocks that hold edges on the silhouette, or edges
-/// that must be decided exactly, to found_block. Their lanes are in found_lanes and found_doubts. Returns
-/// their number.
-std::uint32_t test_edges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
-                         BlockScratch& scratch);
+/// that must be decided exactly, to found_block. Their lanes are in found_lanes and found_doubts.
+TestedEdges test_edges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
+                       BlockScratch& scratch);
 
 /// Writes the edges of the first `count` found blocks to `edges`, which must hold 16 more than there are.
 /// Returns the end.

@@ -16,12 +16,13 @@ BlockScratch::BlockScratch(std::uint32_t max_blocks_of_a_set) : max_blocks(max_b
     found_block.resize(max_blocks + k_slack);
     found_lanes.resize(max_blocks + k_slack);
     found_doubts.resize(max_blocks + k_slack);
+    doubtful.resize(max_blocks + k_slack);
     certain.resize(max_blocks + k_slack);
 }
 
 std::uint64_t BlockScratch::size_bytes() const noexcept {
     return reserved_bytes(frontier[0], frontier[1], block, threshold, margin, found_block,
-                          found_lanes, found_doubts, certain);
+                          found_lanes, found_doubts, doubtful, certain);
 }
 
 }  // namespace rimline

@@ -32,6 +32,7 @@ struct BlockScratch {
     std::vector<std::uint32_t> found_block;
     std::vector<std::uint32_t> found_lanes;
     std::vector<std::uint32_t> found_doubts;
+    std::vector<std::uint32_t> doubtful;  // Of the found blocks, those with doubts.
     std::vector<BlockRun> certain;
 };
 

@@ -39,21 +39,42 @@ std::vector<std::uint32_t> HoughOctree::face_groups() const {
 
 std::string_view HoughOctree::instruction_set() { return kernels::instruction_set(); }
 
-// Decides the edges that integers cannot: in about one of two hundred blocks.
-void HoughOctree::decide_edges(std::span<const EdgeId> edges, const HomogeneousPoint& point,
-                               std::uint32_t count, BlockScratch& scratch) const noexcept {
+// Decides the edges that integers cannot: in about one of two hundred blocks. Their edges and planes lie anywhere, so
+// they are fetched together. Returns how many are on the silhouette.
+std::size_t HoughOctree::decide_edges(std::span<const EdgeId> edges, const HomogeneousPoint& point,
+                                      std::uint32_t count, BlockScratch& scratch) const noexcept {
+    struct Doubt {
+        std::uint32_t found, lane;
+        EdgeId edge;
+    };
+    std::array<Doubt, 64> doubts;
+    std::size_t pending = 0, on = 0;
     const std::uint32_t inconsistent = mesh_->edges_of_class(EdgeClass::inconsistent).first;
-    for (std::uint32_t j = 0; j < count; ++j) {
-        for (std::uint32_t doubts = scratch.found_doubts[j]; doubts != 0; doubts &= doubts - 1) {
-            const auto lane = static_cast<std::uint32_t>(std::countr_zero(doubts));
-            const EdgeId edge = edges[std::size_t{scratch.found_block[j]} * k_block_size + lane];
-            const std::array<FaceId, 2>& faces = mesh_->edge(edge).faces;
+    const auto decide = [&] {
+        for (const Doubt& doubt : std::span(doubts).first(pending))
+            for (const FaceId face : mesh_->edge(doubt.edge).faces)
+                __builtin_prefetch(&mesh_->plane(face));
+        for (const Doubt& doubt : std::span(doubts).first(pending)) {
+            const std::array<FaceId, 2>& faces = mesh_->edge(doubt.edge).faces;
             const bool differ =
                 is_front(mesh_->plane(faces[0]), point) != is_front(mesh_->plane(faces[1]), point);
-            const bool is_on = differ != (index(edge) >= inconsistent);
-            scratch.found_lanes[j] |= std::uint32_t{is_on} << lane;
+            const bool is_on = differ != (index(doubt.edge) >= inconsistent);
+            scratch.found_lanes[doubt.found] |= std::uint32_t{is_on} << doubt.lane;
+            on += is_on;
+        }
+        pending = 0;
+    };
+    for (const std::uint32_t j : std::span(scratch.doubtful).first(count)) {
+        if (pending + k_block_size > doubts.size()) decide();
+        for (std::uint32_t lanes = scratch.found_doubts[j]; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            const EdgeId edge = edges[std::size_t{scratch.found_block[j]} * k_block_size + lane];
+            __builtin_prefetch(&mesh_->edge(edge));
+            doubts[pending++] = {j, lane, edge};
         }
     }
+    decide();
+    return on;
 }
 
 void HoughOctree::decide_faces(const FaceBlocks& blocks, const HomogeneousPoint& point,
@@ -84,16 +105,14 @@ void HoughOctree::extract_blocks(const EdgeBlocks& blocks, const HomogeneousPoin
             : kernels::find_mixed(blocks.tree, blocks.frames,
                                   BoxQuery(point, blocks.space.origin, blocks.tree.max_reach()),
                                   seen_from, kernels::SettledBy::box_and_threshold, scratch, nodes);
-    const std::uint32_t found = kernels::test_edges(blocks, seen_from, count, scratch);
-    decide_edges(blocks.edges, point, found, scratch);
+    const kernels::TestedEdges tested = kernels::test_edges(blocks, seen_from, count, scratch);
+    const std::size_t on =
+        tested.certain + decide_edges(blocks.edges, point, tested.doubtful, scratch);
     // Whole vectors are stored, so one more block must fit.
     const std::size_t old_size = edges.size();
-    std::size_t new_size = old_size;
-    for (std::uint32_t j = 0; j < found; ++j)
-        new_size += static_cast<std::size_t>(std::popcount(scratch.found_lanes[j]));
-    edges.resize(new_size + k_block_size);
-    kernels::write_edges(blocks.edges, found, scratch, edges.data() + old_size);
-    edges.resize(new_size);
+    edges.resize(old_size + on + k_block_size);
+    kernels::write_edges(blocks.edges, tested.found, scratch, edges.data() + old_size);
+    edges.resize(old_size + on);
     work.box_checks += nodes * k_node_width;
     work.face_checks += 2 * std::uint64_t{count} * k_block_size;
     work.edge_checks += std::uint64_t{count} * k_block_size;

@@ -139,8 +139,8 @@ public:
 private:
     friend class HoughOctreeBuilder;
 
-    void decide_edges(std::span<const EdgeId> edges, const HomogeneousPoint& point,
-                      std::uint32_t count, BlockScratch& scratch) const noexcept;
+    std::size_t decide_edges(std::span<const EdgeId> edges, const HomogeneousPoint& point,
+                             std::uint32_t count, BlockScratch& scratch) const noexcept;
     void decide_faces(const FaceBlocks& blocks, const HomogeneousPoint& point,
                       std::span<const std::uint16_t> bits, std::uint32_t count,
                       BlockScratch& scratch) const noexcept;
