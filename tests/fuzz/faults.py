@@ -1,7 +1,8 @@
 """faults.py LIBRARY PROGRAM [--runs N]
 
-Fails allocations, writes and reads of the rimline program one by one (failing_calls.cpp), in each subcommand that needs
-no device and in the reader of each format. Whatever fails, the program ends with status 0, or with status 1 and one
+Fails allocations, writes and reads of the rimline program one by one (failing_calls.cpp), in each subcommand and in the
+reader of each format. In those that need a device, which take longer, a quarter as many fail, and only allocations of
+the program itself: a driver without memory ends the process (README.md, Limits). Whatever fails, the program ends with status 0, or with status 1 and one
 line that says why; the old output is left as it was, and nothing else beside it. What an interrupted or a short call
 delays is done again: status 0 and the same output. At most N (default 120) of the calls of each run are failed, evenly
 spread.
@@ -25,13 +26,22 @@ COMMANDS = [["info", "shape:torus:300", "--json"],
             ["field", "shape:torus:300", "--slice", "z=0", "--resolution", "32", "-o", "out.png"],
             ["views", "shape:torus:300", "--no-ratio", "-k", "2", "--json"],
             ["points", "shape:torus:300", "--as-points", "--from", "3,2,4", "--json"]]
+SMALL = ["shape:torus:300", "--size", "64x48"]
+DEVICE_COMMANDS = [["render", *SMALL, "-o", "out.png"],
+                   ["animate", *SMALL, "--frames", "2", "-o", "out.apng"],
+                   ["views", "shape:torus:300", "-k", "2", "--json"],
+                   ["path", "shape:torus:300", "--frames", "2", "--json"],
+                   ["light", "shape:torus:300", "--eye", "3,2,4", "--json"],
+                   ["points", *SMALL, "--as-points", "-o", "out.png"],
+                   ["devices", "--json"]]
 FORMATS = {"mesh_obj": ".obj", "mesh_ply": ".ply", "mesh_stl": ".stl", "mesh_off": ".off", "mesh_gltf": ".gltf",
            "mesh_glb": ".glb"}
 
 
 class Run:
-    def __init__(self, library, program, folder, command):
+    def __init__(self, library, program, folder, command, needs_device):
         self.library, self.program, self.folder, self.command = library, program, folder, command
+        self.only_own = {"RIMLINE_FAIL_OWN": "1"} if needs_device else {}
         self.output = os.path.join(folder, command[command.index("-o") + 1]) if "-o" in command else None
         self.inputs = {name for name in os.listdir(folder) if name.startswith("in")}
         self.counts = self.count()
@@ -41,7 +51,7 @@ class Run:
         if self.output:
             with open(self.output, "wb") as file:
                 file.write(OLD_OUTPUT)
-        environment = os.environ | {"LD_PRELOAD": self.library} | variables
+        environment = os.environ | {"LD_PRELOAD": self.library} | self.only_own | variables
         return subprocess.run([self.program, *self.command, "--threads", "2"], cwd=self.folder, env=environment,
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
 
@@ -96,6 +106,10 @@ def main():
     library, program = os.path.abspath(arguments.library), os.path.abspath(arguments.program)
     total = refused = 0
     cases = [(command, None, None) for command in COMMANDS]
+    if subprocess.run([program, "devices"], capture_output=True).returncode == 0:
+        cases += [(command, None, None) for command in DEVICE_COMMANDS]
+    else:
+        print("without a Vulkan device: " + ", ".join(command[0] for command in DEVICE_COMMANDS) + " are left out")
     for target, ending in FORMATS.items():
         cases += [(["silhouette", "in" + ending, "--from", "3,2,4", "-o", "out.svg"], "in" + ending, seed)
                   for seed in SEEDS[target]()]
@@ -104,18 +118,20 @@ def main():
             if name:
                 with open(os.path.join(folder, name), "wb") as file:
                     file.write(seed.encode() if isinstance(seed, str) else seed)
-            run = Run(library, program, folder, command)
+            needs_device = command in DEVICE_COMMANDS
+            runs = max(arguments.runs // 4, 1) if needs_device else arguments.runs
+            run = Run(library, program, folder, command, needs_device)
             allocations, writes, reads = run.counts
-            for n in spread(allocations, arguments.runs):
+            for n in spread(allocations, runs):
                 refused += run.check(f"allocation {n}", RIMLINE_FAIL_ALLOCATION=str(n))
                 refused += run.check(f"allocations from {n} on", RIMLINE_FAIL_ALLOCATION=str(n), RIMLINE_FAIL_ON="1")
                 total += 2
-            for n in spread(writes, arguments.runs):
+            for n in spread(writes, runs):
                 refused += run.check(f"no space at write {n}", RIMLINE_FAIL_WRITE=str(n), RIMLINE_FAIL_HOW="full")
                 for how in ("interrupted", "short"):
                     run.check(f"write {n} {how}", must_succeed=True, RIMLINE_FAIL_WRITE=str(n), RIMLINE_FAIL_HOW=how)
                 total += 3
-            for n in spread(reads, arguments.runs):
+            for n in spread(reads, runs):
                 for how in ("interrupted", "short"):
                     run.check(f"read {n} {how}", must_succeed=True, RIMLINE_FAIL_READ=str(n), RIMLINE_FAIL_HOW=how)
                 total += 2
