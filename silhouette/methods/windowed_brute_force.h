@@ -29,7 +29,7 @@ namespace rimline {
 /// One thread at a time.
 class WindowedBruteForce {
 public:
-    /// `mesh` must outlive this object. Uses about 20 bytes a face and 9 an edge. O(n log n).
+    /// `mesh` must outlive this object. Uses about 20 bytes a face and 15 an edge. O(n log n).
     explicit WindowedBruteForce(const Mesh& mesh);
     explicit WindowedBruteForce(Mesh&&) = delete;  // It would dangle.
 
