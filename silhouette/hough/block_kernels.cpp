@@ -363,7 +363,7 @@ std::uint32_t FrontBits(const FaceBlocks& blocks, const BlockPoint& point,
             const auto threshold = hn::Set(di, thresholds[k]);
             const auto margin = hn::Set(di, margins[k]);
             std::uint32_t front = 0;
-            auto nearest = hn::Abs(hn::Set(di, 0x7fffffff));
+            auto nearest = hn::Set(di, 0x7fffffff);
             for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(di)) {
                 const auto x = hn::Add(weights.times(blocks.planes[b], lane), threshold);
                 front |= lanes_of(di, hn::Gt(x, hn::Zero(di))) << lane;

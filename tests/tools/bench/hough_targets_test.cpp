@@ -16,16 +16,24 @@ TEST_CASE("the three meshes of the table have goals of their own and others the 
           "extraction, brute force over octree");
     CHECK(first_missed(targets_of(result_of(1000, 1.0, 0.99))) ==
           "update, brute force tracker over tracker");
-    CHECK(first_missed(targets_of(result_of(k_bunny_faces, 2.0, 1.0))).empty());
-    CHECK_FALSE(first_missed(targets_of(result_of(k_bunny_faces, 1.9, 1.0))).empty());
-    CHECK(first_missed(targets_of(result_of(k_igea_faces, 5.0, 10.0))).empty());
-    CHECK_FALSE(first_missed(targets_of(result_of(k_igea_faces, 5.0, 9.9))).empty());
-    CHECK(first_missed(targets_of(result_of(k_large_faces, 15.0, 20.0))).empty());
-    CHECK_FALSE(first_missed(targets_of(result_of(k_large_faces, 14.9, 20.0))).empty());
+    CHECK(first_missed(targets_of(result_of(k_bunny_faces, 1.0, 1.0))).empty());
+    CHECK_FALSE(first_missed(targets_of(result_of(k_bunny_faces, 0.9, 1.0))).empty());
+    CHECK(first_missed(targets_of(result_of(k_igea_faces, 4.0, 3.5))).empty());
+    CHECK_FALSE(first_missed(targets_of(result_of(k_igea_faces, 4.0, 3.4))).empty());
+    CHECK(first_missed(targets_of(result_of(k_large_faces, 9.0, 11.0))).empty());
+    CHECK_FALSE(first_missed(targets_of(result_of(k_large_faces, 8.9, 11.0))).empty());
+}
+
+TEST_CASE("brute force above its ceiling is missed on every mesh") {
+    ModelResult result = result_of(k_min_ceiling_faces, 10.0, 10.0);
+    result.ceiling = brute_force_ceiling(k_min_ceiling_faces, 100.0, 199.0);
+    CHECK(first_missed(targets_of(result)).empty());
+    result.ceiling = brute_force_ceiling(k_min_ceiling_faces, 100.0, 201.0);
+    CHECK(first_missed(targets_of(result)) == "brute force over its ceiling");
 }
 
 TEST_CASE("each of igea's other goals can be missed, and a time fails nothing") {
-    const auto good = [] { return result_of(k_igea_faces, 5.0, 10.0); };
+    const auto good = [] { return result_of(k_igea_faces, 4.0, 3.5); };
     ModelResult result = good();
     result.worst_update->work = 1.6;
     CHECK_FALSE(first_missed(targets_of(result)).empty());
