@@ -1,7 +1,7 @@
 #!/bin/bash -eu
 # Builds the fuzz targets as OSS-Fuzz asks for them: into $OUT, with their seeds, dictionaries and shared libraries.
 build=$WORK/rimline
-cmake -S "$SRC/rimline" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitized -DRIMLINE_FUZZ=ON \
+cmake -S "$SRC/rimline" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Sanitized -DCMAKE_UNITY_BUILD=ON -DRIMLINE_FUZZ=ON \
     -DRIMLINE_FUZZ_ENGINE="$LIB_FUZZING_ENGINE" -DRIMLINE_ENGINE=OFF -DRIMLINE_METHODS=OFF -DRIMLINE_TESTS=OFF \
     -DRIMLINE_INSTALL=OFF
 cmake --build "$build"
