@@ -119,16 +119,16 @@ private:
     }
 
     FaceBlocks make_face_blocks(std::size_t group, std::span<const FaceId> members) {
-        std::vector<HoughPoint> points(members.size());
         std::vector<glm::dvec3> positions(members.size());
         for_each_index(members.size(), [&](std::size_t i) {
-            points[i] = hough_point_of(members[i], group);
-            positions[i] = points[i].position;
+            positions[i] = hough_point_of(members[i], group).position;
         });
         const std::vector<std::uint32_t> order = octree_order(positions);
         double length = 0.0;
-        for (const HoughPoint& point : points)
+        for (const FaceId face : members) {
+            const HoughPoint point = hough_point_of(face, group);
             length = std::max(length, glm::length(point.position) + point.error);
+        }
 
         FaceBlocks blocks;
         blocks.space = space_of(group, length);
@@ -147,7 +147,7 @@ private:
                 const FaceId face = members[order[i]];
                 octree_.faces_[first_position + i].face = face;
                 position_[index(face)] = size32(first_position + i);
-                bounds[b].include(points[order[i]]);
+                bounds[b].include(hough_point_of(face, group));
                 planes[i - begin] = blocks.space.vector_of(mesh_.plane(face));
             }
             blocks.set(b, std::span(planes).first(end - begin));
@@ -218,20 +218,20 @@ private:
         const bool always = group == octree_.origins_.size();
         const std::size_t around = always ? 0 : group;
         const std::vector<EdgeId>& edges = owned_[group];
-        std::vector<std::array<HoughPoint, 2>> points(edges.size());
+        const auto point_of = [&](EdgeId edge, std::size_t side) {
+            const FaceId face = mesh_.edge(edge).faces[side];
+            return mesh_.plane(face).has_normal() ? hough_point_of(face, around)
+                                                  : HoughPoint{{}, 0.0, 0};
+        };
         std::vector<glm::dvec3> centers(edges.size());
         std::vector<double> squares(edges.size());
         std::vector<double> lengths(edges.size());
         for_each_index(edges.size(), [&](std::size_t i) {
-            for (std::size_t side = 0; side < 2; ++side) {
-                const FaceId face = mesh_.edge(edges[i]).faces[side];
-                points[i][side] = mesh_.plane(face).has_normal() ? hough_point_of(face, around)
-                                                                 : HoughPoint{{}, 0.0, 0};
-                lengths[i] = std::max(
-                    lengths[i], glm::length(points[i][side].position) + points[i][side].error);
-            }
-            const glm::dvec3 segment = points[i][1].position - points[i][0].position;
-            centers[i] = 0.5 * (points[i][0].position + points[i][1].position);
+            const std::array<HoughPoint, 2> points{point_of(edges[i], 0), point_of(edges[i], 1)};
+            for (const HoughPoint& point : points)
+                lengths[i] = std::max(lengths[i], glm::length(point.position) + point.error);
+            const glm::dvec3 segment = points[1].position - points[0].position;
+            centers[i] = 0.5 * (points[0].position + points[1].position);
             squares[i] = glm::dot(segment, segment);
         });
         const std::vector<std::uint32_t> order = octree_order(centers, length_classes(squares));
@@ -251,7 +251,7 @@ private:
                 const EdgeId edge = edges[order[i]];
                 blocks.edges[i] = edge;
                 for (std::size_t side = 0; side < 2; ++side) {
-                    bounds[b].include(points[order[i]][side]);
+                    bounds[b].include(point_of(edge, side));
                     PlaneVector& plane = planes[count++];
                     plane = blocks.space.vector_of(mesh_.plane(mesh_.edge(edge).faces[side]));
                     if (side == 1 && is_inconsistent(edge))

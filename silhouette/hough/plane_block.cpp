@@ -35,23 +35,20 @@ BlockFrame BlockFrame::around(std::span<const PlaneVector> planes) noexcept {
     return frame;
 }
 
-float BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
-                         PlaneBlock& block) const noexcept {
+std::int32_t BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
+                                PlaneBlock& block) const noexcept {
     const auto steps = [&](std::size_t i) {
         const double count = (plane[i] - double{center[i]}) * double{step_inverse};
         // Not lround, which is a call. A branch on the sign would be unpredictable.
         return static_cast<std::int16_t>(count + std::copysign(0.5, count));
     };
-    block.normal_xy[2 * lane] = steps(0);
-    block.normal_xy[2 * lane + 1] = steps(1);
-    block.normal_z_distance[2 * lane] = steps(2);
-    block.normal_z_distance[2 * lane + 1] = steps(3);
-    double squares = 0.0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const double k = steps(i);
-        squares += k * k;
-    }
-    return static_cast<float>(std::sqrt(squares) * (1.0 + 0x1p-20));
+    const std::array<std::int16_t, 4> k{steps(0), steps(1), steps(2), steps(3)};
+    block.normal_xy[2 * lane] = k[0];
+    block.normal_xy[2 * lane + 1] = k[1];
+    block.normal_z_distance[2 * lane] = k[2];
+    block.normal_z_distance[2 * lane + 1] = k[3];
+    // At most 4 * 16383 * 16383, which is below 2^31.
+    return k[0] * k[0] + k[1] * k[1] + k[2] * k[2] + k[3] * k[3];
 }
 
 BlockPoint::BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin,

@@ -67,8 +67,9 @@ struct BlockFrame {
 
     /// The smallest frame that contains all `planes`. There may be none.
     static BlockFrame around(std::span<const PlaneVector> planes) noexcept;
-    /// Writes a plane that the frame contains. Returns the length of its k, rounded up.
-    float encode(const PlaneVector& plane, std::uint32_t lane, PlaneBlock& block) const noexcept;
+    /// Writes a plane that the frame contains. Returns the square of the length of its k.
+    std::int32_t encode(const PlaneVector& plane, std::uint32_t lane,
+                        PlaneBlock& block) const noexcept;
 };
 
 /// A silhouette point, prepared for blocks relative to one origin.
