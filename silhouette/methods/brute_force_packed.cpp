@@ -113,18 +113,15 @@ struct PackedBruteForce::Kernels {
 PackedBruteForce::PackedBruteForce(const Mesh& mesh)
     : mesh_(&mesh),
       face_kernel_(Kernels::face_bits_baseline),
-      edge_kernel_(Kernels::compare_baseline),
-      instruction_set_("baseline") {
+      edge_kernel_(Kernels::compare_baseline) {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
         face_kernel_ = Kernels::face_bits_avx512;
         edge_kernel_ = Kernels::compare_avx512;
-        instruction_set_ = "AVX-512";
     } else if (__builtin_cpu_supports("avx2")) {
         face_kernel_ = Kernels::face_bits_avx2;
         edge_kernel_ = Kernels::compare_avx2;
-        instruction_set_ = "AVX2";
     }
 #endif
     const std::size_t padded_faces = std::size_t{face_word_count(mesh.face_count())} * 32;

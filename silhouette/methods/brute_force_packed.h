@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "silhouette/mesh/homogeneous_point.h"
@@ -29,9 +28,6 @@ public:
     /// Replaces `edges` by the silhouette for the face bits `words`, ascending. O(edges).
     void silhouette(std::span<const std::uint32_t> words, std::vector<EdgeId>& edges) const;
 
-    /// The instruction set of the loops: "AVX-512", "AVX2" or "baseline".
-    std::string_view instruction_set() const noexcept { return instruction_set_; }
-
 private:
     // Planes n·x = d, padded to whole words with planes without a normal, which are always back.
     std::vector<float> nx_, ny_, nz_, d_;
@@ -48,7 +44,6 @@ private:
     struct Kernels;
     FaceKernel face_kernel_;
     EdgeKernel edge_kernel_;
-    std::string_view instruction_set_;
 };
 
 }  // namespace rimline

@@ -180,15 +180,19 @@ private:
         const std::size_t stride = scalar_stride(points.size(), mesh_.face_count());
         BlockScratch scratch = octree_.make_scratch();
         TraversalCounters work;
-        std::vector<EdgeId> found;
+        std::vector<EdgeId> found, brute;
         for (std::size_t i = 0; i < points.size(); ++i) {
             call.checkpoint(static_cast<double>(i) / static_cast<double>(points.size()));
             reference_.face_bits(points[i], words_);
             reference_.silhouette(words_, edges_);
+            brute_force_.look_from(points[i]);
+            brute_force_.silhouette(brute);
             octree_.extract(points[i], found, work, scratch);
             const std::string place = ", viewpoint " + std::to_string(i);
             if (i % stride == 0 && edges_ != brute_force_silhouette(mesh_, points[i]))
                 c.difference = "packed" + place;
+            else if (sorted(brute) != edges_)
+                c.difference = "brute force" + place;
             else if (sorted(found) != edges_)
                 c.difference = "octree" + place;
             if (!c.difference.empty()) return;
