@@ -87,7 +87,7 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     const vec4 b = clip_from_eye(eye_b, 1.0);
 
     // Clips to the near plane, and to the picture widened by the line's width.
-    const float radius = frame.line_radius + 0.625;
+    const float radius = frame.line_radius + RIMLINE_INK_REACH;
     precise vec2 reach = (1.0 + 2.0 * radius / frame.extent) / frame.guard;
     precise float begin = 0.0;
     precise float end = 1.0;
@@ -136,12 +136,11 @@ bool make_capsule(LineEdge edge, out Capsule capsule) {
     return true;
 }
 
-// Corner 0 to 3, in triangle strip order, of a quad around the capsule. Adds half a pixel for the edge of the
-// ink and an eighth for rounding.
+// Corner 0 to 3, in triangle strip order, of a quad around the capsule and the edge of its ink.
 vec4 capsule_corner(vec4 ends, uint corner) {
     const vec2 p = ends.xy;
     const vec2 q = ends.zw;
-    const float radius = frame.line_radius + 0.625;
+    const float radius = frame.line_radius + RIMLINE_INK_REACH;
     const float len = distance(p, q);
     const vec2 along = (len > 1e-6 ? (q - p) / len : vec2(1.0, 0.0)) * radius;
     const vec2 across = vec2(-along.y, along.x) * ((corner & 1u) == 0u ? 1.0 : -1.0);

@@ -168,6 +168,10 @@ struct FrameData {
 #define RIMLINE_LINES_TESTED 3u     // All regular edges, tested by face planes.
 #define RIMLINE_LINES_IRREGULAR 4u  // All face pairs at irregular edges, likewise.
 
+// How far the ink of a line reaches beyond its width, in pixels of the pass: half a pixel's diagonal for the edge,
+// and an eighth for rounding.
+#define RIMLINE_INK_REACH 0.8321
+
 // Inks of lines (DrawConstants.material_ink) beside those of materials.
 #define RIMLINE_ANY_INK 0xffffffffu
 #define RIMLINE_OWN_INK 0xfffffffeu  // Of faces without a material.

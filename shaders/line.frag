@@ -67,7 +67,7 @@ bool is_free_on(vec2 spine, vec2 outwards, bool on_both_sides, float nearest) {
 void main() {
     const float t = share_along(ends, gl_FragCoord.xy);
     const vec2 spine = ends.xy + t * (ends.zw - ends.xy);
-    const float covered = covered_across(distance(gl_FragCoord.xy, spine));
+    const float covered = covered_across(ends, distance(gl_FragCoord.xy, spine));
     if (covered == 0.0) discard;
 
     const float depth = mix(depths_out.x, depths_out.y, t);

@@ -11,7 +11,7 @@ layout(location = 0) out vec4 coverage;
 void main() {
     const float t = share_along(ends, gl_FragCoord.xy);
     const vec2 spine = ends.xy + t * (ends.zw - ends.xy);
-    const float covered = covered_across(distance(gl_FragCoord.xy, spine));
+    const float covered = covered_across(ends, distance(gl_FragCoord.xy, spine));
     if (covered == 0.0) discard;
     coverage = vec4(0.0, 0.0, 0.0, covered * pattern.z * dash_at(mix(pattern.x, pattern.y, t)));
 }

@@ -9,13 +9,14 @@
 #include "engine/frame/render_targets.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/picture_readback.h"
-#include "engine/sampling.h"
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/uploads.h"
 
 namespace rimline {
 
 namespace {
+
+constexpr std::uint32_t k_default_scale = 2;
 
 gpu::SplatConstants constants_of(const SplatScene& scene, const RenderTargets& targets) {
     const VkExtent2D extent = targets.pass_extent();
@@ -52,11 +53,11 @@ struct SplatRenderer::State {
 
     State(const DeviceContext& device_context, const SplatRendererOptions& asked)
         : context(device_context),
-          sampling(sampling_of(context, asked.samples, asked.scale)),
+          wanted_scale(asked.scale == 0 ? k_default_scale : asked.scale),
           frames_in_flight(asked.frames_in_flight),
-          splat_pass(context, {.color = k_surface_format,
-                               .depth_stencil = k_depth_stencil_format,
-                               .samples = sampling.samples}),
+          splat_pass(
+              context,
+              {.color = k_surface_format, .depth_stencil = k_depth_stencil_format, .samples = 1}),
           composite_pass(context),
           strokes(frames_in_flight),
           uploads(context) {}
@@ -67,7 +68,7 @@ struct SplatRenderer::State {
     void prepare_cloud(const SplatCloud* cloud);
 
     DeviceContext context;
-    Sampling sampling;
+    std::uint32_t wanted_scale;
     std::uint32_t frames_in_flight;
     SplatPass splat_pass;
     CompositePass composite_pass;
@@ -86,21 +87,21 @@ SplatRenderer::SplatRenderer(SplatRenderer&&) noexcept = default;
 SplatRenderer& SplatRenderer::operator=(SplatRenderer&&) noexcept = default;
 
 void SplatRenderer::set_scale(std::uint32_t scale) noexcept {
-    state_->sampling = sampling_of(state_->context, state_->sampling.samples, scale);
+    state_->wanted_scale = scale == 0 ? k_default_scale : scale;
 }
 
 bool SplatRenderer::State::has_targets_for(VkExtent2D size) const {
     return targets && targets->size().width == size.width &&
            targets->size().height == size.height &&
-           targets->scale() == fitting_scale(context, size, sampling.scale, sampling.samples);
+           targets->scale() == fitting_scale(context, size, wanted_scale, 1);
 }
 
 void SplatRenderer::State::prepare_targets(VkExtent2D size) {
     if (has_targets_for(size)) return;
     targets.reset();  // Frees their memory before the new ones are made.
-    const std::uint32_t scale = fitting_scale(context, size, sampling.scale, sampling.samples);
-    auto made =
-        std::make_unique<RenderTargets>(context, size, Sampling{sampling.samples, scale}, false);
+    const std::uint32_t scale = fitting_scale(context, size, wanted_scale, 1);
+    auto made = std::make_unique<RenderTargets>(context, size,
+                                                Sampling{.samples = 1, .scale = scale}, false);
     composite_pass.set_surfaces(made->surfaces());
     targets = std::move(made);
 }

@@ -42,7 +42,8 @@ struct SplatScene {
 };
 
 struct SplatRendererOptions {
-    std::uint32_t samples = 0;  ///< As in RendererOptions.
+    /// Pixels drawn for each pixel along each side, as in RendererOptions, on every device with one sample each:
+    /// discs and strokes end where a pixel is discarded, and more samples leave such edges as they are. 0: 2.
     std::uint32_t scale = 0;
     std::uint32_t frames_in_flight = 2;
 };
@@ -72,6 +73,7 @@ public:
     /// The same in two parts, as Renderer's.
     void record(VkCommandBuffer commands, VkCommandBuffer picture, const SplatScene& scene,
                 const PictureTarget& target);
+    /// Sets SplatRendererOptions::scale of the following frames.
     void set_scale(std::uint32_t scale) noexcept;
 
 private:

@@ -36,7 +36,9 @@ DashPattern fitted_dashes(double length, bool is_closed, double period, double d
 class SegmentMaker {
 public:
     SegmentMaker(const gpu::FrameData& frame, std::vector<gpu::LineSegment>& segments)
-        : frame_(frame), reach_(double{frame.line_radius} + 0.625), segments_(segments) {}
+        : frame_(frame),
+          reach_(double{frame.line_radius} + RIMLINE_INK_REACH),
+          segments_(segments) {}
 
     void add(const PictureLines& lines, const PictureLine& line) {
         RIMLINE_CHECK(line.first_point < line.last_point && line.last_point <= lines.points.size());

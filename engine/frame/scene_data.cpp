@@ -156,7 +156,9 @@ gpu::FrameData frame_data(const FrameView& view, const RenderTargets& targets) {
             .background = scene.palette.background,
             .shade = scene.palette.shade,
             .hatch_spacing = scene.hatch_spacing_px * float(targets.scale()),
-            .dash_period = (scene.dash_px + scene.dash_gap_px) * float(targets.scale()),
+            .dash_period = scene.dash_gap_px > 0.0f
+                               ? (scene.dash_px + scene.dash_gap_px) * float(targets.scale())
+                               : 0.0f,
             .dash_length = scene.dash_px * float(targets.scale()),
             .frozen_lines = scene.silhouette_camera ? 1u : 0u,
             .guard = targets.guard()};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <list>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -86,6 +87,28 @@ TEST_CASE("a line's ink is its length times its width and the area of its round 
                 CHECK(is_close(ink, expected, 0.03));
             }
     }
+}
+
+TEST_CASE("a line has the same ink at every angle, wherever it lies between pixels") {
+    RIMLINE_OPEN_GPU(gpu);
+    constexpr float k_width_px = 2.0f;
+    std::list<Model> models;  // The renderer knows them by their addresses.
+    Renderer renderer(gpu->context(), {.samples = 4, .scale = 1});
+    for (double degrees = 0.0; degrees <= 90.0; degrees += 7.5)
+        for (const float between : {0.0f, 0.2f, 0.45f, 0.7f}) {
+            CAPTURE(degrees);
+            CAPTURE(between);
+            const glm::vec2 along(std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees)));
+            const glm::vec2 aside = float(between / k_pixels) * glm::vec2(-along.y, along.x);
+            const Model& model =
+                models.emplace_back(needle(aside - 0.8f * along, aside + 0.8f * along));
+            Scene scene = flat_scene(model.octree);
+            scene.line_width_px = k_width_px;
+            const double expected =
+                1.6 * k_pixels * k_width_px + 0.25 * std::numbers::pi * k_width_px * k_width_px;
+            const double ink = ink_of(renderer.render(scene, k_size, k_size));
+            CHECK(is_close(ink, expected, 0.015));
+        }
 }
 
 TEST_CASE("lines that meet at any angle join round, without a gap and without a bulge") {
@@ -200,31 +223,37 @@ MeshSource hidden_needle(const glm::vec2& from, const glm::vec2& to, int parts) 
 TEST_CASE("dashes of hidden lines take their share and join however finely a line is divided" *
           doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
-    for (const double degrees : {0.0, 20.0, 45.0, 70.0, 90.0, 130.0, 175.0}) {
-        CAPTURE(degrees);
-        const glm::vec2 to(0.8 * std::cos(glm::radians(degrees)),
-                           0.8 * std::sin(glm::radians(degrees)));
-        std::optional<Picture> whole;
-        for (const int parts : {1, 7, 60}) {
-            const Model model(hidden_needle(-to, to, parts));
-            Scene scene = flat_scene(model.octree);
-            scene.line_width_px = 2.0f;
-            CHECK(ink_of(draw(*gpu, scene)) < 1.0);
-            scene.hidden_line_strength = 1.0f;
-            const Picture dashed = draw(*gpu, scene);
-            scene.dash_gap_px = 0.0f;
-            const double solid_ink = ink_of(draw(*gpu, scene));
-            CHECK(is_close(solid_ink, 1.6 * k_pixels * 2.0, 0.05));
-            // The ends may each cut a dash or a gap short.
-            const double share = ink_of(dashed) / solid_ink;
-            CAPTURE(share);
-            CHECK(is_close(share, 7.0 / 11.5, 0.08));
-            if (!whole) whole = dashed;
-            double difference = 0.0;
-            for (std::size_t i = 0; i < dashed.rgba.size(); i += 4)
-                difference +=
-                    std::abs(linear_from_srgb(dashed.rgba[i]) - linear_from_srgb(whole->rgba[i]));
-            CHECK(difference < 0.02 * solid_ink);
+    // The defaults of devices of the CPU type and of GPUs.
+    for (const RendererOptions& sampling :
+         {RendererOptions{.samples = 1, .scale = 2}, RendererOptions{.samples = 4, .scale = 1}}) {
+        std::list<Model> models;  // The renderer knows them by their addresses.
+        Renderer renderer(gpu->context(), sampling);
+        for (const double degrees : {0.0, 20.0, 45.0, 70.0, 90.0, 130.0, 175.0}) {
+            CAPTURE(degrees);
+            const glm::vec2 to(0.8 * std::cos(glm::radians(degrees)),
+                               0.8 * std::sin(glm::radians(degrees)));
+            std::optional<Picture> whole;
+            for (const int parts : {1, 7, 60}) {
+                const Model& model = models.emplace_back(hidden_needle(-to, to, parts));
+                Scene scene = flat_scene(model.octree);
+                scene.line_width_px = 2.0f;
+                CHECK(ink_of(renderer.render(scene, k_size, k_size)) < 1.0);
+                scene.hidden_line_strength = 1.0f;
+                const Picture dashed = renderer.render(scene, k_size, k_size);
+                scene.dash_gap_px = 0.0f;
+                const double solid_ink = ink_of(renderer.render(scene, k_size, k_size));
+                CHECK(is_close(solid_ink, 1.6 * k_pixels * 2.0, 0.05));
+                // The ends may each cut a dash or a gap short.
+                const double share = ink_of(dashed) / solid_ink;
+                CAPTURE(share);
+                CHECK(is_close(share, 7.0 / 11.5, 0.08));
+                if (!whole) whole = dashed;
+                double difference = 0.0;
+                for (std::size_t i = 0; i < dashed.rgba.size(); i += 4)
+                    difference += std::abs(linear_from_srgb(dashed.rgba[i]) -
+                                           linear_from_srgb(whole->rgba[i]));
+                CHECK(difference < 0.02 * solid_ink);
+            }
         }
     }
 }

@@ -11,6 +11,7 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/solid.h"
 #include "tests/engine/support/gpu_fixture.h"
+#include "tests/engine/support/test_pictures.h"
 
 namespace rimline {
 namespace {
@@ -379,37 +380,53 @@ TEST_CASE(
     }
 }
 
+// From an 8-bit value to the next in linear light.
+double one_step(std::uint8_t value) {
+    const int lower = std::min(int{value}, 254);
+    return tests::linear_from_srgb(std::uint8_t(lower + 1)) -
+           tests::linear_from_srgb(std::uint8_t(lower));
+}
+
 TEST_CASE("a scene without background is a picture with straight alpha") {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("sphere", 2000));
     const HoughOctree octree(mesh);
     Scene scene = scene_of(mesh, octree, Style::toon);
     scene.palette.background = {0.0f, 0.0f, 1.0f};
-    Renderer renderer(gpu->context());
-    const Picture opaque = renderer.render(scene, 128, 128);
-    scene.has_background = false;
-    const Picture picture = renderer.render(scene, 128, 128);
-    std::size_t none = 0, between = 0, whole = 0;
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-        const std::uint8_t* pixel = &picture.rgba[i];
-        if (pixel[3] == 0) {
-            ++none;
-            CHECK(pixel[0] + pixel[1] + pixel[2] == 0);
-        } else if (pixel[3] == 255) {
-            ++whole;
-            for (int channel = 0; channel < 3; ++channel)
-                CHECK(std::abs(pixel[channel] - opaque.rgba[i + channel]) <= 1);
-        } else {
-            // At the outline: the dark color of lines, with nothing of the background in it.
-            ++between;
-            CHECK(pixel[2] < 60);
+    // The defaults of devices of the CPU type and of GPUs.
+    for (const RendererOptions& sampling :
+         {RendererOptions{.samples = 1, .scale = 2}, RendererOptions{.samples = 4, .scale = 1}}) {
+        CAPTURE(sampling.scale);
+        Renderer renderer(gpu->context(), sampling);
+        scene.has_background = true;
+        const Picture opaque = renderer.render(scene, 128, 128);
+        scene.has_background = false;
+        const Picture picture = renderer.render(scene, 128, 128);
+        std::size_t none = 0, between = 0, whole = 0;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+            const std::uint8_t* pixel = &picture.rgba[i];
+            if (pixel[3] == 0) {
+                ++none;
+                CHECK(pixel[0] + pixel[1] + pixel[2] == 0);
+            } else if (pixel[3] == 255) {
+                // Half a step of alpha is rounded away, and the background in it.
+                ++whole;
+                for (int channel = 0; channel < 3; ++channel)
+                    CHECK(std::abs(tests::linear_from_srgb(pixel[channel]) -
+                                   tests::linear_from_srgb(opaque.rgba[i + channel])) <=
+                          0.5 / 255.0 + one_step(opaque.rgba[i + channel]));
+            } else {
+                // At the outline: the dark color of lines, with nothing of the background in it.
+                ++between;
+                CHECK(pixel[2] < 60);
+            }
         }
+        CHECK(none > 3000);
+        CHECK(whole > 3000);
+        CHECK(between > 100);
+        scene.has_background = true;
+        CHECK(renderer.render(scene, 128, 128).rgba == opaque.rgba);
     }
-    CHECK(none > 3000);
-    CHECK(whole > 3000);
-    CHECK(between > 100);
-    scene.has_background = true;
-    CHECK(renderer.render(scene, 128, 128).rgba == opaque.rgba);
 }
 
 TEST_CASE("a light at the camera shows no shadow") {

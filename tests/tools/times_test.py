@@ -5,13 +5,13 @@ import subprocess
 import tempfile
 import time
 
-from program import PROGRAM, fail, have_device, read_file, run, succeed
+from program import PROGRAM, fail, have_device, read_file, run, skip, succeed
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
 KNOT = "shape:knot:60000"
 
 
-def check_times(folder, commands):
+def check_times(folder, commands, driver=0.0):
     for name, arguments in commands:
         begin = time.monotonic()
         result = succeed(name, *(a.replace("OUT", folder) for a in arguments))
@@ -19,8 +19,8 @@ def check_times(folder, commands):
         times = result["times_ms"]
         total = times.pop("total")
         assert abs(sum(times.values()) - total) < 1e-6 * total, (name, times)
-        # The rest is the system's start and end of the program, and the JSON.
-        assert 0.9 * clock - 300 < total < clock, (name, clock, total, times)
+        # The rest is the JSON, and the system's start and end of the program with its Vulkan driver.
+        assert 0.9 * clock - 300 - driver < total < clock, (name, clock, total, times)
         assert {"reading"} <= set(times) and len(times) >= 2, (name, times)
 
 
@@ -38,6 +38,9 @@ def test_reported_times_are_the_times_that_it_took():
 
 def test_reported_times_of_pictures_are_the_times_that_they_took():
     have_device()
+    begin = time.monotonic()
+    run("devices")
+    driver = 1000 * (time.monotonic() - begin)
     with tempfile.TemporaryDirectory() as folder:
         small = ["--size", "96x64"]
         check_times(folder, [
@@ -45,7 +48,7 @@ def test_reported_times_of_pictures_are_the_times_that_they_took():
             ("animate", ["shape:knot:8000", "--frames", "3", "-o", "OUT/frames", *small]),
             ("views", ["shape:knot:8000", "-k", "2", "-o", "OUT/views", *small]),
             ("path", ["shape:knot:8000", "--frames", "3", "-o", "OUT/path", *small]),
-            ("points", ["shape:knot:8000", "--as-points", "-o", "OUT/p.png", "--no-lists", *small])])
+            ("points", ["shape:knot:8000", "--as-points", "-o", "OUT/p.png", "--no-lists", *small])], driver)
 
 
 def test_verbose_says_on_standard_error_where_the_time_went():
@@ -158,6 +161,8 @@ def test_long_work_shows_progress_on_a_terminal():
 
 def test_drawing_shows_progress_on_a_terminal():
     have_device()
+    if next(device for device in succeed("devices")["devices"] if device["chosen"])["type"] != "CPU":
+        skip("a GPU draws before there is anything to show")
     with tempfile.TemporaryDirectory() as folder:
         shown = terminal_of("render", "shape:knot", "--ground", "--size", "8000x6000", "-o", os.path.join(folder, "a.png"))
         assert "\r\x1b[Kdrawing the picture" in shown, shown

@@ -128,7 +128,7 @@ RIMLINE_FAULT_SCENARIO("pictures with textures and with lines of a caller") {
 
 RIMLINE_FAULT_SCENARIO("pictures of clouds") {
     const auto renderer =
-        stage.make<SplatRenderer>(stage.context(), SplatRendererOptions{.samples = 1, .scale = 1});
+        stage.make<SplatRenderer>(stage.context(), SplatRendererOptions{.scale = 1});
     SplatCloud cloud;
     SplatScene scene{.cloud = &cloud};
     scene.camera = {.eye = {0, 0, 5}, .target = {0, 0, 0}, .ortho_height = 2.0};

@@ -236,7 +236,7 @@ TEST_CASE("frames in one command buffer wait for each other where they must") {
         }
     }
     // Between frames of a cloud nothing else waits for copies.
-    SplatRenderer splats(context, {.samples = 1, .scale = 1});
+    SplatRenderer splats(context, {.scale = 1});
     const SplatScene cloud{.camera = {.eye = {0, 0, 5}}, .radius = 1.0};
     const Image image = make_picture_image(context, k_extent);
     const Buffer pixels = make_picture_buffer(context, k_extent);

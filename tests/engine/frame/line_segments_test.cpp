@@ -52,12 +52,13 @@ TEST_CASE("segments are cut where the widened picture ends, and none lies outsid
     const auto segments =
         segments_of({{{-1e9, 0}, {1e9, 0}, {1e9, 1e9}, {0, 0}, {0, 1.1}, {5, 1.1}}, {{0, 6}}});
     REQUIRE(segments.size() == 3);
-    CHECK(segments[0].ends.x == doctest::Approx(-2.625));
-    CHECK(segments[0].ends.z == doctest::Approx(202.625));
+    CHECK(segments[0].ends.x == doctest::Approx(-(2.0 + RIMLINE_INK_REACH)));
+    CHECK(segments[0].ends.z == doctest::Approx(202.0 + RIMLINE_INK_REACH));
     CHECK(segments[0].ends.y == doctest::Approx(50.0));
-    CHECK(segments[1].ends.y == doctest::Approx(-2.625));  // Along the diagonal, upwards.
-    CHECK(segments[1].ends.x == doctest::Approx(152.625));
-    CHECK(segments[2].ends.w == doctest::Approx(-2.625));
+    CHECK(segments[1].ends.y ==
+          doctest::Approx(-(2.0 + RIMLINE_INK_REACH)));  // Along the diagonal, upwards.
+    CHECK(segments[1].ends.x == doctest::Approx(152.0 + RIMLINE_INK_REACH));
+    CHECK(segments[2].ends.w == doctest::Approx(-(2.0 + RIMLINE_INK_REACH)));
 }
 
 TEST_CASE("a hidden line has the strength of hidden lines, and is left out if that is 0") {

@@ -573,10 +573,13 @@ def test_render_reports_the_time_that_it_took():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
         begin = time.monotonic()
+        run("devices")
+        driver = 1000 * (time.monotonic() - begin)
+        begin = time.monotonic()
         result = succeed("render", "shape:knot:50000", "-o", os.path.join(folder, "a.png"))
         clock = 1000 * (time.monotonic() - begin)
-        # The rest is the system's start and end of the program.
-        assert clock - 250 < result["times_ms"]["total"] < clock, (clock, result["times_ms"])
+        # The rest is the system's start and end of the program with its Vulkan driver.
+        assert clock - 250 - driver < result["times_ms"]["total"] < clock, (clock, result["times_ms"])
 
 
 def test_sheets_that_are_there_twice_are_drawn_once():
