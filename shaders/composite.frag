@@ -51,8 +51,8 @@ void main() {
         // Encoded values are of the color itself; their product with alpha is stored.
         const float alpha = clamp(mean.a, 0.0, 1.0);
         const vec3 own = encoded(mean.rgb / max(alpha, 1e-6));
-        // A pixel whose alpha is stored as 0 has no color.
-        if (k_is_straight) color = vec4(alpha < 0.5 / 255.0 ? vec3(0.0) : own, alpha);
+        // A pixel whose alpha may be stored as 0 has none, and no color.
+        if (k_is_straight) color = alpha < 0.6 / 255.0 ? vec4(0.0) : vec4(own, alpha);
         else color = vec4(k_encodes_srgb ? own * alpha : mean.rgb, alpha);
     } else {
         const vec3 whole = k_is_layer ? mean.rgb + (1.0 - mean.a) * under_or_ink : mean.rgb;

@@ -13,16 +13,26 @@ float share_along(vec4 ends, vec2 pixel) {
                                   : 0.0;
 }
 
-// The coverage of a pixel at `away` pixels from the nearest place of a segment. The ink's edge falls off over the
-// width of a pixel as seen along the segment, so that a line has the same ink at every angle: a fixed width of one
-// pixel loses up to a twentieth of it on the diagonal. It is one width for all of the segment, round ends too:
-// segments of one line then agree where they meet.
+// The share of a pixel that lies farther than `away` >= 0 from its middle, on one side of a straight edge. The edge's
+// unit normal has the components `wide` >= `narrow` > 0.
+float share_beyond(float away, float wide, float narrow) {
+    const float rest = max(0.5 * (wide + narrow) - away, 0.0);
+    return rest > narrow ? 0.5 - away / wide : 0.5 * rest * rest / (wide * narrow);
+}
+
+// The coverage of a pixel at `away` pixels from the nearest place of a segment: exactly the area of the band around
+// the segment's line in it, so that a line has the same ink at every angle. Round ends use the same normal, so
+// segments of one line agree where they meet.
 float covered_across(vec4 ends, float away) {
     const float radius = frame.line_radius;
     const vec2 along = abs(ends.zw - ends.xy);
     const float len = length(along);
-    const float half_pixel = len > 1e-6 ? 0.5 * (along.x + along.y) / len : 0.5;
-    return clamp(0.5 * (radius + half_pixel - away) / half_pixel, 0.0, min(radius / half_pixel, 1.0));
+    const vec2 normal = len > 1e-6 ? along / len : vec2(1.0, 0.0);
+    const float wide = max(normal.x, normal.y);
+    const float narrow = max(min(normal.x, normal.y), 1e-4);
+    const float inside = radius - away;
+    const float beyond = share_beyond(abs(inside), wide, narrow);
+    return (inside < 0.0 ? beyond : 1.0 - beyond) - share_beyond(radius + away, wide, narrow);
 }
 
 // The dash pattern's coverage at `place` along it.

@@ -2,6 +2,8 @@
 // a message of one line.
 
 #include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

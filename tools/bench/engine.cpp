@@ -292,7 +292,7 @@ EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Devi
     return result;
 }
 
-std::vector<Target> targets_of(const EngineResult& result) {
+std::vector<Target> targets_of(const EngineResult& result, bool is_cpu) {
     std::vector<Target> targets;
     if (result.faces == k_igea_faces)
         for (const StreamedBytes& bytes : result.bytes)
@@ -312,7 +312,8 @@ std::vector<Target> targets_of(const EngineResult& result) {
                            .aim = 2.5});
     const auto baseline =
         std::ranges::find(result.ratios, "one target, a barrier each", &EngineTime::name);
-    if (baseline != result.ratios.end())
+    // A GPU draws 70,000 faces faster than the CPU can choose among them; only the counts are checked there.
+    if (is_cpu && baseline != result.ratios.end())
         targets.push_back({.what = "visible ratios, one target with barriers over ours",
                            .value = over(*baseline, result.ratios.front()),
                            .reach = 1.4,

@@ -67,8 +67,8 @@ bool draws_other_pixels(const Picture& a, const Picture& b);
 EngineResult bench_engine(const std::string& model, const Mesh& mesh, const Device& device,
                           const EngineBenchOptions& options, const Context& context);
 
-/// Targets for bytes of igea, and for times of closed meshes of 60,000 to 110,000 faces on a CPU's Vulkan.
-/// None for other meshes.
-std::vector<Target> targets_of(const EngineResult& result);
+/// Targets for bytes of igea, and for times of closed meshes of 60,000 to 110,000 faces; that of visible ratios only
+/// where the device is of the CPU type. None for other meshes.
+std::vector<Target> targets_of(const EngineResult& result, bool is_cpu);
 
 }  // namespace rimline::tools
