@@ -12,7 +12,13 @@ for program in "$build"/tests/fuzz/fuzz_*; do
     target=${name#fuzz_}
     cp "$program" "$OUT/"
     zip -qj "$OUT/${name}_seed_corpus.zip" "$build/tests/fuzz/corpora/$target/"*
-    dictionary=$SRC/rimline/tests/fuzz/dictionaries/${target#mesh_}.dict
+    case $target in
+        mesh_glb) words=gltf ;;
+        point_file) words=xyz ;;
+        scene_file) words=scene ;;
+        *) words=${target#mesh_} ;;
+    esac
+    dictionary=$SRC/rimline/tests/fuzz/dictionaries/$words.dict
     [ ! -f "$dictionary" ] || cp "$dictionary" "$OUT/$name.dict"
     ldd "$program" | awk '/=> \/(usr|lib)/ { print $3 }' | grep -Ev '/(libc|libm|libpthread|libdl|librt)\.so' |
         xargs -r -I{} cp -n {} "$OUT/lib/"
