@@ -10,6 +10,7 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/solid.h"
+#include "tests/engine/support/default_samplings.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
 
@@ -393,9 +394,7 @@ TEST_CASE("a scene without background is a picture with straight alpha") {
     const HoughOctree octree(mesh);
     Scene scene = scene_of(mesh, octree, Style::toon);
     scene.palette.background = {0.0f, 0.0f, 1.0f};
-    // The defaults of devices of the CPU type and of GPUs.
-    for (const RendererOptions& sampling :
-         {RendererOptions{.samples = 1, .scale = 2}, RendererOptions{.samples = 4, .scale = 1}}) {
+    for (const RendererOptions& sampling : tests::k_default_samplings) {
         CAPTURE(sampling.scale);
         Renderer renderer(gpu->context(), sampling);
         scene.has_background = true;

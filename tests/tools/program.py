@@ -10,6 +10,7 @@ import shlex
 import struct
 import subprocess
 import sys
+import time
 import zlib
 
 PROGRAM = os.path.abspath(sys.argv[1])
@@ -123,6 +124,13 @@ def have_device():
         assert found.returncode == 1 and found.stderr.count("\n") == 1, found.stderr
         assert "without the engine" in found.stderr or "Vulkan" in found.stderr, found.stderr
         skip(found.stderr.strip())
+
+
+def driver_ms():
+    """The time to start a program with its Vulkan driver, and to end it: of `devices`."""
+    begin = time.monotonic()
+    run("devices")
+    return 1000 * (time.monotonic() - begin)
 
 
 def png_rows(path):

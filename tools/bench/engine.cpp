@@ -312,7 +312,7 @@ std::vector<Target> targets_of(const EngineResult& result, bool is_cpu) {
                            .aim = 2.5});
     const auto baseline =
         std::ranges::find(result.ratios, "one target, a barrier each", &EngineTime::name);
-    // A GPU draws 70,000 faces faster than the CPU can choose among them; only the counts are checked there.
+    // GPUs draw so few faces in about the time that the CPU needs to choose among them (docs/results/engine.md).
     if (is_cpu && baseline != result.ratios.end())
         targets.push_back({.what = "visible ratios, one target with barriers over ours",
                            .value = over(*baseline, result.ratios.front()),
