@@ -14,10 +14,10 @@
 namespace rimline {
 
 TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options,
-                                const TangentialFunction& function) {
+                                const TangentialFunction& function, const std::stop_token& stop) {
     const UnitPlanes planes =
-        is_inside_out(mesh) ? UnitPlanes(turned_inside_out(mesh)) : UnitPlanes(mesh);
-    return TangentialField(planes, function, options);
+        is_inside_out(mesh) ? UnitPlanes(turned_inside_out(mesh), stop) : UnitPlanes(mesh, stop);
+    return TangentialField(planes, function, options, stop);
 }
 
 namespace {

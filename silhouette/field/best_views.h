@@ -34,10 +34,11 @@ inline constexpr SearchDomain k_view_shell{1.7320508075688773, 2.0};
 inline constexpr double k_view_tolerance = 4e-3;
 
 /// The field whose peaks are the viewpoints. The planes of a closed inside-out mesh (winding.h) are
-/// reversed, so that their fronts face outwards.
+/// reversed, so that their fronts face outwards. Throws Error{cancelled} if `stop` is requested.
 TangentialField make_view_field(const Mesh& mesh,
                                 const FieldOptions& options = {.tolerance = k_view_tolerance},
-                                const TangentialFunction& function = view_function());
+                                const TangentialFunction& function = view_function(),
+                                const std::stop_token& stop = {});
 
 /// Returns the visible ratios, each in [0, 1], of viewpoints in the mesh's coordinates, in their order.
 using VisibleRatios = std::function<std::vector<double>(std::span<const glm::dvec3>)>;

@@ -125,7 +125,9 @@ private:
 }  // namespace
 
 // Sorts the planes of a range of leaves in k-d order. Each split is between whole clusters.
-void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::size_t last_leaf) {
+void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::size_t last_leaf,
+                         const LongCall& call) {
+    call.checkpoint(0.0);
     const std::size_t leaves = last_leaf - first_leaf;
     if (leaves < 2) return;
     std::size_t unit = 1;
@@ -164,17 +166,19 @@ void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::
         const double a = key(i), b = key(j);
         return a < b || (a == b && i < j);
     });
-    tbb::parallel_invoke([&] { sort(planes, first_leaf, cut_leaf); },
-                         [&] { sort(planes, cut_leaf, last_leaf); });
+    tbb::parallel_invoke([&] { sort(planes, first_leaf, cut_leaf, call); },
+                         [&] { sort(planes, cut_leaf, last_leaf, call); });
 }
 
-PlaneClusters::PlaneClusters(const UnitPlanes& planes, std::span<const double> weights)
+PlaneClusters::PlaneClusters(const UnitPlanes& planes, std::span<const double> weights,
+                             const std::stop_token& stop)
     : order_(planes.size()) {
     RIMLINE_CHECK(weights.size() == planes.size());
     if (planes.size() == 0) return;
     std::iota(order_.begin(), order_.end(), 0u);
     const std::size_t leaves = (planes.size() + k_leaf_planes - 1) / k_leaf_planes;
-    sort(planes, 0, leaves);
+    const LongCall call{stop, {}};
+    sort(planes, 0, leaves, call);
 
     for (auto* values : {&planes_.nx, &planes_.ny, &planes_.nz, &planes_.d, &planes_.weight})
         values->resize(leaves * k_leaf_planes);
@@ -194,6 +198,7 @@ PlaneClusters::PlaneClusters(const UnitPlanes& planes, std::span<const double> w
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, clusters, std::max<std::size_t>(k_grain / span, 1)),
             [&](const tbb::blocked_range<std::size_t>& part) {
+                call.checkpoint(0.0);
                 for (std::size_t c = part.begin(); c < part.end(); ++c) {
                     const std::size_t begin = c * span;
                     const std::size_t end = std::min(begin + span, order_.size());

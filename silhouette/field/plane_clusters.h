@@ -19,8 +19,10 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
+#include "silhouette/error.h"
 #include "silhouette/field/unit_planes.h"
 
 namespace rimline {
@@ -48,8 +50,9 @@ struct LeafPlanes {
 class PlaneClusters {
 public:
     /// `weights` has one nonnegative weight per plane. O(planes log planes) on all threads. The result
-    /// does not depend on their number.
-    PlaneClusters(const UnitPlanes& planes, std::span<const double> weights);
+    /// does not depend on their number. Throws Error{cancelled} if `stop` is requested.
+    PlaneClusters(const UnitPlanes& planes, std::span<const double> weights,
+                  const std::stop_token& stop = {});
 
     /// The order of planes(): the number of each plane in UnitPlanes, without padding.
     std::span<const std::uint32_t> order() const noexcept { return order_; }
@@ -59,7 +62,8 @@ public:
     std::span<const std::vector<ClusterNode>> levels() const noexcept { return levels_; }
 
 private:
-    void sort(const UnitPlanes& planes, std::size_t first_leaf, std::size_t last_leaf);
+    void sort(const UnitPlanes& planes, std::size_t first_leaf, std::size_t last_leaf,
+              const LongCall& call);
 
     std::vector<std::uint32_t> order_;
     LeafPlanes planes_;

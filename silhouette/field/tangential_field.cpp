@@ -19,7 +19,7 @@ bool is_finite(const glm::dvec3& p) {
 }  // namespace
 
 TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunction& function,
-                                 const FieldOptions& options)
+                                 const FieldOptions& options, const std::stop_token& stop)
     : frame_(planes.frame()), function_(function) {
     RIMLINE_CHECK(options.tolerance >= 0.0);
     std::vector<double> weights(planes.size(), 1.0);
@@ -28,8 +28,8 @@ TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunct
     for (const double weight : weights) total_weight_ += weight;
     max_value_ = total_weight_ * function_.max_magnitude();
 
-    auto sums = std::make_unique<FieldSums>(
-        FieldSums{PlaneClusters(planes, weights), kernels::FunctionTable(function_), {}, 0.0});
+    auto sums = std::make_unique<FieldSums>(FieldSums{
+        PlaneClusters(planes, weights, stop), kernels::FunctionTable(function_), {}, 0.0});
     sums->planes.reserve(planes.size());
     for (const std::uint32_t i : sums->clusters.order())
         sums->planes.push_back({planes.normal(i), planes.offset(i), weights[i]});

@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 #include "silhouette/error.h"
@@ -41,8 +42,9 @@ struct FieldOptions {
 class TangentialField {
 public:
     /// The function has at most 32 knots (RIMLINE_CHECK). O(planes log planes) on all threads.
+    /// Throws Error{cancelled} if `stop` is requested.
     TangentialField(const UnitPlanes& planes, const TangentialFunction& function,
-                    const FieldOptions& options = {});
+                    const FieldOptions& options = {}, const std::stop_token& stop = {});
     ~TangentialField();
     TangentialField(TangentialField&&) noexcept;
     TangentialField& operator=(TangentialField&&) noexcept;

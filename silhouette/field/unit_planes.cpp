@@ -6,12 +6,22 @@
 
 namespace rimline {
 
+namespace {
+
+constexpr std::uint32_t k_faces_a_checkpoint = 1u << 16;
+
+}  // namespace
+
 UnitFrame unit_frame(const Mesh& mesh) {
     return {mesh.center(), mesh.radius() > 0.0 ? mesh.radius() : 1.0};
 }
 
-UnitPlanes::UnitPlanes(const Mesh& mesh) : frame_(unit_frame(mesh)) {
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) add(mesh, FaceId{f});
+UnitPlanes::UnitPlanes(const Mesh& mesh, const std::stop_token& stop) : frame_(unit_frame(mesh)) {
+    const LongCall call{stop, {}};
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        if (f % k_faces_a_checkpoint == 0) call.checkpoint(0.0);
+        add(mesh, FaceId{f});
+    }
 }
 
 UnitPlanes::UnitPlanes(const Mesh& mesh, std::span<const FaceId> faces) : frame_(unit_frame(mesh)) {

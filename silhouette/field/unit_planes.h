@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
@@ -30,8 +31,8 @@ UnitFrame unit_frame(const Mesh& mesh);
 /// Immutable. Holds no reference to the mesh.
 class UnitPlanes {
 public:
-    /// O(faces).
-    explicit UnitPlanes(const Mesh& mesh);
+    /// O(faces). Throws Error{cancelled} if `stop` is requested.
+    explicit UnitPlanes(const Mesh& mesh, const std::stop_token& stop = {});
     /// Planes of some faces only, for example those that face a viewpoint. The frame is that of the
     /// whole mesh.
     UnitPlanes(const Mesh& mesh, std::span<const FaceId> faces);

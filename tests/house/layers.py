@@ -33,7 +33,7 @@ LAYERS = [
     [["tools/output"]],
     [["tools/commands"]],
     [["tools/bench"]],
-    [["tools/view"], ["tools/main"]],
+    [["tools/view"], ["tools/main"], ["tools/python"]],
 ]
 # A folder that only these may include.
 ONLY_FOR = {"silhouette/methods": ("silhouette/methods/", "tools/", "tests/")}

@@ -24,6 +24,7 @@
 #include "tools/output/picture_file.h"
 #include "tools/output/same_picture.h"
 #include "tools/output/shown_lines.h"
+#include "tools/output/still_scene.h"
 #include "tools/progress.h"
 #include "tools/run_times.h"
 
@@ -103,38 +104,28 @@ public:
         context.checkpoint();
 
         times.end("index");
-        const Camera camera = make_camera(mesh, models_.name(), picture_);
-        Scene scene = options_.make_scene(camera, choose_lights(mesh, camera, context), picture_);
-        const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, picture_));
-        if (options_.ground) frame_ground(scene, mesh, picture_);
-        if (picture_.is_three_point()) add_fill_and_rim(scene);
+        StillScene still = [&] {
+            Progress progress(context, "choosing the light");
+            return StillScene(models_.name(), octree, options_, picture_, progress.call());
+        }();
         times.end("choosing the light");
-        check_scene_reach(models_.name(), mesh, {&scene.camera.eye, 1}, options_.ground);
-        scene.instances.push_back(
-            {.octree = &octree, .name = models_.name(), .material = options_.material(picture_)});
-        std::optional<Ground> ground;
-        if (options_.ground) {
-            ground.emplace(mesh, ground_up, 0.0);
-            scene.instances.push_back(
-                ground->instance(scene, fade_of_ground(mesh, scene.lights, ground_up)));
-        }
-        // The ground hides no line: the model stands on it, and from below it is not drawn.
         std::optional<ShownLines> lines;
-        if (scene.lines) {
+        if (still.scene().lines) {
             lines.emplace(prepare_lines(octree, context));
             Progress progress(context, "drawing lines");
-            scene.instances.front().picture_lines = lines->draw(
-                scene.camera, picture_.size, options_.line_style(scene.palette), progress.call());
+            still.add_lines(*lines, progress.call());
         }
         times.end("lines");
         Renderer renderer(device.context(), {.pass_times = pass_times_});
         Picture picture = [&] {
             const Progress progress(context, "drawing the picture");
-            return renderer.render(scene, picture_.size.width, picture_.size.height);
+            return renderer.render(still.scene(), picture_.size.width, picture_.size.height);
         }();
         context.checkpoint();
         times.end("drawing");
         options_.finish(picture_).apply(picture);
+        const Scene& scene = still.scene();
+        const glm::dvec3 ground_up = still.ground_up();
 
         write_png(output, picture);
         if (scene_output) write_scene(*scene_output, scene, ground_up);
@@ -152,15 +143,6 @@ public:
     }
 
 private:
-    std::vector<Light> choose_lights(const Mesh& mesh, const Camera& camera,
-                                     const Context& context) const {
-        Progress progress(context, "choosing the light");
-        const LongCall call = progress.call();
-        return SceneLights(picture_, mesh, options_.ground, call.part(0.0, 0.4))
-            .lights(camera, double(picture_.size.width) / picture_.size.height,
-                    call.part(0.4, 1.0));
-    }
-
     void check_outputs() const {
         models_.check_output_is_no_input(output_);
         if (scene_output_.empty()) return;

@@ -29,20 +29,29 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
         ->group("Views");
 }
 
-ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh, const glm::dvec3& up,
-                               const VisibleRatios& ratios, std::uint32_t min_count,
-                               const Context& context) const {
-    const auto start = std::chrono::steady_clock::now();
-    Progress progress(context, "choosing views");
-    FieldOptions field_options{.tolerance = k_view_tolerance};
-    if (by_area) field_options.weight = FieldOptions::Weight::area;
-    TangentialField field = make_view_field(mesh, field_options);
+FieldOptions ViewChoice::field_options() const {
+    FieldOptions options{.tolerance = k_view_tolerance};
+    if (by_area) options.weight = FieldOptions::Weight::area;
+    return options;
+}
+
+BestViewsOptions ViewChoice::options(const Mesh& mesh, const glm::dvec3& up,
+                                     const VisibleRatios& ratios) const {
     BestViewsOptions options;
     options.count = count;
     options.visible_ratios = ratios;
     if (below == "less") options.up = up;
     options.mirror_axis = symmetry_axis(mesh);
-    BestViews best = find_best_views(field, options, progress.call());
+    return options;
+}
+
+ChosenViews ViewChoice::choose(const std::string& model, const Mesh& mesh, const glm::dvec3& up,
+                               const VisibleRatios& ratios, std::uint32_t min_count,
+                               const Context& context) const {
+    const auto start = std::chrono::steady_clock::now();
+    Progress progress(context, "choosing views");
+    TangentialField field = make_view_field(mesh, field_options(), view_function(), context.stop);
+    BestViews best = find_best_views(field, options(mesh, up, ratios), progress.call());
     if (best.views.size() < min_count)
         throw Error(ErrorCode::bad_input,
                     model + ": " +

@@ -32,6 +32,10 @@ struct ViewChoice {
     /// `min_count` is the least value of -k.
     void add_to(CLI::App& app, std::uint32_t min_count);
 
+    /// How the views are chosen. `ratios` may be empty.
+    BestViewsOptions options(const Mesh& mesh, const glm::dvec3& up,
+                             const VisibleRatios& ratios) const;
+    FieldOptions field_options() const;
     /// Chooses the views and shows progress. `ratios` may be empty. Throws Error{bad_input} naming the model
     /// if there are fewer than `min_count` distinct views. A model without a proper face has none.
     ChosenViews choose(const std::string& model, const Mesh& mesh, const glm::dvec3& up,

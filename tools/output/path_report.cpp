@@ -30,6 +30,21 @@ void PathPlan::add_to(CLI::App& app) {
         ->group("Path");
 }
 
+PathSamples sample_path(const CameraPath& path, const glm::dvec3& center, const glm::dvec3& up,
+                        std::uint32_t count) {
+    const std::uint32_t each = (k_min_ups + count - 1) / count;
+    std::vector<glm::dvec3> eyes;
+    for (std::uint32_t i = 0; i < count * each; ++i)
+        eyes.push_back(path.position(double(i) / (count * each)));
+    const std::vector<glm::dvec3> ups = steady_ups(eyes, center, up);
+    PathSamples samples;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        samples.eyes.push_back(path.position(double(i) / count));
+        samples.ups.push_back(ups[i * each]);
+    }
+    return samples;
+}
+
 PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
                            const Context& context) const {
     const auto start = std::chrono::steady_clock::now();
@@ -41,18 +56,9 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
     for (const TourNode& node : nodes) places.push_back(node.place);
     const glm::dvec3 center = chosen.field.frame().center;
     CameraPath path(center, places);
-    std::vector<glm::dvec3> samples;
-    for (std::uint32_t i = 0; i < frames; ++i) samples.push_back(path.position(double(i) / frames));
-    // Up axes are computed for at least k_min_ups eyes, so that they hardly depend on the number of frames.
-    const std::uint32_t each = (k_min_ups + frames - 1) / frames;
-    std::vector<glm::dvec3> eyes;
-    for (std::uint32_t i = 0; i < frames * each; ++i)
-        eyes.push_back(path.position(double(i) / (frames * each)));
-    const std::vector<glm::dvec3> all_ups = steady_ups(eyes, center, up);
-    std::vector<glm::dvec3> ups;
-    for (std::uint32_t i = 0; i < frames; ++i) ups.push_back(all_ups[i * each]);
+    PathSamples samples = sample_path(path, center, up, frames);
     std::vector<glm::dvec3> points;
-    for (const glm::dvec3& sample : samples)
+    for (const glm::dvec3& sample : samples.eyes)
         points.push_back(chosen.field.frame().from_model(sample));
     std::vector<double> sample_votes(points.size());
     chosen.field.values(points, sample_votes, {context.stop, {}});
@@ -63,8 +69,8 @@ PlannedPath PathPlan::plan(const ChosenViews& chosen, const glm::dvec3& up,
     return {
         .nodes = std::move(nodes),
         .path = std::move(path),
-        .samples = std::move(samples),
-        .ups = std::move(ups),
+        .samples = std::move(samples.eyes),
+        .ups = std::move(samples.ups),
         .sample_votes = std::move(sample_votes),
         .min_distance = min_distance,
         .ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)

@@ -15,6 +15,15 @@
 
 namespace rimline::tools {
 
+/// Equally spaced cameras along a path, which look at its center. The first is at its first node.
+struct PathSamples {
+    std::vector<glm::dvec3> eyes;
+    std::vector<glm::dvec3>
+        ups;  ///< Up axes (steady_ups.h). They hardly depend on the number of cameras.
+};
+PathSamples sample_path(const CameraPath& path, const glm::dvec3& center, const glm::dvec3& up,
+                        std::uint32_t count);
+
 struct PlannedPath {
     std::vector<TourNode> nodes;
     CameraPath path;

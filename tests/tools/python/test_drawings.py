@@ -1,0 +1,208 @@
+"""Line drawings and pictures: the same bytes as the program's, and wrong keywords."""
+
+import os
+import subprocess
+import threading
+import xml.etree.ElementTree
+
+import numpy as np
+import pytest
+from conftest import PROGRAM, have_device, orbit
+
+import rimline
+
+
+@pytest.fixture(scope="module")
+def knot():
+    return rimline.load("shape:knot:3000")
+
+
+def run(*arguments):
+    result = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300)
+    assert result.returncode == 0, result.stderr
+
+
+@pytest.mark.parametrize("keywords, options", [
+    ({}, []),
+    ({"eye": (3, 2, 4), "hidden": "dashed"}, ["--eye", "3,2,4", "--hidden", "dashed"]),
+    ({"ortho": "auto", "lines": ["silhouette", "border"], "smooth": 0},
+     ["--ortho", "auto", "--lines", "silhouette,border", "--smooth", "0"]),
+    ({"page": "148x210", "margin": 5, "width": np.float32(0.5), "line_color": "red", "keep_coincident": True},
+     ["--page", "148x210", "--margin", "5", "--width", "0.5", "--line-color", "red", "--keep-coincident"]),
+])
+@pytest.mark.parametrize("ending", [".svg", ".pdf", ".dxf"])
+def test_drawings_are_those_of_the_command(knot, tmp_path, keywords, options, ending):
+    if ending == ".dxf" and "line_color" in keywords:
+        pytest.skip("DXF has no colors")
+    page = [] if "page" in keywords else ["--page", "fit"]
+    run("draw", "shape:knot:3000", *options, *page, "-o", str(tmp_path / f"command{ending}"))
+    drawing = rimline.draw(knot, **keywords)
+    drawing.save(tmp_path / f"python{ending}")
+    saved = (tmp_path / f"python{ending}").read_bytes()
+    assert saved == (tmp_path / f"command{ending}").read_bytes()
+    text = {".svg": drawing.to_svg, ".pdf": drawing.to_pdf, ".dxf": drawing.to_dxf}[ending]()
+    assert saved == (text if isinstance(text, bytes) else text.encode())
+    if ending == ".svg":
+        assert drawing._repr_svg_() == text
+        xml.etree.ElementTree.fromstring(text)
+
+
+def test_arrays_of_a_drawing_belong_together(knot):
+    drawing = rimline.draw(knot, eye=(3, 2, 4), hidden="layer", smooth=0, simplify=0)
+    points, runs, chains = drawing.points, drawing.runs, drawing.chains
+    assert (runs[:, 1] < runs[:, 2]).all() and runs[-1, 2] == len(points) and chains[-1, 1] == len(runs)
+    assert len(drawing.source_edges) == len(drawing.source_shares) == len(points)
+    assert len(set(chains[:, 2].tolist())) == len(chains)
+    # Points lie where their sources are, seen from the eye.
+    edges, shares = drawing.source_edges, drawing.source_shares
+    on_edges = edges >= 0
+    ends = knot.vertices[knot.edges[edges[on_edges]]].astype(np.float64)
+    places = ends[:, 0] + shares[on_edges, None] * (ends[:, 1] - ends[:, 0])
+    eye = np.array([3.0, 2.0, 4.0])
+    forward = knot.center - eye
+    forward /= np.linalg.norm(forward)
+    right = np.cross(forward, [0, 1, 0])
+    right /= np.linalg.norm(right)
+    up = np.cross(right, forward)
+    seen = places - eye
+    depth = seen @ forward
+    expected = np.stack([seen @ right / depth, seen @ up / depth, depth], axis=1)
+    assert np.abs(points[on_edges, :3] - expected).max() < 1e-4
+    assert drawing.report["failed_checks"] == 0
+    width, height = drawing.page_mm
+    for line in drawing.lines:
+        assert line.kind in rimline.LINE_KINDS and line.points.shape[1] == 2
+        assert line.points.min() >= 0 and (line.points <= [width, height]).all()
+    assert {line.hidden for line in drawing.lines} == {True, False}
+    del drawing
+    assert points.shape[1] == 4 and np.isfinite(points).all()
+
+
+def lengths(drawing):
+    """Of visible and of hidden runs, in picture coordinates."""
+    steps = np.linalg.norm(np.diff(drawing.points[:, :2], axis=0), axis=1)
+    sums = [0.0, 0.0]
+    for _, first, last, hidden_by in drawing.runs:
+        sums[int(hidden_by > 0)] += steps[first : last - 1].sum()
+    return sums
+
+
+def test_chains_keep_their_ids_over_frames(knot):
+    drawer, drawer_of_each = rimline.LineDrawer(knot), rimline.LineDrawer(knot)
+    eyes = orbit(knot, 360)
+    plain = {"smooth": 0, "simplify": 0, "stubble": 0, "gap": 0, "keep_coincident": True}
+    ids = set(drawer.draw(eye=eyes[0], **plain).chains[:, 2].tolist())
+    kept = 0
+    for eye in eyes[1:20]:
+        drawing = drawer.draw_next(eye=eye, **plain)
+        fresh = drawer_of_each.draw(eye=eye, **plain)
+        assert drawing.report == fresh.report and len(drawing.chains) == len(fresh.chains)
+        assert lengths(drawing) == pytest.approx(lengths(fresh), rel=1e-9)
+        now = set(drawing.chains[:, 2].tolist())
+        kept += len(now & ids)
+        ids = now
+    assert kept > 15 * len(ids) / 2
+
+
+@pytest.mark.parametrize("keywords, error, words", [
+    ({"colour": "red"}, TypeError, "unexpected keyword argument 'colour'"),
+    ({"hiden": "dashed"}, TypeError, "did you mean 'hidden'"),
+    ({"help": True}, TypeError, "unexpected"),
+    ({"hidden": "sometimes"}, ValueError, "hidden"),
+    ({"eye": (1, 2)}, ValueError, "eye"),
+    ({"eye": (1, 2, float("nan"))}, ValueError, "eye"),
+    ({"eye": object()}, TypeError, "eye"),
+    ({"line_color": "no-color"}, ValueError, "line_color"),
+    ({"width": -1}, ValueError, "width"),
+    ({"keep_coincident": "yes"}, TypeError, "keep_coincident"),
+    ({"scale": "1:2"}, ValueError, "orthographic"),
+    ({"hidden_by": 2}, ValueError, "hidden"),
+    ({"fov": 30, "ortho": "auto"}, ValueError, "ortho|fov"),
+])
+def test_wrong_keywords_are_errors_that_name_them(knot, keywords, error, words):
+    with pytest.raises(error, match=words) as caught:
+        rimline.draw(knot, **keywords)
+    assert "--" not in str(caught.value)
+
+
+def test_files_are_written_whole_or_not_at_all(knot, tmp_path):
+    have_device()
+    drawing = rimline.draw(knot)
+    for name in ("drawing.txt", "drawing.json", "drawing"):
+        with pytest.raises(ValueError):
+            drawing.save(tmp_path / name)
+    with pytest.raises(rimline.FileError):
+        drawing.save(tmp_path / "missing" / "drawing.svg")
+    picture = rimline.render(knot, size=(32, 24))
+    with pytest.raises(OSError):
+        picture.save(tmp_path / "missing" / "picture.png")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("keywords, options", [
+    ({}, []),
+    ({"style": "toon", "ground": True, "sun": (1, 2, 1)}, ["--style", "toon", "--ground", "--sun", "1,2,1"]),
+    ({"eye": "front", "background": "none", "lines": False, "light": [(3, 4, 5), (-3, 4, 5)]},
+     ["--eye", "front", "--background", "none", "--lines", "off", "--light", "3,4,5", "--light", "-3,4,5"]),
+])
+def test_pictures_are_those_of_the_command(knot, tmp_path, keywords, options):
+    have_device()
+    run("render", "shape:knot:3000", *options, "--size", "160x120", "-o", str(tmp_path / "command.png"))
+    picture = rimline.render(knot, size=(160, 120), **keywords)
+    assert picture.shape == (120, 160, 4) and picture.dtype == np.uint8
+    assert picture._repr_png_() == (tmp_path / "command.png").read_bytes()
+    picture.save(tmp_path / "python.png")
+    assert (tmp_path / "python.png").read_bytes() == picture._repr_png_()
+    assert sorted(os.listdir(tmp_path)) == ["command.png", "python.png"]
+    assert picture[:, :, 0]._repr_png_() is None
+
+
+def test_a_renderer_draws_one_mesh_after_another(knot):
+    have_device()
+    renderer = rimline.Renderer(validate=bool(os.environ.get("RIMLINE_VALIDATE")))
+    assert renderer.device_name
+    scene = rimline.Scene(knot, size=(64, 48))
+    first = renderer.render(scene)
+    for _ in range(20):
+        # Freed meshes leave their addresses to others.
+        renderer.render(rimline.load("shape:torus:2000"), size=(64, 48))
+    assert (renderer.render(scene) == first).all()
+    assert (renderer.render(scene.replace(style="toon")) != first).any()
+    assert (scene.replace(style="toon").replace(style="ink").options["size"]) == "64x48"
+    for wrong in ({"size": (0, 5)}, {"size": (20000, 5)}, {"style": "oil"}, {"palette": "none"}, {"eye": "above"}):
+        with pytest.raises(ValueError):
+            renderer.render(knot, **wrong)
+    with pytest.raises(TypeError, match="unexpected keyword argument 'device'"):
+        renderer.render(knot, device="cpu")
+    with pytest.raises(TypeError):
+        renderer.render(None)
+    assert (renderer.render(scene) == first).all()
+    assert renderer.validation_message_count in (None, 0)
+
+
+def test_threads_take_turns_at_a_renderer(knot):
+    have_device()
+    renderer = rimline.Renderer()
+    meshes = [knot, rimline.load("shape:torus:2000"), rimline.load("shape:box")]
+    expected = [rimline.Renderer().render(mesh, size=(64, 48)) for mesh in meshes]
+    failures = []
+
+    def work(number):
+        for turn in range(6):
+            mesh = (number + turn) % 3
+            if (renderer.render(meshes[mesh], size=(64, 48)) != expected[mesh]).any():
+                failures.append((number, turn))
+
+    threads = [threading.Thread(target=work, args=(number,)) for number in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures
+
+
+def test_a_machine_without_the_device_is_told_so():
+    have_device()
+    with pytest.raises(rimline.NoDeviceError, match="no-such-device"):
+        rimline.Renderer("no-such-device")
+    assert all(len(device) == 3 for device in rimline.devices())

@@ -1,0 +1,282 @@
+"""rimline.Mesh: arrays in and out, and silhouettes against numpy."""
+
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+from conftest import command, find_model, have_device, numpy_silhouette, orbit, pairs
+
+import rimline
+
+
+@pytest.fixture(scope="module")
+def knot():
+    return rimline.load("shape:knot:2000")
+
+
+def test_silhouettes_equal_those_of_numpy(knot):
+    for eye in orbit(knot, 25):
+        front, edges = numpy_silhouette(knot.vertices, knot.faces, eye.astype(np.float32))
+        silhouette = knot.silhouette(eye)
+        assert pairs(silhouette.edges) == edges
+        assert len(silhouette) == len(edges) == len(silhouette.ids)
+        assert (knot.front_faces(eye) == front).all()
+        assert pairs(knot.edges[silhouette.ids]) == edges
+        assert (silhouette.segments == knot.vertices[silhouette.edges]).all()
+    front, edges = numpy_silhouette(knot.vertices, knot.faces, direction=(0.3, 0.7, -0.2))
+    assert pairs(knot.silhouette(direction=(0.3, 0.7, -0.2)).edges) == edges
+
+
+def test_the_index_changes_no_silhouette():
+    mesh = rimline.load("shape:torus:3000")
+    before = [mesh.silhouette(eye).ids for eye in orbit(mesh, 10)]
+    mesh.build_index()
+    after = [mesh.silhouette(eye).ids for eye in orbit(mesh, 10)]
+    assert all((a == b).all() for a, b in zip(before, after))
+
+
+def test_numbers_are_those_of_the_command(knot):
+    result = command("silhouette", "shape:knot:2000", "--from", "3,2,4")
+    edges = {tuple(edge) for edge in result["edges"]}
+    assert pairs(knot.silhouette((3, 2, 4)).edges) == edges
+
+
+@pytest.mark.parametrize("change", [
+    lambda a: a.astype(np.float64),
+    lambda a: np.asfortranarray(a),
+    lambda a: np.repeat(a, 2, axis=0)[::2],
+    lambda a: a[::-1].copy()[::-1],
+    lambda a: a.astype(">f8"),
+    lambda a: a.astype(np.float64).tolist(),
+    lambda a: np.ascontiguousarray(np.stack([a, a], axis=2))[:, :, 0],
+], ids=["float64", "Fortran", "strided", "reversed", "other byte order", "lists", "inner stride"])
+def test_vertices_of_any_kind_are_read(knot, change):
+    vertices = change(knot.vertices)
+    if isinstance(vertices, np.ndarray):
+        vertices.flags.writeable = False
+    mesh = rimline.Mesh(vertices, knot.faces)
+    assert (mesh.vertices == knot.vertices).all() and (mesh.edges == knot.edges).all()
+
+
+@pytest.mark.parametrize("kind", ["i2", "u2", "i4", "u4", "i8", "u8", ">i4"])
+def test_faces_of_any_width_are_read(knot, kind):
+    for faces in (knot.faces.astype(kind), np.asfortranarray(knot.faces.astype(kind))):
+        assert (rimline.Mesh(knot.vertices, faces).edges == knot.edges).all()
+
+
+def test_faces_of_bytes_are_read():
+    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+    for kind in (np.int8, np.uint8):
+        assert len(rimline.Mesh(np.array(vertices, dtype=kind), faces.astype(kind)).edges) == 6
+
+
+TRIANGLE = np.eye(3)
+FACES = np.array([[0, 1, 2]])
+
+
+@pytest.mark.parametrize("vertices, faces, error, words", [
+    (np.zeros((3, 2)), FACES, ValueError, r"vertices: expected the shape \(N, 3\), not \(3, 2\)"),
+    (np.zeros(3), FACES, ValueError, r"vertices: .*\(3,\)"),
+    (np.zeros((1, 3, 3)), FACES, ValueError, "vertices"),
+    ("text", FACES, TypeError, "vertices"),
+    (None, FACES, TypeError, "vertices"),
+    (TRIANGLE.astype(complex), FACES, TypeError, "vertices: expected real numbers, not complex128"),
+    (TRIANGLE.astype(bool), FACES, TypeError, "vertices: .*bool"),
+    (TRIANGLE.astype(object), FACES, TypeError, "vertices: .*object"),
+    ([[0, 0, 0], [np.nan, 0, 0], [0, 1, 0]], FACES, ValueError, r"vertices\[1\]: .*finite"),
+    ([[0, 0, 0], [0, 0, 0], [0, np.inf, 0]], FACES, ValueError, r"vertices\[2\]"),
+    ([[0, 0, 0], [0, 0, 0], [0, 0, 1e30]], FACES, ValueError, r"vertices\[2\]"),
+    (TRIANGLE, [[0, 1, 3]], ValueError, r"faces\[0\]: there is no vertex 3 among 3"),
+    (TRIANGLE, [[0, 1, 2], [0, -1, 2]], ValueError, r"faces\[1\]: there is no vertex -1"),
+    (TRIANGLE, [[0.0, 1.0, 2.0]], TypeError, "faces: expected integers, not float64"),
+    (TRIANGLE, [[0, 1, 2, 0]], ValueError, r"faces: .*\(1, 4\)"),
+    (np.zeros((0, 3)), FACES, ValueError, "among 0"),
+])
+def test_wrong_arrays_are_errors_that_name_the_row(vertices, faces, error, words):
+    with pytest.raises(error, match=words):
+        rimline.Mesh(vertices, faces)
+
+
+@pytest.mark.parametrize("eye", [None, 3, "abc", (1, 2), (1, 2, 3, 4), ("a", 2, 3), (np.nan, 0, 0), (1e30, 0, 0),
+                                 np.zeros((1, 3)), np.zeros((3, 3)), b"abc"])
+def test_wrong_points_are_errors(knot, eye):
+    with pytest.raises((TypeError, ValueError)):
+        knot.silhouette(eye)
+    with pytest.raises((TypeError, ValueError)):
+        knot.silhouette(direction=eye)
+    with pytest.raises((TypeError, ValueError)):
+        rimline.Tracker(knot, eye)
+
+
+def test_a_point_is_an_eye_or_a_direction(knot):
+    with pytest.raises(TypeError, match="either eye or direction"):
+        knot.silhouette((1, 2, 3), direction=(1, 2, 3))
+    with pytest.raises(ValueError, match="not zero"):
+        knot.silhouette(direction=(0, 0, 0))
+    for eye in ([2, 1, 2], np.array([2, 1, 2]), np.array([2, 1, 2], dtype=np.float32), iter([2, 1, 2])):
+        assert (knot.silhouette(eye).ids == knot.silhouette((2.0, 1.0, 2.0)).ids).all()
+
+
+def test_an_empty_mesh_has_nothing():
+    have_device()
+    for vertices, faces in ((np.zeros((0, 3)), np.zeros((0, 3), dtype=int)), ([], []), (TRIANGLE, [])):
+        mesh = rimline.Mesh(vertices, faces)
+        assert mesh.faces.shape == (0, 3) and mesh.edges.shape == (0, 2) and mesh.radius == 0
+        assert mesh.silhouette((1, 2, 3)).edges.shape == (0, 2)
+        assert mesh.silhouette((1, 2, 3)).segments.shape == (0, 2, 3)
+        tracker = rimline.Tracker(mesh, (1, 2, 3))
+        assert len(tracker.move_to((3, 2, 1)).added) == 0
+        for draw in (rimline.draw, rimline.render):
+            with pytest.raises(rimline.InputError):
+                draw(mesh)
+        assert rimline.best_views(mesh, visible=False) == []
+
+
+def test_equal_positions_are_one_vertex_unless_asked():
+    corners = rimline.load("shape:box").vertices[rimline.load("shape:box").faces].reshape(-1, 3)
+    faces = np.arange(len(corners)).reshape(-1, 3)
+    have_device()
+    welded, split = rimline.Mesh(corners, faces), rimline.Mesh(corners, faces, weld=False)
+    assert welded.is_closed and len(welded.borders) == 0
+    assert not split.is_closed and len(split.borders) == len(corners)
+    first = {tuple(p): i for i, p in reversed(list(enumerate(corners.tolist())))}
+    assert set(welded.edges.ravel().tolist()) <= set(first.values())
+    assert (welded.vertices == corners).all()
+    for draw in (rimline.draw, rimline.render):
+        with pytest.raises(ValueError, match="weld"):
+            draw(split)
+
+
+def test_vertices_are_a_view_that_outlives_the_mesh():
+    mesh = rimline.Mesh(TRIANGLE, FACES)
+    vertices = mesh.vertices
+    with pytest.raises(ValueError):
+        vertices[0, 0] = 3
+    del mesh
+    assert (vertices == TRIANGLE).all()
+
+
+def test_files_are_read_and_their_faults_are_errors(tmp_path):
+    path = tmp_path / "triangle.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert len(rimline.load(path).faces) == len(rimline.load(bytes(path)).faces) == 1
+    assert len(rimline.load(path, subdivide=2).faces) == 16
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
+    with pytest.raises(rimline.InputError, match="triangle.obj:4: ") as caught:
+        rimline.load(path)
+    assert isinstance(caught.value, ValueError) and isinstance(caught.value, rimline.Error)
+    with pytest.raises(rimline.FileError) as missing:
+        rimline.load(tmp_path / "missing.obj")
+    assert isinstance(missing.value, OSError)
+    for wrong in ("", "-", 3, None):
+        with pytest.raises((TypeError, ValueError)):
+            rimline.load(wrong)
+    with pytest.raises(ValueError, match="subdivide"):
+        rimline.load("shape:box", subdivide=99)
+
+
+def test_warnings_of_a_file_are_pythons(tmp_path):
+    path = tmp_path / "colors.obj"
+    path.write_text("mtllib missing.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    with pytest.warns(UserWarning, match="missing.mtl"):
+        rimline.load(path)
+
+
+def test_real_models_load():
+    mesh = rimline.load(find_model("igea.ply"))
+    assert mesh.silhouette(eye=(2, 1, 2)).edges.shape[1] == 2
+    assert len(mesh.faces) > 100_000
+
+
+def test_progress_is_reported_to_functions_and_bars():
+    shares = []
+    rimline.load("shape:knot:300000", subdivide=1, progress=shares.append)
+    assert shares == sorted(shares) and shares[-1] == 1.0 and len(shares) > 1
+    tqdm = pytest.importorskip("tqdm")
+    with tqdm.tqdm(total=None, file=open("/dev/null", "w")) as bar:
+        rimline.load("shape:knot", progress=bar)
+        assert bar.n == pytest.approx(bar.total)
+    with tqdm.tqdm(total=200, file=open("/dev/null", "w")) as bar:
+        rimline.load("shape:knot", progress=bar)
+        assert bar.n == pytest.approx(200)
+    with pytest.raises(TypeError, match="progress"):
+        rimline.load("shape:knot", progress=3)
+
+    class Failure(Exception):
+        pass
+
+    def fail(share):
+        raise Failure
+
+    with pytest.raises(Failure):
+        rimline.load("shape:knot:300000", subdivide=1, progress=fail)
+
+
+def test_other_threads_run_meanwhile():
+    ticks, over = [], threading.Event()
+
+    def tick():
+        while not over.wait(0.001):
+            ticks.append(1)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    rimline.load("shape:knot:500000").build_index()
+    over.set()
+    thread.join()
+    assert len(ticks) > 20
+
+
+INTERRUPTED = """
+import os, signal, sys, threading, time
+import rimline
+
+mesh = rimline.load("shape:knot:1000000")
+vertices, faces = mesh.vertices, mesh.faces
+calls = {
+    "load": lambda: rimline.load("shape:knot:500000", subdivide=3),
+    "mesh": lambda: rimline.Mesh(vertices, faces),
+    "index": lambda: mesh.build_index(),
+    "lines": lambda: rimline.LineDrawer(mesh),
+    "field": lambda: rimline.TangentialField(mesh, tolerance=1e-3),
+    "views": lambda: rimline.best_views(mesh, visible=False),
+    "light": lambda: rimline.best_light(mesh, (3, 2, 4)),
+    "points": lambda: rimline.PointSurface(vertices),
+    "render": lambda: rimline.render(mesh),
+}
+call, delay_s = calls[sys.argv[1]], 0.08
+sent = []
+
+def interrupt():
+    time.sleep(delay_s)
+    sent.append(time.perf_counter())
+    os.kill(os.getpid(), signal.SIGINT)
+
+thread = threading.Thread(target=interrupt)
+thread.start()
+try:
+    call()
+    print("ended")
+except KeyboardInterrupt:
+    print(time.perf_counter() - sent[0])
+thread.join()
+"""
+
+
+@pytest.mark.parametrize("name", ["load", "mesh", "index", "lines", "field", "views", "light", "points", "render"])
+def test_ctrl_c_ends_long_calls_at_once(name):
+    if name == "render":
+        have_device()
+    times = []
+    for _ in range(3):  # The system may stop the process for a moment.
+        result = subprocess.run([sys.executable, "-c", INTERRUPTED, name], capture_output=True, text=True,
+                                timeout=120)
+        assert result.returncode == 0, result.stderr
+        assert result.stdout.strip() != "ended"
+        times.append(float(result.stdout))
+        if times[-1] < 0.1:
+            return
+    pytest.fail(f"{name} took {times} s to end")

@@ -1,0 +1,182 @@
+#include "tools/python/arrays.h"
+
+#include <cmath>
+#include <limits>
+
+namespace rimline::python {
+
+namespace py = pybind11;
+
+namespace {
+
+[[noreturn]] void throw_type(const std::string& name, const std::string& what) {
+    throw py::type_error(name + ": " + what);
+}
+
+std::string shape_text(const py::array& array) {
+    return py::str(array.attr("shape")).cast<std::string>();
+}
+
+// An N x 3 array of numbers, in the machine's order of bytes.
+py::array three_columns(py::handle value, const char* name) {
+    const py::array array = py::array::ensure(value);
+    if (!array) {
+        PyErr_Clear();
+        throw_type(name, "expected an array of shape (N, 3)");
+    }
+    if (array.ndim() == 1 && array.size() == 0)  // [] is an empty list of rows.
+        return py::array_t<double>(std::vector<py::ssize_t>{0, 3});
+    const char kind = array.dtype().kind();
+    if (kind != 'f' && kind != 'i' && kind != 'u')
+        throw_type(name, "expected real numbers, not " +
+                             py::str(py::object(array.dtype())).cast<std::string>());
+    if (array.ndim() != 2 || array.shape(1) != 3)
+        throw py::value_error(std::string(name) + ": expected the shape (N, 3), not " +
+                              shape_text(array));
+    const bool is_native = array.dtype().attr("isnative").cast<bool>();
+    const py::ssize_t width = array.itemsize();
+    if (is_native && (kind != 'f' || width == 4 || width == 8)) return array;
+    // float16, float128 and the other order of bytes.
+    const char* type = kind == 'f' ? "float64" : kind == 'i' ? "int64" : "uint64";
+    return py::array::ensure(array.attr("astype")(type));
+}
+
+template <typename Number>
+Number read(const char* place) {
+    Number number;
+    std::memcpy(&number, place, sizeof number);
+    return number;
+}
+
+// Calls use(row, column, number) for each number.
+template <typename Number, typename Use>
+void each_number(const py::array& array, Use use) {
+    const char* data = static_cast<const char*>(array.data());
+    const py::ssize_t rows = array.shape(0), down = array.strides(0), across = array.strides(1);
+    for (py::ssize_t row = 0; row < rows; ++row)
+        for (py::ssize_t column = 0; column < 3; ++column)
+            use(row, column, read<Number>(data + row * down + column * across));
+}
+
+template <typename Use>
+void each_integer(const py::array& array, Use use) {
+    const bool is_signed = array.dtype().kind() == 'i';
+    switch (array.itemsize()) {
+        case 1:
+            return is_signed ? each_number<std::int8_t>(array, use)
+                             : each_number<std::uint8_t>(array, use);
+        case 2:
+            return is_signed ? each_number<std::int16_t>(array, use)
+                             : each_number<std::uint16_t>(array, use);
+        case 4:
+            return is_signed ? each_number<std::int32_t>(array, use)
+                             : each_number<std::uint32_t>(array, use);
+        default:
+            return is_signed ? each_number<std::int64_t>(array, use)
+                             : each_number<std::uint64_t>(array, use);
+    }
+}
+
+template <typename Vector>
+std::vector<Vector> positions_as(py::handle value, const char* name) {
+    const py::array array = three_columns(value, name);
+    if (array.shape(0) >= py::ssize_t{std::numeric_limits<std::uint32_t>::max()})
+        throw py::value_error(std::string(name) + ": more than 2^32 - 2 rows");
+    std::vector<Vector> positions(static_cast<std::size_t>(array.shape(0)));
+    const auto store = [&](py::ssize_t row, py::ssize_t column, auto number) {
+        const double coordinate = static_cast<double>(number);
+        if (!(std::abs(coordinate) <= double{k_max_coordinate}))  // NaN too.
+            throw py::value_error(std::string(name) + "[" + std::to_string(row) +
+                                  "]: a coordinate is not a finite number within 2^60");
+        positions[std::size_t(row)][int(column)] =
+            static_cast<typename Vector::value_type>(coordinate);
+    };
+    if (array.dtype().kind() != 'f')
+        each_integer(array, store);
+    else if (array.itemsize() == 4)
+        each_number<float>(array, store);
+    else
+        each_number<double>(array, store);
+    return positions;
+}
+
+}  // namespace
+
+glm::dvec3 vector_of(py::handle value, const char* name) {
+    glm::dvec3 vector;
+    const py::object sequence =
+        PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0
+            ? py::object()
+            : py::reinterpret_steal<py::object>(PySequence_Fast(value.ptr(), ""));
+    if (!sequence) {
+        PyErr_Clear();
+        throw_type(name, "expected three numbers");
+    }
+    if (PySequence_Fast_GET_SIZE(sequence.ptr()) != 3)
+        throw py::value_error(std::string(name) + ": expected three numbers, not " +
+                              std::to_string(PySequence_Fast_GET_SIZE(sequence.ptr())));
+    for (int i = 0; i < 3; ++i) {
+        vector[i] = PyFloat_AsDouble(PySequence_Fast_GET_ITEM(sequence.ptr(), i));
+        if (vector[i] == -1.0 && PyErr_Occurred() != nullptr) {
+            PyErr_Clear();
+            throw_type(name, "expected three numbers");
+        }
+        if (!(std::abs(vector[i]) <= double{k_max_coordinate}))  // NaN too.
+            throw py::value_error(std::string(name) +
+                                  ": expected finite numbers within 2^60, not " +
+                                  py::str(value).cast<std::string>());
+    }
+    return vector;
+}
+
+glm::dvec3 direction_of(py::handle value, const char* name) {
+    const glm::dvec3 direction = vector_of(value, name);
+    if (HomogeneousPoint::direction(glm::vec3(direction)).xyz() == glm::vec3(0.0f))
+        throw py::value_error(std::string(name) + ": expected a direction, which is not zero");
+    return direction;
+}
+
+HomogeneousPoint point_of(py::handle eye, py::handle direction) {
+    if (eye.is_none() == direction.is_none())
+        throw py::type_error("expected either eye or direction");
+    return eye.is_none()
+               ? HomogeneousPoint::direction(glm::vec3(direction_of(direction, "direction")))
+               : HomogeneousPoint::viewpoint(glm::vec3(vector_of(eye, "eye")));
+}
+
+std::vector<glm::dvec3> positions_of(py::handle array, const char* name) {
+    return positions_as<glm::dvec3>(array, name);
+}
+
+std::vector<glm::vec3> float_positions_of(py::handle array, const char* name) {
+    return positions_as<glm::vec3>(array, name);
+}
+
+std::vector<std::array<std::uint32_t, 3>> faces_of(py::handle value, const char* name,
+                                                   std::size_t vertices) {
+    const py::array array = three_columns(value, name);
+    std::vector<std::array<std::uint32_t, 3>> faces(static_cast<std::size_t>(array.shape(0)));
+    if (faces.empty()) return faces;
+    if (array.dtype().kind() == 'f')
+        throw_type(name, "expected integers, not " +
+                             py::str(py::object(array.dtype())).cast<std::string>());
+    each_integer(array, [&](py::ssize_t row, py::ssize_t column, auto number) {
+        // A negative number becomes too large.
+        if (static_cast<std::uint64_t>(number) >= vertices)
+            throw py::value_error(std::string(name) + "[" + std::to_string(row) +
+                                  "]: there is no vertex " + std::to_string(number) + " among " +
+                                  std::to_string(vertices));
+        faces[std::size_t(row)][std::size_t(column)] = static_cast<std::uint32_t>(number);
+    });
+    return faces;
+}
+
+py::array_t<double> array_of(const glm::dvec3& vector) { return py::array_t<double>(3, &vector.x); }
+
+std::string path_of(const py::object& path) {
+    PyObject* bytes = nullptr;
+    if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) throw py::error_already_set();
+    return py::reinterpret_steal<py::bytes>(bytes);
+}
+
+}  // namespace rimline::python

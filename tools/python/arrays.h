@@ -1,0 +1,65 @@
+#pragma once
+
+// Numbers of Python as the library takes them, and arrays of the library as numpy's.
+//
+// Arrays in: numpy arrays of float32, float64 or integers of any width, in any order of memory, are read where they lie;
+// other sequences are converted by numpy first. Wrong shapes and kinds of numbers are a ValueError or TypeError that
+// names the argument and, for a wrong number, its row.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "silhouette/mesh/homogeneous_point.h"
+
+namespace rimline::python {
+
+/// Three finite numbers, each at most k_max_coordinate in magnitude.
+glm::dvec3 vector_of(pybind11::handle value, const char* name);
+/// The same as directions need them: not zero, components below k_min_point_component count as zero.
+glm::dvec3 direction_of(pybind11::handle value, const char* name);
+/// Exactly one of the two is not None.
+HomogeneousPoint point_of(pybind11::handle eye, pybind11::handle direction);
+
+/// N x 3 finite numbers within k_max_coordinate.
+std::vector<glm::dvec3> positions_of(pybind11::handle array, const char* name);
+/// The same, rounded to float.
+std::vector<glm::vec3> float_positions_of(pybind11::handle array, const char* name);
+/// N x 3 integers in [0, vertices).
+std::vector<std::array<std::uint32_t, 3>> faces_of(pybind11::handle array, const char* name,
+                                                   std::size_t vertices);
+
+/// An array of this shape over memory that `owner` keeps, without a copy and read-only.
+template <typename Number>
+pybind11::array array_over(const void* numbers, std::vector<pybind11::ssize_t> shape,
+                           pybind11::handle owner) {
+    pybind11::array_t<Number> array(std::move(shape), static_cast<const Number*>(numbers), owner);
+    pybind11::detail::array_proxy(array.ptr())->flags &=
+        ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return array;
+}
+
+/// An array with a copy of the elements; each of them is `columns` numbers, 0: one number and no second axis.
+template <typename Number, typename Element>
+pybind11::array_t<Number> copied(std::span<const Element> elements, pybind11::ssize_t columns = 0) {
+    static_assert(sizeof(Element) % sizeof(Number) == 0);
+    std::vector<pybind11::ssize_t> shape{static_cast<pybind11::ssize_t>(elements.size())};
+    if (columns > 0) shape.push_back(columns);
+    return pybind11::array_t<Number>(std::move(shape),
+                                     reinterpret_cast<const Number*>(elements.data()));
+}
+
+/// An array of three numbers.
+pybind11::array_t<double> array_of(const glm::dvec3& vector);
+
+/// Text of a path: a str, bytes or os.PathLike.
+std::string path_of(const pybind11::object& path);
+
+}  // namespace rimline::python

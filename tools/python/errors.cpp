@@ -1,0 +1,59 @@
+#include "tools/python/errors.h"
+
+#include <array>
+#include <string>
+
+#include "silhouette/error.h"
+#include "tools/command.h"
+
+namespace rimline::python {
+
+namespace py = pybind11;
+
+namespace {
+
+// By ErrorCode. Owned by the module, which is never unloaded.
+std::array<PyObject*, 6> g_exceptions{};
+
+PyObject* make_exception(py::module_& module, const char* name, const py::tuple& bases,
+                         const char* what) {
+    PyObject* exception = PyErr_NewExceptionWithDoc((std::string("rimline.") + name).c_str(), what,
+                                                    bases.ptr(), nullptr);
+    if (exception == nullptr) throw py::error_already_set();
+    module.add_object(name, py::handle(exception));
+    return exception;
+}
+
+}  // namespace
+
+void bind_errors(py::module_& module) {
+    const py::handle base_class(make_exception(module, "Error",
+                                               py::make_tuple(py::handle(PyExc_Exception)),
+                                               "Base class of the errors of Rimline."));
+    const auto add = [&](ErrorCode code, const char* name, PyObject* base, const char* what) {
+        g_exceptions[static_cast<std::size_t>(code)] =
+            make_exception(module, name, py::make_tuple(base_class, py::handle(base)), what);
+    };
+    add(ErrorCode::bad_input, "InputError", PyExc_ValueError,
+        "A file or value is wrong. The message names the file and the place.");
+    add(ErrorCode::no_device, "NoDeviceError", PyExc_RuntimeError,
+        "No Vulkan device is suitable. The message lists what each device lacks.");
+    add(ErrorCode::device_lost, "DeviceLostError", PyExc_RuntimeError, "The GPU stopped.");
+    add(ErrorCode::io, "FileError", PyExc_OSError,
+        "The system could not read or write. The message names the path.");
+    add(ErrorCode::too_large, "TooLargeError", PyExc_ValueError,
+        "A limit of the machine or of a format is exceeded. The message names it.");
+    add(ErrorCode::cancelled, "CancelledError", PyExc_RuntimeError,
+        "Another thread stopped what the call waits for.");
+    py::register_exception_translator([](std::exception_ptr failure) {
+        try {
+            if (failure) std::rethrow_exception(failure);
+        } catch (const Error& error) {
+            PyErr_SetString(g_exceptions[static_cast<std::size_t>(error.code())], error.what());
+        } catch (const tools::UsageError& error) {
+            PyErr_SetString(PyExc_ValueError, error.what());
+        }
+    });
+}
+
+}  // namespace rimline::python

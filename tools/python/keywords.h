@@ -1,0 +1,23 @@
+#pragma once
+
+// Keyword arguments as options of the command: draw(mesh, line_width=2, eye=(1, 2, 3)) has the options, checks and
+// messages of `rimline draw --line-width 2 --eye 1,2,3`.
+//
+//     None                     not given
+//     True, False              a flag, or on and off
+//     a number                 the number
+//     three numbers            x,y,z
+//     a list of these          the option as often
+//     a list of str            a,b,c
+
+#include <pybind11/pybind11.h>
+
+#include <CLI/App.hpp>
+
+namespace rimline::python {
+
+/// Parses `keywords` into the options of `app`, as which it must have been told to be used once. Throws TypeError for a
+/// name that `app` has not, ValueError for a wrong value.
+void parse_keywords(CLI::App& app, const pybind11::dict& keywords);
+
+}  // namespace rimline::python

@@ -1,0 +1,275 @@
+#include "tools/python/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "silhouette/hough/silhouette_tracker.h"
+#include "silhouette/mesh/brute_force.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/up_option.h"
+#include "tools/python/arrays.h"
+#include "tools/python/long_calls.h"
+
+namespace rimline::python {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr double k_min_radius = 0x1p-50;
+
+struct PythonSilhouette {
+    SharedMesh mesh;
+    HomogeneousPoint point;
+    std::vector<EdgeId> edges;  // Ascending.
+
+    const Mesh& library_mesh() const { return mesh->mesh(); }
+};
+
+SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, const py::object& up,
+                          bool weld, const py::object& progress) {
+    MeshSource source{.positions = float_positions_of(vertices, "vertices"), .triangles = {}};
+    source.triangles = faces_of(faces, "faces", source.positions.size());
+    if (!up.is_none()) {
+        const std::string axis = py::str(up);
+        if (axis != "y" && axis != "z") throw py::value_error("up: expected 'y' or 'z'");
+        source.up = axis == "z" ? UpAxis::z : UpAxis::y;
+        source.is_up_known = true;
+    }
+    return long_result(progress, [&](const LongCall& call) {
+        return std::make_shared<PythonMesh>("the mesh", std::move(source),
+                                            weld ? Welding::equal_positions : Welding::none, call);
+    });
+}
+
+SharedMesh load(const py::object& path, std::uint32_t subdivide, bool textures,
+                const py::object& progress) {
+    const std::string name = path_of(path);
+    if (name.empty() || name == "-") throw py::value_error("path: expected the name of a file");
+    if (subdivide > tools::k_max_subdivisions)
+        throw py::value_error("subdivide: expected at most " +
+                              std::to_string(tools::k_max_subdivisions));
+    std::vector<std::string> warnings;
+    auto mesh = long_result(progress, [&](const LongCall& call) {
+        const auto begin = [&](const std::string&) { return call; };
+        MeshSource source = tools::load_model(
+            name, subdivide, FaceRequirement::faces, begin,
+            textures ? tools::TexturePictures::read : tools::TexturePictures::skip);
+        warnings = std::move(source.warnings);
+        return tools::about_model(name, [&] {
+            return std::make_shared<PythonMesh>(name, std::move(source), Welding::equal_positions,
+                                                call);
+        });
+    });
+    for (const std::string& warning : warnings)
+        if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+    return mesh;
+}
+
+PythonSilhouette silhouette(const SharedMesh& mesh, const py::object& eye,
+                            const py::object& direction, const py::object& progress) {
+    PythonSilhouette result{mesh, point_of(eye, direction), {}};
+    result.edges = long_result(progress, [&](const LongCall&) {
+        // An index takes fifty times the time of a test of all faces.
+        const HoughOctree* octree = mesh->octree_if_made();
+        if (octree == nullptr) return brute_force_silhouette(mesh->mesh(), result.point);
+        std::vector<EdgeId> edges;
+        TraversalCounters counters;
+        octree->extract(result.point, edges, counters);
+        std::ranges::sort(edges);
+        return edges;
+    });
+    return result;
+}
+
+py::array front_faces(PythonMesh& mesh, const py::object& eye, const py::object& direction) {
+    const std::vector<std::uint32_t> words =
+        brute_force_face_bits(mesh.mesh(), point_of(eye, direction));
+    py::array_t<bool> result(mesh.mesh().face_count());
+    bool* bits = result.mutable_data();
+    for (std::uint32_t face = 0; face < mesh.mesh().face_count(); ++face)
+        bits[face] = face_bit(words, FaceId{face});
+    return result;
+}
+
+py::array faces_in_file(const Mesh& mesh) {
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    faces.reserve(mesh.face_count());
+    for (const Triangle& triangle : mesh.triangles())
+        faces.push_back({mesh.file_vertex(triangle[0]), mesh.file_vertex(triangle[1]),
+                         mesh.file_vertex(triangle[2])});
+    return copied<std::uint32_t>(std::span<const std::array<std::uint32_t, 3>>(faces), 3);
+}
+
+std::vector<EdgeId> edges_of_class(const Mesh& mesh, EdgeClass edge_class) {
+    const Mesh::EdgeRange range = mesh.edges_of_class(edge_class);
+    std::vector<EdgeId> edges;
+    edges.reserve(range.size());
+    for (std::uint32_t edge = range.first; edge < range.last; ++edge) edges.push_back(EdgeId{edge});
+    return edges;
+}
+
+py::array all_edges(const Mesh& mesh) {
+    std::vector<EdgeId> edges(mesh.edge_count());
+    for (std::uint32_t edge = 0; edge < mesh.edge_count(); ++edge) edges[edge] = EdgeId{edge};
+    return edge_vertices(mesh, edges);
+}
+
+// N x 2 x 3, in the coordinates of the mesh.
+py::array segments(const PythonSilhouette& silhouette) {
+    const Mesh& mesh = silhouette.library_mesh();
+    std::vector<glm::vec3> ends;
+    ends.reserve(2 * silhouette.edges.size());
+    for (const EdgeId edge : silhouette.edges)
+        for (const VertexId vertex : mesh.edge(edge).vertices)
+            ends.push_back(mesh.positions()[index(vertex)]);
+    return copied<float>(std::span<const glm::vec3>(ends), 3)
+        .reshape(
+            {static_cast<py::ssize_t>(silhouette.edges.size()), py::ssize_t{2}, py::ssize_t{3}});
+}
+
+std::string text_of(const PythonMesh& mesh) {
+    return "<rimline.Mesh " + mesh.name() + ": " + std::to_string(mesh.mesh().vertex_count()) +
+           " vertices, " + std::to_string(mesh.mesh().face_count()) + " faces, " +
+           std::to_string(mesh.mesh().edge_count()) + " edges>";
+}
+
+}  // namespace
+
+PythonMesh::PythonMesh(std::string name, MeshSource source, Welding welding, const LongCall& call)
+    : name_(std::move(name)), mesh_(source, welding, call) {
+    if (mesh_.radius() > 0.0 && mesh_.radius() < k_min_radius)
+        throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
+    positions_ = std::move(source.positions);
+}
+
+py::array edge_vertices(const Mesh& mesh, std::span<const EdgeId> edges) {
+    py::array_t<std::uint32_t> result(
+        std::vector<py::ssize_t>{static_cast<py::ssize_t>(edges.size()), 2});
+    std::uint32_t* numbers = result.mutable_data();
+    for (const EdgeId edge : edges)
+        for (const VertexId vertex : mesh.edge(edge).vertices)
+            *numbers++ = mesh.file_vertex(vertex);
+    return result;
+}
+
+void bind_mesh(py::module_& module) {
+    py::class_<PythonSilhouette>(module, "Silhouette",
+                                 "The silhouette of a mesh from a point: edges between a face that "
+                                 "is seen from the front and one that is not.")
+        .def("__len__", [](const PythonSilhouette& s) { return s.edges.size(); })
+        .def_property_readonly(
+            "edges",
+            [](const PythonSilhouette& s) { return edge_vertices(s.library_mesh(), s.edges); },
+            "N x 2 uint32: the vertices of each edge, as the input numbers them; of equal "
+            "positions the first stands for all.")
+        .def_property_readonly(
+            "ids",
+            [](const PythonSilhouette& s) {
+                return copied<std::uint32_t>(std::span<const EdgeId>(s.edges));
+            },
+            "N uint32: rows of Mesh.edges, ascending.")
+        .def_property_readonly("segments", &segments, "N x 2 x 3 float32: the ends of each edge.")
+        .def("__repr__", [](const PythonSilhouette& s) {
+            return "<rimline.Silhouette of " + std::to_string(s.edges.size()) + " edges>";
+        });
+
+    py::class_<PythonMesh, SharedMesh> mesh(
+        module, "Mesh", "A triangle mesh. Immutable; any number of threads may use one.");
+    mesh.def(py::init(&mesh_of_arrays), py::arg("vertices"), py::arg("faces"), py::kw_only(),
+             py::arg("up") = py::none(), py::arg("weld") = true, py::arg("progress") = py::none(),
+             "Makes a mesh of vertices (V x 3 numbers, rounded to float32) and faces (F x 3 "
+             "integers, counter-clockwise from outside).\n\n"
+             "up: 'y' or 'z' where it is known. weld: equal positions are one vertex; without, "
+             "faces that only touch share no edge. progress: None, True (a bar of tqdm), a bar, or "
+             "a function that takes the finished share.\n\n"
+             "Raises ValueError or TypeError naming the first wrong row.")
+        .def_property_readonly(
+            "vertices",
+            [](const py::object& self) {
+                const auto& positions = self.cast<const PythonMesh&>().positions();
+                return array_over<float>(positions.data(),
+                                         {static_cast<py::ssize_t>(positions.size()), 3}, self);
+            },
+            "V x 3 float32: the positions as they were given, with unused ones. A view.")
+        .def_property_readonly(
+            "faces", [](const PythonMesh& m) { return faces_in_file(m.mesh()); },
+            "F x 3 uint32: corners as rows of vertices; of equal positions the first stands for "
+            "all.")
+        .def_property_readonly(
+            "edges", [](const PythonMesh& m) { return all_edges(m.mesh()); },
+            "E x 2 uint32: the vertices of each edge, as rows of vertices.")
+        .def_property_readonly(
+            "edge_faces",
+            [](const PythonMesh& m) {
+                std::vector<std::array<std::int64_t, 2>> rows;
+                rows.reserve(m.mesh().edge_count());
+                for (std::uint32_t edge = 0; edge < m.mesh().edge_count(); ++edge) {
+                    const std::span<const FaceId> faces = m.mesh().faces_of(EdgeId{edge});
+                    rows.push_back(
+                        {index(faces[0]), faces.size() > 1 ? std::int64_t{index(faces[1])} : -1});
+                }
+                return copied<std::int64_t>(std::span<const std::array<std::int64_t, 2>>(rows), 2);
+            },
+            "E x 2 int64: the first two faces of each edge; -1 for the second of a border.")
+        .def_property_readonly(
+            "borders",
+            [](const PythonMesh& m) {
+                return edge_vertices(m.mesh(), edges_of_class(m.mesh(), EdgeClass::border));
+            },
+            "N x 2 uint32: edges of one face. They are in no silhouette.")
+        .def_property_readonly("name", &PythonMesh::name)
+        .def_property_readonly(
+            "center", [](const PythonMesh& m) { return array_of(m.mesh().center()); },
+            "The center of the bounding box of the used vertices.")
+        .def_property_readonly(
+            "radius", [](const PythonMesh& m) { return m.mesh().radius(); },
+            "The greatest distance from the center to a used vertex.")
+        .def_property_readonly(
+            "bounds",
+            [](const PythonMesh& m) {
+                const std::array<glm::vec3, 2> bounds{m.mesh().bounds().low,
+                                                      m.mesh().bounds().high};
+                return copied<float>(std::span<const glm::vec3>(bounds), 3);
+            },
+            "2 x 3 float32: least and greatest coordinates of the used vertices.")
+        .def_property_readonly(
+            "up",
+            [](const PythonMesh& m) {
+                return array_of(tools::choose_up(m.mesh(), std::nullopt, false).up);
+            },
+            "The direction that pictures show upwards: the file's, or where it names none the "
+            "axis on which the mesh stands; y unless another is clearly better.")
+        .def_property_readonly(
+            "is_closed", [](const PythonMesh& m) { return m.mesh().is_closed(); },
+            "Whether every edge has an even number of faces.")
+        .def_property_readonly(
+            "is_oriented", [](const PythonMesh& m) { return m.mesh().is_oriented(); },
+            "Whether no edge has two faces that traverse it in the same direction.")
+        .def("silhouette", &silhouette, py::arg("eye") = py::none(), py::kw_only(),
+             py::arg("direction") = py::none(), py::arg("progress") = py::none(),
+             "The silhouette from a viewpoint, or for an orthographic view from the direction that "
+             "points towards the viewer.\n\n"
+             "Tests all faces, in about 1 ms for 200,000, or uses the index after build_index() "
+             "or where a Tracker has made it: the result is the same.")
+        .def("front_faces", &front_faces, py::arg("eye") = py::none(), py::kw_only(),
+             py::arg("direction") = py::none(), "F bool: whether each face is seen from its front.")
+        .def(
+            "build_index",
+            [](PythonMesh& m, const py::object& progress) {
+                run_long(progress, [&](const LongCall& call) { m.octree(call); });
+            },
+            py::kw_only(), py::arg("progress") = py::none(),
+            "Makes the index that trackers and fast silhouettes use, about half a microsecond a "
+            "face. Where it is needed it is made anyway.")
+        .def("__repr__", &text_of);
+
+    module.def("load", &load, py::arg("path"), py::kw_only(), py::arg("subdivide") = 0,
+               py::arg("textures") = false, py::arg("progress") = py::none(),
+               "Reads a mesh: OBJ, PLY, STL, OFF, glTF, GLB; or a built-in shape, as "
+               "'shape:knot:5000'.\n\n"
+               "subdivide: refines it so many times (Loop). textures: reads pictures of materials, "
+               "which only render() needs. Raises InputError naming file and place, FileError.");
+}
+
+}  // namespace rimline::python

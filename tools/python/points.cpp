@@ -1,0 +1,166 @@
+#include "tools/python/points.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "silhouette/mesh/equal_positions.h"
+#include "silhouette/points/feature_weights.h"
+#include "silhouette/points/point_cloud.h"
+#include "silhouette/points/point_silhouette.h"
+#include "silhouette/points/point_surface.h"
+#include "silhouette/points/umbrella_index.h"
+#include "tools/python/arrays.h"
+#include "tools/python/long_calls.h"
+
+namespace rimline::python {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr std::array<const char*, 4> k_label_names{"border", "interior", "feature", "undecided"};
+
+// Points are numbered as the input numbers them. Of equal positions all have what the first has.
+class PythonPoints {
+public:
+    PythonPoints(const py::object& points, std::uint32_t k, const py::object& progress) {
+        if (k < 4 || k > 32) throw py::value_error("k: expected 4 to 32 neighbors");
+        std::vector<glm::dvec3> positions = positions_of(points, "points");
+        if (positions.empty()) throw py::value_error("points: expected at least one");
+        run_long(progress, [&](const LongCall& call) {
+            cloud_.emplace(PointSource{.positions = positions,
+                                       .normals = {},
+                                       .colors = {},
+                                       .intensities = {},
+                                       .triangles = {}});
+            call.checkpoint(0.02);
+            number_rows(positions);
+            surface_.emplace(cloud_->positions(), PointSurfaceOptions{.k = k},
+                             call.part(0.02, 0.8));
+            weights_ = feature_weights(*surface_, call.part(0.8, 0.9));
+            index_ = std::make_unique<UmbrellaIndex>(*surface_, call.part(0.9, 1.0));
+        });
+    }
+
+    const PointSurface& surface() const { return *surface_; }
+    const PointCloud& cloud() const { return *cloud_; }
+    const UmbrellaIndex& index() const { return *index_; }
+    const std::vector<float>& weights() const { return weights_; }
+    std::size_t row_count() const { return of_row_.size(); }
+    PointId point_of_row(std::size_t row) const { return PointId{of_row_[row]}; }
+
+private:
+    // The cloud has the first of equal positions, in the order of rows.
+    void number_rows(std::span<const glm::dvec3> positions) {
+        of_row_ = first_equal_positions<double>(positions);
+        std::uint32_t next = 0;
+        for (std::uint32_t row = 0; row < of_row_.size(); ++row)
+            of_row_[row] = of_row_[row] == row ? next++ : of_row_[of_row_[row]];
+    }
+
+    std::vector<std::uint32_t> of_row_;
+    std::optional<PointCloud> cloud_;
+    std::optional<PointSurface> surface_;
+    std::vector<float> weights_;
+    std::unique_ptr<UmbrellaIndex> index_;
+};
+
+struct PythonPointSilhouette {
+    std::vector<std::uint32_t> points;
+    std::vector<std::array<std::uint32_t, 2>> edges;
+};
+
+std::unique_ptr<PythonPointSilhouette> silhouette_of(const PythonPoints& self,
+                                                     const py::object& eye,
+                                                     const py::object& direction,
+                                                     const py::object& progress) {
+    if (eye.is_none() == direction.is_none())
+        throw py::type_error("expected either eye or direction");
+    const HomogeneousPoint point =
+        eye.is_none() ? self.index().direction(direction_of(direction, "direction"))
+                      : self.index().viewpoint(vector_of(eye, "eye"));
+    return long_result(progress, [&](const LongCall&) {
+        const PointSilhouette silhouette(self.index(), point);
+        auto result = std::make_unique<PythonPointSilhouette>();
+        for (const PointId id : silhouette.points())
+            result->points.push_back(self.cloud().file_point(index(id)));
+        for (const PointEdge& edge : silhouette.consensus_edges())
+            result->edges.push_back(
+                {self.cloud().file_point(index(edge[0])), self.cloud().file_point(index(edge[1]))});
+        return result;
+    });
+}
+
+}  // namespace
+
+void bind_points(py::module_& module) {
+    py::class_<PythonPointSilhouette>(module, "PointSilhouette",
+                                      "The silhouette of a point set from a point.")
+        .def("__len__", [](const PythonPointSilhouette& s) { return s.points.size(); })
+        .def_property_readonly(
+            "points",
+            [](const PythonPointSilhouette& s) {
+                return copied<std::uint32_t>(std::span<const std::uint32_t>(s.points));
+            },
+            "N uint32: rows of the points on the silhouette, ascending.")
+        .def_property_readonly(
+            "edges",
+            [](const PythonPointSilhouette& s) {
+                return copied<std::uint32_t>(std::span<const std::array<std::uint32_t, 2>>(s.edges),
+                                             2);
+            },
+            "N x 2 uint32: edges that are on the silhouette by consensus of both their points.");
+
+    py::class_<PythonPoints>(module, "PointSurface",
+                             "The surface that points were sampled from, point by point: normals, "
+                             "borders, features, silhouettes. Immutable; any number of threads may "
+                             "use one.")
+        .def(py::init<const py::object&, std::uint32_t, const py::object&>(), py::arg("points"),
+             py::kw_only(), py::arg("k") = 16, py::arg("progress") = py::none(),
+             "Finds the umbrella of each of N x 3 points, about five microseconds a point.\n\n"
+             "k: how many nearest neighbors are looked at, 4 to 32.")
+        .def("__len__", &PythonPoints::row_count)
+        .def_property_readonly(
+            "labels",
+            [](const PythonPoints& self) {
+                py::array_t<std::uint8_t> labels(static_cast<py::ssize_t>(self.row_count()));
+                std::uint8_t* to = labels.mutable_data();
+                for (std::size_t row = 0; row < self.row_count(); ++row)
+                    to[row] = std::uint8_t(self.surface().label(self.point_of_row(row)));
+                return labels;
+            },
+            "N uint8: rows of POINT_LABELS: border, interior, feature or undecided.")
+        .def_property_readonly(
+            "normals",
+            [](const PythonPoints& self) {
+                py::array_t<double> normals(
+                    std::vector<py::ssize_t>{static_cast<py::ssize_t>(self.row_count()), 3});
+                double* to = normals.mutable_data();
+                for (std::size_t row = 0; row < self.row_count(); ++row) {
+                    const glm::dvec3 normal = self.surface().normal(self.point_of_row(row));
+                    to = std::copy_n(&normal.x, 3, to);
+                }
+                return normals;
+            },
+            "N x 3 float64: unit normals, unoriented; zero where a point has none.")
+        .def_property_readonly(
+            "features",
+            [](const PythonPoints& self) {
+                py::array_t<float> weights(static_cast<py::ssize_t>(self.row_count()));
+                float* to = weights.mutable_data();
+                for (std::size_t row = 0; row < self.row_count(); ++row)
+                    to[row] = self.weights()[index(self.point_of_row(row))];
+                return weights;
+            },
+            "N float32: how sharply the surface turns, 0 (flat) to 1 (a right angle).")
+        .def("silhouette", &silhouette_of, py::arg("eye") = py::none(), py::kw_only(),
+             py::arg("direction") = py::none(), py::arg("progress") = py::none(),
+             "The silhouette from a viewpoint or a direction towards the viewer.");
+
+    py::tuple labels(k_label_names.size());
+    for (std::size_t i = 0; i < k_label_names.size(); ++i) labels[i] = py::str(k_label_names[i]);
+    module.attr("POINT_LABELS") = labels;
+}
+
+}  // namespace rimline::python

@@ -1,0 +1,234 @@
+"""Silhouettes of meshes and point clouds: found, kept up to date while a camera moves, and drawn.
+
+    import rimline
+
+    mesh = rimline.load("bunny.obj")
+    print(mesh.silhouette(eye=(2, 1, 2)).edges)         # N x 2 vertex numbers
+    tracker = rimline.Tracker(mesh, eye=(2, 1, 2))
+    print(tracker.move_to((2, 1, 1.9)).added)           # what changed, as arrays
+    rimline.draw(mesh, hidden="dashed").save("bunny.svg")
+    rimline.render(mesh, style="toon", ground=True).save("bunny.png")
+
+Coordinates are those of the mesh. Directions point from the mesh towards the viewer or the light. Long calls let other
+threads run, stop on Ctrl-C, and take `progress`: True for a bar of tqdm, such a bar, or a function of the finished
+share.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+from typing import Any, NamedTuple, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from rimline import _rimline
+from rimline._rimline import (
+    FIELD_FUNCTIONS,
+    LINE_KINDS,
+    POINT_LABELS,
+    CameraPath,
+    CancelledError,
+    ChangeSet,
+    DeviceLostError,
+    Error,
+    FileError,
+    InputError,
+    LineDrawer,
+    LineDrawing,
+    Mesh,
+    NoDeviceError,
+    PointSilhouette,
+    PointSurface,
+    ServiceTracker,
+    Silhouette,
+    SilhouetteService,
+    Snapshot,
+    TangentialField,
+    TooLargeError,
+    Tracker,
+    View,
+    __version__,
+    best_light,
+    devices,
+    load,
+)
+
+__all__ = [
+    "FIELD_FUNCTIONS",
+    "LINE_KINDS",
+    "POINT_LABELS",
+    "CameraPath",
+    "CancelledError",
+    "ChangeSet",
+    "DeviceLostError",
+    "Error",
+    "FileError",
+    "InputError",
+    "Line",
+    "LineDrawer",
+    "LineDrawing",
+    "Mesh",
+    "NoDeviceError",
+    "Picture",
+    "PointSilhouette",
+    "PointSurface",
+    "Renderer",
+    "Scene",
+    "ServiceTracker",
+    "Silhouette",
+    "SilhouetteService",
+    "Snapshot",
+    "TangentialField",
+    "TooLargeError",
+    "Tracker",
+    "View",
+    "__version__",
+    "best_light",
+    "best_views",
+    "camera_path",
+    "devices",
+    "draw",
+    "load",
+    "render",
+]
+
+Vector = Union[Sequence[float], "npt.NDArray[Any]"]
+
+
+class Line(NamedTuple):
+    """A line of a LineDrawing on its page."""
+
+    kind: str
+    """One of LINE_KINDS."""
+    hidden: bool
+    closed: bool
+    points: npt.NDArray[np.float64]
+    """N x 2, in mm, y downwards."""
+
+
+class Picture(np.ndarray):  # type: ignore[type-arg]
+    """An H x W x 4 array of uint8: sRGB and straight alpha, rows from the top."""
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes a PNG file, whole or not at all."""
+        folder, name = os.path.split(os.fspath(path))
+        part = os.path.join(folder, f".{name}.{os.getpid()}.{threading.get_ident()}.part")
+        try:
+            with open(part, "wb") as file:
+                file.write(_rimline.encode_png(self))
+            os.replace(part, path)
+        finally:
+            if os.path.exists(part):
+                os.remove(part)
+
+    def _repr_png_(self) -> bytes | None:
+        is_picture = self.ndim == 3 and self.shape[2] == 4 and self.dtype == np.uint8 and self.size > 0
+        return _rimline.encode_png(self) if is_picture else None
+
+
+class Scene:
+    """A mesh, and how to draw it: the keywords are the options of `rimline render`, with _ for -.
+
+    Camera   eye (a point, or auto, front, back, left, right, top, bottom, three-quarter), azimuth, elevation, target,
+             up, fov, ortho
+    Style    style (ink, toon, blueprint, hatch, mask), palette, color, line_color, materials, lines, line_width, crease,
+             intersections, min_length, hidden, shadows, ground, ground_up
+    Lights   light (a point, or several), sun (a direction, several, or auto), lighting
+    Image    size (width and height), background (a color, or none)
+
+    What is not given is chosen for the mesh.
+    """
+
+    def __init__(self, mesh: Mesh, **options: Any) -> None:
+        if not isinstance(mesh, Mesh):
+            raise TypeError(f"mesh: expected a rimline.Mesh, not {type(mesh).__name__}")
+        size = options.get("size")
+        if size is not None and not isinstance(size, str):
+            width, height = (int(side) for side in size)
+            options["size"] = f"{width}x{height}"
+        self.mesh = mesh
+        self.options = options
+
+    def replace(self, **options: Any) -> Scene:
+        """A scene with other options in place of these."""
+        return Scene(self.mesh, **{**self.options, **options})
+
+    def _repr_png_(self) -> bytes | None:
+        return render(self)._repr_png_()
+
+
+class Renderer(_rimline.Renderer):
+    """Draws scenes on a Vulkan device. Meshes and silhouettes stay on it from one picture of a mesh to the next."""
+
+    def render(self, scene: Scene | Mesh, *, progress: Any = None, **options: Any) -> Picture:
+        """Draws a scene, or a mesh with the options of Scene, as an H x W x 4 array of uint8."""
+        if not isinstance(scene, Scene):
+            scene = Scene(scene, **options)
+        elif options:
+            scene = scene.replace(**options)
+        return self._render(scene.mesh, scene.options, progress).view(Picture)
+
+
+_shared_renderer: Renderer | None = None
+_shared_renderer_lock = threading.Lock()
+
+
+def _renderer() -> Renderer:
+    global _shared_renderer
+    with _shared_renderer_lock:
+        if _shared_renderer is None:
+            _shared_renderer = Renderer(os.environ.get("RIMLINE_DEVICE", ""))
+        return _shared_renderer
+
+
+def render(scene: Scene | Mesh, *, progress: Any = None, **options: Any) -> Picture:
+    """Draws a scene, or a mesh with the options of Scene, on the default device (or that of RIMLINE_DEVICE)."""
+    return _renderer().render(scene, progress=progress, **options)
+
+
+def draw(mesh: Mesh, *, progress: Any = None, **options: Any) -> LineDrawing:
+    """The lines of a mesh from a camera, with the options of LineDrawer.draw()."""
+    return LineDrawer(mesh, progress=progress).draw(progress=progress, **options)
+
+
+def best_views(
+    mesh: Mesh,
+    count: int = 4,
+    *,
+    visible: bool = True,
+    renderer: Renderer | None = None,
+    below: str = "less",
+    by_area: bool = False,
+    up: Vector | None = None,
+    progress: Any = None,
+) -> list[View]:
+    """The viewpoints that together show a mesh best, the best one first.
+
+    visible: weigh votes by the visible share of the silhouette, which is drawn by `renderer` or on the default device.
+    below: 'less', views from below and behind count less; 'full', they do not. by_area: planes count by the areas of
+    their faces. Fewer than `count` views where no other shows more.
+    """
+    used = (renderer or _renderer()) if visible else None
+    return _rimline._best_views(mesh, count, used, below, by_area, up, progress)
+
+
+def camera_path(
+    mesh: Mesh,
+    views: int | Sequence[View] | npt.NDArray[Any] = 4,
+    *,
+    up: Vector | None = None,
+    progress: Any = None,
+    **options: Any,
+) -> CameraPath:
+    """A closed, smooth path through the best views of a mesh; `options` are those of best_views().
+
+    views: how many, or those of best_views(), or their eyes (N x 3).
+    """
+    if isinstance(views, int):
+        views = best_views(mesh, views, up=up, progress=progress, **options)
+    elif options:
+        raise TypeError(f"unexpected keyword argument '{next(iter(options))}'")
+    eyes = np.array([view.eye if isinstance(view, View) else view for view in views], dtype=np.float64)
+    return CameraPath(mesh, eyes.reshape(-1, 3), up=up, progress=progress)
