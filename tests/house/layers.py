@@ -31,9 +31,9 @@ LAYERS = [
     [["tools"]],
     [["tools/options"]],
     [["tools/output"]],
-    [["tools/commands"]],
+    [["tools/commands"], ["tools/bindings"]],
     [["tools/bench"]],
-    [["tools/view"], ["tools/main"], ["tools/python"]],
+    [["tools/view"], ["tools/main"], ["tools/python"], ["tools/c"]],
 ]
 # A folder that only these may include.
 ONLY_FOR = {"silhouette/methods": ("silhouette/methods/", "tools/", "tests/")}

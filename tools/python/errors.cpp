@@ -5,6 +5,7 @@
 
 #include "silhouette/error.h"
 #include "tools/command.h"
+#include "tools/python/keywords.h"
 
 namespace rimline::python {
 
@@ -51,7 +52,7 @@ void bind_errors(py::module_& module) {
         } catch (const Error& error) {
             PyErr_SetString(g_exceptions[static_cast<std::size_t>(error.code())], error.what());
         } catch (const tools::UsageError& error) {
-            PyErr_SetString(PyExc_ValueError, error.what());
+            PyErr_SetString(PyExc_ValueError, in_keywords(error.what()).c_str());
         }
     });
 }

@@ -14,6 +14,7 @@
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/sun_choice.h"
 #include "silhouette/field/tangential_field.h"
+#include "tools/bindings/bound_renderer.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/up_option.h"
@@ -23,7 +24,6 @@
 #include "tools/python/arrays.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
-#include "tools/python/renderer.h"
 
 namespace rimline::python {
 
@@ -91,13 +91,13 @@ struct PythonView {
 py::list best_views(const SharedMesh& shared, std::uint32_t count, const py::object& renderer,
                     const std::string& below, bool by_area, const py::object& up,
                     const py::object& progress) {
-    PythonMesh& mesh = *shared;
+    BoundMesh& mesh = *shared;
     if (count < 1 || count > 64) throw py::value_error("count: expected 1 to 64");
     if (below != "less" && below != "full")
         throw py::value_error("below: expected 'less' or 'full'");
     const tools::ViewChoice choice{.count = count, .by_area = by_area, .below = below};
     const glm::dvec3 upwards = up_of(mesh.mesh(), up);
-    auto* drawer = renderer.is_none() ? nullptr : &renderer.cast<PythonRenderer&>();
+    auto* drawer = renderer.is_none() ? nullptr : &renderer.cast<tools::BoundRenderer&>();
     const BestViews best = long_result(progress, [&](const LongCall& call) {
         tools::check_viewing_range(mesh.name(), mesh.mesh());
         const TangentialField field =

@@ -1,6 +1,7 @@
 #include "tools/python/keywords.h"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -86,23 +87,20 @@ void add_words(std::vector<std::string>& words, const CLI::Option& option,
     }
 }
 
-// Messages name options, and callers know keywords.
-std::string in_keywords(std::string message, const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options())
-        if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
-    // The longer of two that begin alike first.
-    std::ranges::sort(names, std::greater{}, &std::string::size);
-    for (const std::string& name : names) {
-        const std::string keyword = keyword_name(name);
-        for (std::size_t at = 0; (at = message.find(name, at)) != std::string::npos;
-             at += keyword.size())
-            message.replace(at, name.size(), keyword);
+}  // namespace
+
+std::string in_keywords(std::string message) {
+    for (std::size_t at = 0; (at = message.find("--", at)) != std::string::npos;) {
+        const std::size_t begin = at + 2;
+        std::size_t end = begin;
+        while (end < message.size() && (std::islower(message[end]) != 0 || message[end] == '-'))
+            ++end;
+        const std::string keyword = keyword_name(message.substr(at, end - at));
+        message.replace(at, end - at, keyword);
+        at += std::max<std::size_t>(keyword.size(), 1);
     }
     return message;
 }
-
-}  // namespace
 
 void parse_keywords(CLI::App& app, const py::dict& keywords) {
     std::vector<std::string> words;
@@ -123,7 +121,7 @@ void parse_keywords(CLI::App& app, const py::dict& keywords) {
     try {
         app.parse(words);
     } catch (const CLI::ParseError& error) {
-        throw py::value_error(in_keywords(error.what(), app));
+        throw py::value_error(in_keywords(error.what()));
     }
 }
 

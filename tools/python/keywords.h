@@ -13,10 +13,14 @@
 #include <pybind11/pybind11.h>
 
 #include <CLI/App.hpp>
+#include <string>
 
 namespace rimline::python {
 
-/// Parses `keywords` into the options of `app`, as which it must have been told to be used once. Throws TypeError for a
+/// The message with `line_width` for `--line-width`: callers know keywords.
+std::string in_keywords(std::string message);
+
+/// Parses `keywords` into the options of `app`, once. Throws TypeError for a
 /// name that `app` has not, ValueError for a wrong value.
 void parse_keywords(CLI::App& app, const pybind11::dict& keywords);
 

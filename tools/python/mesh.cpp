@@ -16,8 +16,6 @@ namespace py = pybind11;
 
 namespace {
 
-constexpr double k_min_radius = 0x1p-50;
-
 struct PythonSilhouette {
     SharedMesh mesh;
     HomogeneousPoint point;
@@ -37,8 +35,8 @@ SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, c
         source.is_up_known = true;
     }
     return long_result(progress, [&](const LongCall& call) {
-        return std::make_shared<PythonMesh>("the mesh", std::move(source),
-                                            weld ? Welding::equal_positions : Welding::none, call);
+        return std::make_shared<BoundMesh>("the mesh", std::move(source),
+                                           weld ? Welding::equal_positions : Welding::none, call);
     });
 }
 
@@ -50,16 +48,8 @@ SharedMesh load(const py::object& path, std::uint32_t subdivide, bool textures,
         throw py::value_error("subdivide: expected at most " +
                               std::to_string(tools::k_max_subdivisions));
     std::vector<std::string> warnings;
-    auto mesh = long_result(progress, [&](const LongCall& call) {
-        const auto begin = [&](const std::string&) { return call; };
-        MeshSource source = tools::load_model(
-            name, subdivide, FaceRequirement::faces, begin,
-            textures ? tools::TexturePictures::read : tools::TexturePictures::skip);
-        warnings = std::move(source.warnings);
-        return tools::about_model(name, [&] {
-            return std::make_shared<PythonMesh>(name, std::move(source), Welding::equal_positions,
-                                                call);
-        });
+    SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
+        return tools::load_bound_mesh(name, subdivide, textures, warnings, call);
     });
     for (const std::string& warning : warnings)
         if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
@@ -82,7 +72,7 @@ PythonSilhouette silhouette(const SharedMesh& mesh, const py::object& eye,
     return result;
 }
 
-py::array front_faces(PythonMesh& mesh, const py::object& eye, const py::object& direction) {
+py::array front_faces(BoundMesh& mesh, const py::object& eye, const py::object& direction) {
     const std::vector<std::uint32_t> words =
         brute_force_face_bits(mesh.mesh(), point_of(eye, direction));
     py::array_t<bool> result(mesh.mesh().face_count());
@@ -128,20 +118,13 @@ py::array segments(const PythonSilhouette& silhouette) {
             {static_cast<py::ssize_t>(silhouette.edges.size()), py::ssize_t{2}, py::ssize_t{3}});
 }
 
-std::string text_of(const PythonMesh& mesh) {
+std::string text_of(const BoundMesh& mesh) {
     return "<rimline.Mesh " + mesh.name() + ": " + std::to_string(mesh.mesh().vertex_count()) +
            " vertices, " + std::to_string(mesh.mesh().face_count()) + " faces, " +
            std::to_string(mesh.mesh().edge_count()) + " edges>";
 }
 
 }  // namespace
-
-PythonMesh::PythonMesh(std::string name, MeshSource source, Welding welding, const LongCall& call)
-    : name_(std::move(name)), mesh_(source, welding, call) {
-    if (mesh_.radius() > 0.0 && mesh_.radius() < k_min_radius)
-        throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
-    positions_ = std::move(source.positions);
-}
 
 py::array edge_vertices(const Mesh& mesh, std::span<const EdgeId> edges) {
     py::array_t<std::uint32_t> result(
@@ -174,7 +157,7 @@ void bind_mesh(py::module_& module) {
             return "<rimline.Silhouette of " + std::to_string(s.edges.size()) + " edges>";
         });
 
-    py::class_<PythonMesh, SharedMesh> mesh(
+    py::class_<BoundMesh, SharedMesh> mesh(
         module, "Mesh", "A triangle mesh. Immutable; any number of threads may use one.");
     mesh.def(py::init(&mesh_of_arrays), py::arg("vertices"), py::arg("faces"), py::kw_only(),
              py::arg("up") = py::none(), py::arg("weld") = true, py::arg("progress") = py::none(),
@@ -187,21 +170,21 @@ void bind_mesh(py::module_& module) {
         .def_property_readonly(
             "vertices",
             [](const py::object& self) {
-                const auto& positions = self.cast<const PythonMesh&>().positions();
+                const auto& positions = self.cast<const BoundMesh&>().positions();
                 return array_over<float>(positions.data(),
                                          {static_cast<py::ssize_t>(positions.size()), 3}, self);
             },
             "V x 3 float32: the positions as they were given, with unused ones. A view.")
         .def_property_readonly(
-            "faces", [](const PythonMesh& m) { return faces_in_file(m.mesh()); },
+            "faces", [](const BoundMesh& m) { return faces_in_file(m.mesh()); },
             "F x 3 uint32: corners as rows of vertices; of equal positions the first stands for "
             "all.")
         .def_property_readonly(
-            "edges", [](const PythonMesh& m) { return all_edges(m.mesh()); },
+            "edges", [](const BoundMesh& m) { return all_edges(m.mesh()); },
             "E x 2 uint32: the vertices of each edge, as rows of vertices.")
         .def_property_readonly(
             "edge_faces",
-            [](const PythonMesh& m) {
+            [](const BoundMesh& m) {
                 std::vector<std::array<std::int64_t, 2>> rows;
                 rows.reserve(m.mesh().edge_count());
                 for (std::uint32_t edge = 0; edge < m.mesh().edge_count(); ++edge) {
@@ -214,20 +197,20 @@ void bind_mesh(py::module_& module) {
             "E x 2 int64: the first two faces of each edge; -1 for the second of a border.")
         .def_property_readonly(
             "borders",
-            [](const PythonMesh& m) {
+            [](const BoundMesh& m) {
                 return edge_vertices(m.mesh(), edges_of_class(m.mesh(), EdgeClass::border));
             },
             "N x 2 uint32: edges of one face. They are in no silhouette.")
-        .def_property_readonly("name", &PythonMesh::name)
+        .def_property_readonly("name", &BoundMesh::name)
         .def_property_readonly(
-            "center", [](const PythonMesh& m) { return array_of(m.mesh().center()); },
+            "center", [](const BoundMesh& m) { return array_of(m.mesh().center()); },
             "The center of the bounding box of the used vertices.")
         .def_property_readonly(
-            "radius", [](const PythonMesh& m) { return m.mesh().radius(); },
+            "radius", [](const BoundMesh& m) { return m.mesh().radius(); },
             "The greatest distance from the center to a used vertex.")
         .def_property_readonly(
             "bounds",
-            [](const PythonMesh& m) {
+            [](const BoundMesh& m) {
                 const std::array<glm::vec3, 2> bounds{m.mesh().bounds().low,
                                                       m.mesh().bounds().high};
                 return copied<float>(std::span<const glm::vec3>(bounds), 3);
@@ -235,16 +218,16 @@ void bind_mesh(py::module_& module) {
             "2 x 3 float32: least and greatest coordinates of the used vertices.")
         .def_property_readonly(
             "up",
-            [](const PythonMesh& m) {
+            [](const BoundMesh& m) {
                 return array_of(tools::choose_up(m.mesh(), std::nullopt, false).up);
             },
             "The direction that pictures show upwards: the file's, or where it names none the "
             "axis on which the mesh stands; y unless another is clearly better.")
         .def_property_readonly(
-            "is_closed", [](const PythonMesh& m) { return m.mesh().is_closed(); },
+            "is_closed", [](const BoundMesh& m) { return m.mesh().is_closed(); },
             "Whether every edge has an even number of faces.")
         .def_property_readonly(
-            "is_oriented", [](const PythonMesh& m) { return m.mesh().is_oriented(); },
+            "is_oriented", [](const BoundMesh& m) { return m.mesh().is_oriented(); },
             "Whether no edge has two faces that traverse it in the same direction.")
         .def("silhouette", &silhouette, py::arg("eye") = py::none(), py::kw_only(),
              py::arg("direction") = py::none(), py::arg("progress") = py::none(),
@@ -256,7 +239,7 @@ void bind_mesh(py::module_& module) {
              py::arg("direction") = py::none(), "F bool: whether each face is seen from its front.")
         .def(
             "build_index",
-            [](PythonMesh& m, const py::object& progress) {
+            [](BoundMesh& m, const py::object& progress) {
                 run_long(progress, [&](const LongCall& call) { m.octree(call); });
             },
             py::kw_only(), py::arg("progress") = py::none(),

@@ -146,7 +146,7 @@ def test_equal_positions_are_one_vertex_unless_asked():
     assert set(welded.edges.ravel().tolist()) <= set(first.values())
     assert (welded.vertices == corners).all()
     for draw in (rimline.draw, rimline.render):
-        with pytest.raises(ValueError, match="weld"):
+        with pytest.raises(ValueError, match="one vertex"):
             draw(split)
 
 

@@ -1,0 +1,32 @@
+#include "tools/bindings/bound_mesh.h"
+
+#include "tools/options/model_argument.h"
+
+namespace rimline::tools {
+
+namespace {
+
+constexpr double k_min_radius = 0x1p-50;
+
+}  // namespace
+
+BoundMesh::BoundMesh(std::string name, MeshSource source, Welding welding, const LongCall& call)
+    : name_(std::move(name)), mesh_(source, welding, call) {
+    if (mesh_.radius() > 0.0 && mesh_.radius() < k_min_radius)
+        throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
+    positions_ = std::move(source.positions);
+}
+
+SharedMesh load_bound_mesh(const std::string& model, std::uint32_t subdivide, bool reads_textures,
+                           std::vector<std::string>& warnings, const LongCall& call) {
+    const auto begin = [&](const std::string&) { return call; };
+    MeshSource source = load_model(model, subdivide, FaceRequirement::faces, begin,
+                                   reads_textures ? TexturePictures::read : TexturePictures::skip);
+    warnings.insert(warnings.end(), source.warnings.begin(), source.warnings.end());
+    return about_model(model, [&] {
+        return std::make_shared<BoundMesh>(model, std::move(source), Welding::equal_positions,
+                                           call);
+    });
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,96 @@
+#pragma once
+
+// A mesh as other languages hold it (tools/python, tools/c), with what is found for it once and shared by all that use it.
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "silhouette/hough/hough_octree.h"
+#include "silhouette/lines/line_surface.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline::tools {
+
+/// A value that the first thread makes that needs it. Others wait, until their own call is stopped.
+template <typename Value>
+class MadeOnce {
+public:
+    template <typename Make>
+    const Value& get(const LongCall& call, Make&& make) {
+        {
+            std::unique_lock lock(mutex_);
+            const bool is_free = changes_.wait(lock, call.stop, [&] { return !is_being_made_; });
+            if (!is_free) throw Error(ErrorCode::cancelled, "cancelled");
+            if (value_) return *value_;
+            is_being_made_ = true;
+        }
+        try {
+            std::optional<Value> made(std::in_place, make());
+            const std::lock_guard lock(mutex_);
+            value_ = std::move(made);
+        } catch (...) {
+            end();
+            throw;
+        }
+        end();
+        return *value_;
+    }
+    const Value* get_if_made() {
+        const std::lock_guard lock(mutex_);
+        return value_ ? &*value_ : nullptr;
+    }
+
+private:
+    void end() {
+        const std::lock_guard lock(mutex_);
+        is_being_made_ = false;
+        changes_.notify_all();
+    }
+
+    std::mutex mutex_;
+    std::condition_variable_any changes_;
+    bool is_being_made_ = false;
+    std::optional<Value> value_;
+};
+
+/// Objects of other languages share it, and end in any order.
+using SharedMesh = std::shared_ptr<class BoundMesh>;
+
+/// Any number of threads may use one.
+class BoundMesh {
+public:
+    /// Takes the positions of `source`. Throws as Mesh, and Error{bad_input} for a mesh smaller than 2^-50.
+    BoundMesh(std::string name, MeshSource source, Welding welding, const LongCall& call);
+
+    const std::string& name() const noexcept { return name_; }
+    const Mesh& mesh() const noexcept { return mesh_; }
+    /// By the numbers of the file, with unused ones.
+    const std::vector<glm::vec3>& positions() const noexcept { return positions_; }
+
+    // Made when first needed.
+    const HoughOctree& octree(const LongCall& call) {
+        return octree_.get(call, [&] { return HoughOctree(mesh_, {}, call); });
+    }
+    const HoughOctree* octree_if_made() { return octree_.get_if_made(); }
+    const LineSurface& line_surface(const LongCall& call) {
+        return line_surface_.get(
+            call, [&] { return LineSurface(mesh_, LineSurface::Contacts::found, call); });
+    }
+
+private:
+    std::string name_;
+    std::vector<glm::vec3> positions_;
+    Mesh mesh_;
+    MadeOnce<HoughOctree> octree_;
+    MadeOnce<LineSurface> line_surface_;
+};
+
+/// A file or built-in shape (model_argument.h), which must have faces. Adds to `warnings`. Throws Error naming it.
+SharedMesh load_bound_mesh(const std::string& model, std::uint32_t subdivide, bool reads_textures,
+                           std::vector<std::string>& warnings, const LongCall& call);
+
+}  // namespace rimline::tools

@@ -1,0 +1,79 @@
+#include "tools/bindings/bound_renderer.h"
+
+#include <algorithm>
+
+#include "engine/measure/visible_ratio.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/up_option.h"
+#include "tools/output/still_scene.h"
+
+namespace rimline::tools {
+
+namespace {
+
+PictureOptions device_options(const std::string& device, bool validates) {
+    PictureOptions options;
+    options.device = device;
+    options.validate = validates;
+    return options;
+}
+
+}  // namespace
+
+RenderOptions::RenderOptions() {
+    style.add_to(app);
+    style.add_palette_to(app);
+    style.add_still_lines_to(app);
+    picture.add_camera_to(app);
+    picture.add_ground_up_to(app);
+    picture.add_lights_to(app);
+    picture.add_image_to(app, PictureOptions::Background::any);
+}
+
+BoundRenderer::BoundRenderer(const std::string& device, bool validates)
+    : device_(device_options(device, validates)) {}
+
+Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
+                              const LongCall& call) {
+    const Mesh& mesh = shared->mesh();
+    if (!mesh.is_welded())
+        throw UsageError("pictures need a mesh whose equal positions are one vertex");
+    options.style.check_usage(options.picture);
+    check_has_extent(shared->name(), mesh);
+    const glm::dvec3 up = settle_up(mesh, options.picture.up, options.picture.is_up_auto).up;
+    const HoughOctree& octree = shared->octree(call);
+    const std::lock_guard lock(mutex_);
+    if (std::ranges::find(meshes_, shared) == meshes_.end()) meshes_.push_back(shared);
+    if (!options.picture.eye) options.picture.view.choose(shared->name(), mesh, up, call);
+    StillScene still(shared->name(), octree, options.style, options.picture, call);
+    if (still.scene().lines) {
+        if (!lines_ || &lines_->surface().mesh() != &mesh) {
+            lines_.reset();
+            lines_.emplace(octree, LineSurface::Contacts::found, call);
+        }
+        still.add_lines(*lines_, call);
+    }
+    if (!renderer_) renderer_.emplace(device_.context());
+    const ImageSize size = options.picture.size;
+    Picture picture = renderer_->render(still.scene(), size.width, size.height);
+    std::erase_if(meshes_, [&](const SharedMesh& other) { return other != shared; });
+    if (lines_ && &lines_->surface().mesh() != &mesh) lines_.reset();
+    call.checkpoint(1.0);
+    options.style.finish(options.picture).apply(picture);
+    return picture;
+}
+
+void BoundRenderer::measure(BoundMesh& mesh, const LongCall& call,
+                            const std::function<void(const VisibleRatios& ratios)>& use) {
+    const HoughOctree& octree = mesh.octree(call);
+    const std::lock_guard lock(mutex_);
+    VisibleRatioPass pass(device_.context(), octree, {}, call.stop);
+    use([&](std::span<const glm::dvec3> eyes) {
+        std::vector<double> ratios;
+        for (const VisibleRatio& ratio : pass.measure(eyes, {call.stop, {}}))
+            ratios.push_back(ratio.ratio());
+        return ratios;
+    });
+}
+
+}  // namespace rimline::tools
