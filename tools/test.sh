@@ -25,7 +25,7 @@ skipped() {
 tools/install_packages.sh tests || exit 1
 step "see CMake's message above; remove build/release if it is from another machine or compiler" \
     cmake --preset release -DRIMLINE_ENGINE=ON -DRIMLINE_TOOLS=ON -DRIMLINE_TESTS=ON \
-    -DRIMLINE_PYTHON=ON -DRIMLINE_WERROR=ON
+    -DRIMLINE_C=ON -DRIMLINE_PYTHON=ON -DRIMLINE_WERROR=ON
 step "fix what the compiler says above, and run this again" cmake --build --preset release
 
 # The network may be missing or slow: the tests go on without the meshes.
