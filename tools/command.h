@@ -15,6 +15,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "silhouette/error.h"
 #include "tools/run_times.h"
@@ -60,6 +61,9 @@ public:
     /// Called once, before parsing. main.cpp adds --json, --quiet, --threads and --help, to subcommands of
     /// `app` too.
     virtual void add_options(CLI::App& app) = 0;
+    /// Whether it takes what comes after `--`; take_rest() is called with it before run().
+    virtual bool takes_rest() const { return false; }
+    virtual void take_rest(std::vector<std::string>) {}
     /// Called after parsing.
     virtual ExitStatus run(const Context& context) = 0;
 };
@@ -104,5 +108,6 @@ std::unique_ptr<Command> make_view_command();
 std::unique_ptr<Command> make_views_command();
 std::unique_ptr<Command> make_path_command();
 std::unique_ptr<Command> make_light_command();
+std::unique_ptr<Command> make_batch_command();
 
 }  // namespace rimline::tools

@@ -72,6 +72,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     commands.push_back(rimline::tools::make_origins_command());
     commands.push_back(rimline::tools::make_field_command());
     commands.push_back(rimline::tools::make_points_command());
+    commands.push_back(rimline::tools::make_batch_command());
     commands.push_back(rimline::tools::make_bench_command());
     commands.push_back(rimline::tools::make_view_command());
     commands.push_back(rimline::tools::make_devices_command());
@@ -171,6 +172,14 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         return report_usage("there is no subcommand '" + *first + "'" +
                                 rimline::tools::did_you_mean(*first, names_of(commands)),
                             app);
+    if (first != arguments.end() && !has_value) {
+        const auto named = std::ranges::find_if(commands, is_first);
+        const auto rest = std::ranges::find(arguments, "--");
+        if ((*named)->takes_rest() && rest != arguments.end()) {
+            (*named)->take_rest({std::next(rest), arguments.end()});
+            arguments.erase(rest, arguments.end());
+        }
+    }
     std::ranges::reverse(arguments);  // The order that CLI11 expects.
     try {
         app.parse(std::move(arguments));

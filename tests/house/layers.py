@@ -31,6 +31,7 @@ LAYERS = [
     [["tools"]],
     [["tools/options"]],
     [["tools/output"]],
+    [["tools/batch"]],
     [["tools/commands"], ["tools/bindings"]],
     [["tools/bench"]],
     [["tools/view"], ["tools/main"], ["tools/python"], ["tools/c"]],

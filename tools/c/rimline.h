@@ -37,13 +37,13 @@ RIMLINE_API const char* rimline_version(void);
 
 typedef enum rimline_status {
     RIMLINE_OK = 0,
-    RIMLINE_BAD_ARGUMENT = 1,  /* An argument or an option is wrong. */
-    RIMLINE_BAD_INPUT = 2,     /* A file or value is wrong. The message names the file and the place. */
-    RIMLINE_NO_DEVICE = 3,     /* No Vulkan device is suitable. */
-    RIMLINE_DEVICE_LOST = 4,   /* The GPU stopped. Free the renderer. */
-    RIMLINE_IO = 5,            /* The system could not read or write. */
-    RIMLINE_TOO_LARGE = 6,     /* A limit of the machine or of a format is exceeded. */
-    RIMLINE_CANCELLED = 7,     /* The progress function ended the call. */
+    RIMLINE_BAD_ARGUMENT = 1, /* An argument or an option is wrong. */
+    RIMLINE_BAD_INPUT = 2, /* A file or value is wrong. The message names the file and the place. */
+    RIMLINE_NO_DEVICE = 3, /* No Vulkan device is suitable. */
+    RIMLINE_DEVICE_LOST = 4, /* The GPU stopped. Free the renderer. */
+    RIMLINE_IO = 5,          /* The system could not read or write. */
+    RIMLINE_TOO_LARGE = 6,   /* A limit of the machine or of a format is exceeded. */
+    RIMLINE_CANCELLED = 7,   /* The progress function ended the call. */
     RIMLINE_OUT_OF_MEMORY = 8,
     RIMLINE_UNEXPECTED = 9
 } rimline_status;
@@ -92,12 +92,13 @@ RIMLINE_API void rimline_bytes_free(rimline_bytes* bytes);
 typedef struct rimline_mesh rimline_mesh;
 
 /* Reads OBJ, PLY, STL, OFF, glTF or GLB, or makes a built-in shape ("shape:knot:5000"). `path` is UTF-8. */
-RIMLINE_API rimline_status rimline_mesh_load(const char* path, const rimline_call* call, rimline_mesh** mesh,
-                                             rimline_error** error);
+RIMLINE_API rimline_status rimline_mesh_load(const char* path, const rimline_call* call,
+                                             rimline_mesh** mesh, rimline_error** error);
 /* `positions`: 3 * vertex_count finite numbers. `corners`: 3 * face_count vertices, counter-clockwise from outside.
  * Both are copied. */
-RIMLINE_API rimline_status rimline_mesh_create(const float* positions, size_t vertex_count, const uint32_t* corners,
-                                               size_t face_count, const rimline_call* call, rimline_mesh** mesh,
+RIMLINE_API rimline_status rimline_mesh_create(const float* positions, size_t vertex_count,
+                                               const uint32_t* corners, size_t face_count,
+                                               const rimline_call* call, rimline_mesh** mesh,
                                                rimline_error** error);
 RIMLINE_API void rimline_mesh_free(rimline_mesh* mesh);
 
@@ -117,11 +118,13 @@ typedef struct rimline_mesh_info {
 RIMLINE_API rimline_status rimline_mesh_get_info(const rimline_mesh* mesh, rimline_mesh_info* info,
                                                  rimline_error** error);
 /* Writes the two vertices of each of `count` edges to `vertices`, 2 * count numbers. */
-RIMLINE_API rimline_status rimline_mesh_edge_vertices(const rimline_mesh* mesh, const uint32_t* edges, size_t count,
+RIMLINE_API rimline_status rimline_mesh_edge_vertices(const rimline_mesh* mesh,
+                                                      const uint32_t* edges, size_t count,
                                                       uint32_t* vertices, rimline_error** error);
 /* The silhouette from a point: its edges as uint32_t in `*edges`, ascending. Tests all faces; for a point that moves
  * take a tracker. */
-RIMLINE_API rimline_status rimline_mesh_silhouette(const rimline_mesh* mesh, const rimline_point* point,
+RIMLINE_API rimline_status rimline_mesh_silhouette(const rimline_mesh* mesh,
+                                                   const rimline_point* point,
                                                    rimline_bytes** edges, rimline_error** error);
 
 /* Trackers: the silhouette of a mesh from a point that moves. */
@@ -141,24 +144,29 @@ typedef struct rimline_changes {
     size_t removed_count;
     const uint32_t* slots; /* Pairs: a slot, and its new edge. */
     size_t slot_count;
-    const uint32_t* words; /* Pairs: a word of face bits, and its new bits. Face f is bit f % 32 of word f / 32. */
+    const uint32_t*
+        words; /* Pairs: a word of face bits, and its new bits. Face f is bit f % 32 of word f / 32. */
     size_t word_count;
 } rimline_changes;
 
 /* The mesh may be freed before the tracker. */
-RIMLINE_API rimline_status rimline_tracker_create(const rimline_mesh* mesh, const rimline_point* point,
-                                                  const rimline_call* call, rimline_tracker** tracker,
-                                                  rimline_error** error);
+RIMLINE_API rimline_status rimline_tracker_create(const rimline_mesh* mesh,
+                                                  const rimline_point* point,
+                                                  const rimline_call* call,
+                                                  rimline_tracker** tracker, rimline_error** error);
 RIMLINE_API void rimline_tracker_free(rimline_tracker* tracker);
 /* Moves the tracker. Allocates nothing. `changes` may be NULL. */
-RIMLINE_API rimline_status rimline_tracker_move(rimline_tracker* tracker, const rimline_point* point,
+RIMLINE_API rimline_status rimline_tracker_move(rimline_tracker* tracker,
+                                                const rimline_point* point,
                                                 rimline_changes* changes, rimline_error** error);
 /* The edges of the silhouette, in the order of slots; valid until the tracker moves or is freed. */
-RIMLINE_API rimline_status rimline_tracker_silhouette(const rimline_tracker* tracker, const uint32_t** edges,
-                                                      size_t* count, rimline_error** error);
+RIMLINE_API rimline_status rimline_tracker_silhouette(const rimline_tracker* tracker,
+                                                      const uint32_t** edges, size_t* count,
+                                                      rimline_error** error);
 /* All face bits, 32 a word; valid until the tracker moves or is freed. */
-RIMLINE_API rimline_status rimline_tracker_face_words(const rimline_tracker* tracker, const uint32_t** words,
-                                                      size_t* count, rimline_error** error);
+RIMLINE_API rimline_status rimline_tracker_face_words(const rimline_tracker* tracker,
+                                                      const uint32_t** words, size_t* count,
+                                                      rimline_error** error);
 
 /* Line drawings with exact visibility. */
 
@@ -169,9 +177,10 @@ RIMLINE_API rimline_status rimline_drawer_create(const rimline_mesh* mesh, const
                                                  rimline_drawer** drawer, rimline_error** error);
 RIMLINE_API void rimline_drawer_free(rimline_drawer* drawer);
 /* `options`: those of `rimline draw` for camera, lines and page. The page is as large as the drawing by default. */
-RIMLINE_API rimline_status rimline_drawer_draw(rimline_drawer* drawer, const rimline_option* options,
-                                               size_t option_count, const rimline_call* call,
-                                               rimline_drawing** drawing, rimline_error** error);
+RIMLINE_API rimline_status rimline_drawer_draw(rimline_drawer* drawer,
+                                               const rimline_option* options, size_t option_count,
+                                               const rimline_call* call, rimline_drawing** drawing,
+                                               rimline_error** error);
 RIMLINE_API void rimline_drawing_free(rimline_drawing* drawing);
 
 typedef enum rimline_line_kind {
@@ -185,20 +194,26 @@ typedef struct rimline_line {
     size_t struct_size;
     rimline_line_kind kind;
     int is_hidden;
-    int is_closed;        /* The last point goes on to the first. */
-    const double* points; /* Pairs in mm on the page, y downwards; valid until the drawing is freed. */
+    int is_closed; /* The last point goes on to the first. */
+    const double*
+        points; /* Pairs in mm on the page, y downwards; valid until the drawing is freed. */
     size_t point_count;
 } rimline_line;
 
-typedef enum rimline_drawing_format { RIMLINE_SVG = 0, RIMLINE_PDF = 1, RIMLINE_DXF = 2 } rimline_drawing_format;
+typedef enum rimline_drawing_format {
+    RIMLINE_SVG = 0,
+    RIMLINE_PDF = 1,
+    RIMLINE_DXF = 2
+} rimline_drawing_format;
 
-RIMLINE_API rimline_status rimline_drawing_page(const rimline_drawing* drawing, double* width_mm, double* height_mm,
-                                                size_t* line_count, rimline_error** error);
-RIMLINE_API rimline_status rimline_drawing_line(const rimline_drawing* drawing, size_t index, rimline_line* line,
+RIMLINE_API rimline_status rimline_drawing_page(const rimline_drawing* drawing, double* width_mm,
+                                                double* height_mm, size_t* line_count,
                                                 rimline_error** error);
+RIMLINE_API rimline_status rimline_drawing_line(const rimline_drawing* drawing, size_t index,
+                                                rimline_line* line, rimline_error** error);
 /* `format`: a rimline_drawing_format. */
-RIMLINE_API rimline_status rimline_drawing_encode(const rimline_drawing* drawing, int format, rimline_bytes** file,
-                                                  rimline_error** error);
+RIMLINE_API rimline_status rimline_drawing_encode(const rimline_drawing* drawing, int format,
+                                                  rimline_bytes** file, rimline_error** error);
 
 /* Pictures. */
 
@@ -210,16 +225,19 @@ RIMLINE_API rimline_status rimline_renderer_create(const char* device, rimline_r
                                                    rimline_error** error);
 RIMLINE_API void rimline_renderer_free(rimline_renderer* renderer);
 /* `options`: those of `rimline render` for style, camera, lights and image, {"size", "640x480"}. */
-RIMLINE_API rimline_status rimline_renderer_render(rimline_renderer* renderer, const rimline_mesh* mesh,
-                                                   const rimline_option* options, size_t option_count,
-                                                   const rimline_call* call, rimline_picture** picture,
+RIMLINE_API rimline_status rimline_renderer_render(rimline_renderer* renderer,
+                                                   const rimline_mesh* mesh,
+                                                   const rimline_option* options,
+                                                   size_t option_count, const rimline_call* call,
+                                                   rimline_picture** picture,
                                                    rimline_error** error);
 RIMLINE_API void rimline_picture_free(rimline_picture* picture);
 /* Rows from the top, 4 bytes a pixel: red, green, blue (sRGB), straight alpha; valid until the picture is freed. */
-RIMLINE_API rimline_status rimline_picture_pixels(const rimline_picture* picture, uint32_t* width, uint32_t* height,
-                                                  const uint8_t** rgba, rimline_error** error);
-RIMLINE_API rimline_status rimline_picture_encode_png(const rimline_picture* picture, rimline_bytes** file,
-                                                      rimline_error** error);
+RIMLINE_API rimline_status rimline_picture_pixels(const rimline_picture* picture, uint32_t* width,
+                                                  uint32_t* height, const uint8_t** rgba,
+                                                  rimline_error** error);
+RIMLINE_API rimline_status rimline_picture_encode_png(const rimline_picture* picture,
+                                                      rimline_bytes** file, rimline_error** error);
 
 /* Best views. */
 
@@ -231,8 +249,9 @@ typedef struct rimline_view {
 
 /* Writes at most `capacity` viewpoints that together show the mesh best to `views`, and their number to `*count`, which
  * may be less. Without a renderer votes alone count. */
-RIMLINE_API rimline_status rimline_best_views(const rimline_mesh* mesh, rimline_renderer* renderer, size_t capacity,
-                                              const rimline_call* call, rimline_view* views, size_t* count,
+RIMLINE_API rimline_status rimline_best_views(const rimline_mesh* mesh, rimline_renderer* renderer,
+                                              size_t capacity, const rimline_call* call,
+                                              rimline_view* views, size_t* count,
                                               rimline_error** error);
 
 #ifdef __cplusplus

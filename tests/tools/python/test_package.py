@@ -1,6 +1,7 @@
 """The documentation's examples, and the installation by pip."""
 
 import importlib.util
+import json
 import os
 import pathlib
 import re
@@ -22,6 +23,20 @@ def test_examples_of_the_documentation_run(tmp_path, monkeypatch):
     for block in blocks:  # Each goes on from the one before.
         exec(compile(block, "docs/python.md", "exec"), names)
     assert (tmp_path / "knot.svg").stat().st_size > 1000 and (tmp_path / "knot.png").stat().st_size > 1000
+
+
+def test_the_bench_finds_the_same_edges():
+    script = ROOT / "tools/bench/python_package.py"
+    result = subprocess.run([sys.executable, "-B", script, "--json", "shape:knot:3000"], capture_output=True, text=True)
+    assert result.returncode == 0 and result.stderr == "", result.stderr
+    told = json.loads(result.stdout)
+    model = told["models"][0]
+    assert model["differences"] == 0 and model["edges"] == model["numpy_edges"] > 0
+    assert model["tracker_us"] < model["silhouette_us"] < model["numpy_us"] and told["call_us"] < 50
+    if told["vtk"]:
+        assert model["filter_us"] < model["vtk_us"] and model["vtk_split_edges"] == 0
+    result = subprocess.run([sys.executable, "-B", script, "missing.obj"], capture_output=True, text=True)
+    assert result.returncode == 1 and result.stderr.startswith("python_package.py: error: missing.obj"), result.stderr
 
 
 def test_pip_installs_the_package(tmp_path):

@@ -1,0 +1,225 @@
+"""rimline batch: every model once, whole, and never missing."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+
+from program import PROGRAM, fail, have_device, run
+
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+def models(folder, count=5):
+    """A folder with a subfolder of triangles of different sizes."""
+    root = pathlib.Path(folder) / "models"
+    (root / "more").mkdir(parents=True)
+    for number in range(count):
+        place = root if number % 2 == 0 else root / "more"
+        (place / f"m{number}.obj").write_text(TRIANGLE.replace("1", str(number + 1), 1))
+    (root / "notes.txt").write_text("no model")
+    return root
+
+
+def entries(path):
+    return [json.loads(line) for line in pathlib.Path(path).read_text().splitlines()]
+
+
+def batch(*arguments):
+    """The options of the batch come before those of its subcommand."""
+    result = run("batch", *arguments)
+    return result, json.loads(result.stdout) if result.stdout else None
+
+
+def succeed(*arguments):
+    result, told = batch(*arguments)
+    assert result.returncode == 0 and result.stderr == "", result.stderr
+    return told
+
+
+def test_every_model_of_a_folder_gets_one_line_and_its_outputs():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder), f"{folder}/out"
+        told = succeed(str(root), "-o", out, "--", "draw", "-o", "{out}/{path}.svg")
+        assert (told["models"], told["done"], told["skipped"], told["failed"]) == (5, 5, 0, 0)
+        lines = entries(f"{out}/manifest.jsonl")
+        assert sorted(line["input"] for line in lines) == sorted(
+            str(root / name) for name in ("m0.obj", "m2.obj", "m4.obj", "more/m1.obj", "more/m3.obj"))
+        for line in lines:
+            assert line["status"] == "ok" and line["error"] is None and line["digest"].startswith("fnv1a64:")
+            assert line["ms"] > 0 and line["result"]["faces"] == 1
+            assert [os.path.getsize(output) > 100 for output in line["outputs"]] == [True]
+        assert len({line["digest"] for line in lines}) == 5
+        assert os.path.exists(f"{out}/more/m1.svg")
+
+
+def test_a_batch_goes_on_where_it_was():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder), f"{folder}/out"
+        arguments = (str(root), "-o", out, "--", "draw", "-o", "{out}/{path}.svg")
+        succeed(*arguments)
+        assert succeed(*arguments)["skipped"] == 5
+        # An output that is gone, a model that changed, and a new one are done again.
+        os.remove(f"{out}/m0.svg")
+        (root / "m2.obj").write_text(TRIANGLE.replace("1", "9", 1))
+        (root / "m9.obj").write_text(TRIANGLE)
+        told = succeed(*arguments)
+        assert (told["done"], told["skipped"]) == (3, 3)
+        assert os.path.exists(f"{out}/m0.svg")
+        # Another command is another thing to do.
+        assert succeed(*arguments, "--smooth", "0")["done"] == 6
+        # A line that was cut off, as by a full disk, counts as none.
+        manifest = pathlib.Path(f"{out}/manifest.jsonl")
+        manifest.write_bytes(manifest.read_bytes()[:-20])
+        told = succeed(*arguments, "--smooth", "0")
+        assert (told["done"], told["skipped"]) == (1, 5)
+        assert all(json.loads(line) for line in manifest.read_text().splitlines())
+
+
+def test_failures_are_recorded_and_cost_one_model():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder), f"{folder}/out"
+        (root / "bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
+        (root / "cloud.xyz").write_text("0 0 0\n1 1 1\n")
+        result, told = batch(str(root), "-o", out, "--", "info")
+        assert result.returncode == 1 and result.stderr.startswith("rimline: error: 1 of 7 models failed: ")
+        assert (told["done"], told["failed"], told["kinds"]) == (6, 1, {"failed": 1})
+        assert told["failures"] == [f"{root}/bad.obj: {root}/bad.obj:2: {told['failures'][0].split(': ', 2)[2]}"]
+        line = next(line for line in entries(f"{out}/manifest.jsonl") if line["status"] == "failed")
+        assert "bad.obj:2: " in line["error"] and line["outputs"] == [] and line["result"] is None
+        # It is not tried again unless asked for.
+        result, told = batch(str(root), "-o", out, "--", "info")
+        assert (result.returncode, told["skipped"], told["failed"]) == (0, 7, 0)
+        result, told = batch(str(root), "-o", out, "--retry", "--", "info")
+        assert (result.returncode, told["skipped"], told["failed"]) == (1, 6, 1)
+
+
+def test_time_and_memory_are_limited():
+    with tempfile.TemporaryDirectory() as folder:
+        out = f"{folder}/out"
+        result, told = batch("shape:knot:3000000", "shape:box", "-o", out, "--timeout", "0.3", "--jobs", "1",
+                             "--", "silhouette", "--from", "3,2,1")
+        assert result.returncode == 1 and told["kinds"] == {"timeout": 1}
+        status = {line["input"]: line["status"] for line in entries(f"{out}/manifest.jsonl")}
+        assert status == {"shape:knot:3000000": "timeout", "shape:box": "ok"}
+        result, told = batch("shape:knot:5000000", "-o", f"{folder}/memory", "--memory", "300", "--", "info")
+        assert result.returncode == 1 and told["failed"] == 1
+        assert "memory" in entries(f"{folder}/memory/manifest.jsonl")[0]["error"]
+
+
+def test_shards_share_the_models():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder, 20), f"{folder}/out"
+        seen = []
+        for shard in range(1, 4):
+            told = succeed(str(root), "-o", out, "--shard", f"{shard}/3", "--", "info")
+            lines = entries(f"{out}/manifest.{shard}-of-3.jsonl")
+            assert len(lines) == told["models"] == told["done"]
+            seen += [line["input"] for line in lines]
+        assert len(seen) == len(set(seen)) == 20
+        # Other models do not move a model to another shard.
+        (root / "a.obj").write_text(TRIANGLE)
+        for shard in range(1, 4):
+            assert succeed(str(root), "-o", out, "--shard", f"{shard}/3", "--", "info")["done"] <= 1
+
+
+def test_lists_shapes_and_names():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder), f"{folder}/out"
+        (pathlib.Path(folder) / "list.txt").write_text(f"# models\n{root}/m0.obj\n\nshape:box\n{root}/more\r\n")
+        told = succeed(f"@{folder}/list.txt", f"{root}/m0.obj", "-o", out, "--", "info")
+        assert told["models"] == told["done"] == 4  # m0 once.
+        names = {line["input"] for line in entries(f"{out}/manifest.jsonl")}
+        assert names == {f"{root}/m0.obj", "shape:box", f"{root}/more/m1.obj", f"{root}/more/m3.obj"}
+
+
+def test_wrong_command_lines_are_usage_errors():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = str(models(folder)), f"{folder}/out"
+        assert "no subcommand" in fail(2, "batch", root)
+        assert "no subcommand" in fail(2, "batch", root, "--")
+        assert "not 'bench'" in fail(2, "batch", root, "--", "bench")
+        assert "not 'batch'" in fail(2, "batch", root, "--", "batch")
+        assert "MODELS" in fail(2, "batch", "--", "info")
+        assert "--shard" in fail(2, "batch", root, "--shard", "3/2", "--", "info")
+        assert "--shard" in fail(2, "batch", root, "--shard", "0/2", "--", "info")
+        assert "would both write" in fail(2, "batch", root, "-o", out, "--", "draw", "-o", "{out}/one.svg")
+        assert "--colour" in fail(2, "batch", root, "-o", out, "--", "render", "--colour", "red", "-o", "{out}/{stem}.png")
+        assert "there is no such file or folder" in fail(1, "batch", f"{folder}/missing", "-o", out, "--", "info")
+        assert "there is no such list" in fail(1, "batch", f"@{folder}/missing", "-o", out, "--", "info")
+        pathlib.Path(f"{folder}/file").write_text("")
+        assert "cannot make this folder" in fail(1, "batch", root, "-o", f"{folder}/file", "--", "info")
+        pathlib.Path(f"{folder}/odd").mkdir()
+        pathlib.Path(f"{folder}/odd/manifest.jsonl").write_text('{"a": 1}\n')
+        assert "manifest.jsonl:1: no entry" in fail(1, "batch", root, "-o", f"{folder}/odd", "--", "info")
+
+
+def test_a_dry_run_does_nothing_and_estimates():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder), f"{folder}/out"
+        result = run("batch", str(root), "-o", out, "--dry-run", "--", "draw", "-o", "{out}/{path}.svg")
+        assert result.returncode == 0 and not os.path.exists(out)
+        assert f"rimline draw {root}/more/m1.obj -o {out}/more/m1.svg\n" in result.stdout
+        assert result.stdout.count("\n") == 5 and "5 of 5 models left to do" in result.stderr
+        succeed(str(root / "more"), "-o", out, "--", "info")
+        told = succeed(str(root), "-o", out, "--dry-run", "--", "info")
+        assert told["models"] == 5 and told["left"] == 3 and told["estimate_s"] > 0
+
+
+def test_the_page_shows_pictures_and_failures():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder, 2), f"{folder}/out"
+        (root / "b&d <1>.obj").write_text("f 1 2 3\n")
+        run("batch", str(root), "-o", out, "--page", f"{folder}/all.html", "--", "draw", "-o", "{out}/{path}.svg")
+        page = pathlib.Path(f"{folder}/all.html").read_text()
+        assert "3 models, 1 failed" in page and 'src="out/m0.svg"' in page and "b&amp;d &lt;1>.obj" in page
+        assert page.count("<figure>") == 3 and page.count("<img") == 2
+
+
+def test_killed_batches_lose_nothing_and_double_nothing():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder, 24), f"{folder}/out"
+        arguments = ["batch", "--json", str(root), "-o", out, "--jobs", "2", "--", "draw", "-o", "{out}/{path}.svg"]
+        for wait in (0.05, 0.1, 0.15, 0.2, 0.1, 0.05):
+            process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(wait)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            for path in pathlib.Path(out).rglob("*.svg"):
+                assert path.read_text().endswith("</svg>\n"), f"{path} is not whole"
+            time.sleep(0.2)  # Its processes end with their models.
+        told = json.loads(run(*arguments).stdout)
+        assert told["done"] + told["skipped"] == 24 and told["failed"] == 0 and told["skipped"] > 0
+        lines = entries(f"{out}/manifest.jsonl")
+        assert len({line["input"] for line in lines}) == len(lines) == 24
+        assert sorted(path.stem for path in pathlib.Path(out).rglob("*.svg")) == sorted(f"m{i}" for i in range(24))
+        assert not list(pathlib.Path(out).rglob(".*.part"))
+
+
+def test_two_batches_do_not_write_one_manifest():
+    with tempfile.TemporaryDirectory() as folder:
+        out = f"{folder}/out"
+        process = subprocess.Popen([PROGRAM, "batch", "shape:knot:8000000", "-o", out, "--", "info"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not os.path.exists(f"{out}/manifest.jsonl"):
+            time.sleep(0.01)
+        time.sleep(0.1)
+        assert "another batch writes it" in fail(1, "batch", "shape:box", "-o", out, "--", "info")
+        process.send_signal(signal.SIGINT)
+        assert process.wait(10) in (-signal.SIGINT, 1)
+        assert entries(f"{out}/manifest.jsonl") == []
+
+
+def test_pictures_of_several_models_are_drawn_at_a_time():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        out = f"{folder}/out"
+        told = succeed("shape:box", "shape:knot:2000", "-o", out, "--jobs", "2", "--", "views", "-k", "2",
+                       "--size", "64x64", "-o", "{out}/{stem}")
+        assert told["done"] == 2
+        for line in entries(f"{out}/manifest.jsonl"):
+            assert [os.path.basename(output) for output in line["outputs"]] == ["contact_sheet.png", "view_1.png",
+                                                                               "view_2.png"]

@@ -1,0 +1,154 @@
+#include "tools/batch/batch_inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+#include "tools/options/model_argument.h"
+
+namespace rimline::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 8> k_model_endings{".obj", ".ply", ".stl",  ".off",
+                                                          ".glb", ".xyz", ".gltf", ".pts"};
+
+bool is_model_file(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(k_model_endings, ending) != k_model_endings.end();
+}
+
+[[noreturn]] void fail_reading(const std::string& name, const std::error_code& error) {
+    throw Error(ErrorCode::io, name + ": cannot read: " + error.message());
+}
+
+class InputFinder {
+public:
+    explicit InputFinder(const LongCall& call) : call_(call) {}
+
+    void add(const std::string& source) {
+        if (source.starts_with('@')) return add_list(source.substr(1));
+        if (is_built_in_shape(source)) {
+            check_model_name(source);
+            std::string name = source;
+            std::ranges::replace(name, ':', '_');
+            return take(source, name);
+        }
+        std::error_code error;
+        const fs::file_status status = fs::status(source, error);
+        if (!fs::exists(status))
+            throw Error(ErrorCode::io, source + ": cannot read: there is no such file or folder");
+        if (!fs::is_directory(status)) return take(source, fs::path(source).filename().string());
+        add_folder(source);
+    }
+
+    std::vector<BatchInput> inputs;
+
+private:
+    void add_folder(const std::string& folder) {
+        std::vector<fs::path> files;
+        std::error_code error;
+        fs::recursive_directory_iterator place(
+            folder, fs::directory_options::follow_directory_symlink, error);
+        for (; !error && place != fs::recursive_directory_iterator(); place.increment(error)) {
+            call_.checkpoint(0.0);
+            if (place.depth() > k_max_depth) place.disable_recursion_pending();
+            std::error_code unreadable;
+            if (is_model_file(place->path()) && place->is_regular_file(unreadable))
+                files.push_back(place->path());
+        }
+        if (error) fail_reading(folder, error);
+        std::ranges::sort(files);
+        for (const fs::path& file : files)
+            take(file.string(), file.lexically_relative(folder).generic_string());
+    }
+
+    void add_list(const std::string& name) {
+        std::ifstream list(name);
+        if (!list) throw Error(ErrorCode::io, name + ": cannot read: there is no such list");
+        std::string line;
+        for (std::uint64_t number = 1; std::getline(list, line); ++number) {
+            call_.checkpoint(0.0);
+            if (line.ends_with('\r')) line.pop_back();
+            if (line.empty() || line.starts_with('#')) continue;
+            if (line.starts_with('@'))
+                throw Error(ErrorCode::bad_input, name + ":" + std::to_string(number) +
+                                                      ": a list in a list: name models here");
+            add(line);
+        }
+        if (list.bad()) throw Error(ErrorCode::io, name + ": cannot read");
+    }
+
+    void take(const std::string& model, const std::string& name) {
+        if (known_.insert(model).second) inputs.push_back({model, name});
+    }
+
+    static constexpr int k_max_depth = 64;  // Links may lead back.
+    const LongCall& call_;
+    std::set<std::string> known_;
+};
+
+}  // namespace
+
+std::string BatchInput::stem() const { return fs::path(name).stem().string(); }
+std::string BatchInput::file() const { return fs::path(name).filename().string(); }
+std::string BatchInput::path() const { return fs::path(name).replace_extension().generic_string(); }
+
+bool Shard::contains(const BatchInput& input) const noexcept {
+    return fnv1a(input.name.data(), input.name.size()) % count == number - 1;
+}
+
+Shard parse_shard(const std::string& text) {
+    Shard shard;
+    const char* end = text.data() + text.size();
+    const auto number = std::from_chars(text.data(), end, shard.number);
+    if (number.ec == std::errc() && number.ptr != end && *number.ptr == '/') {
+        const auto count = std::from_chars(number.ptr + 1, end, shard.count);
+        if (count.ec == std::errc() && count.ptr == end && shard.number >= 1 &&
+            shard.number <= shard.count)
+            return shard;
+    }
+    throw CLI::ValidationError("--shard", "expected I/N with I from 1 to N, not '" + text + "'");
+}
+
+std::vector<BatchInput> find_batch_inputs(const std::vector<std::string>& sources,
+                                          const LongCall& call) {
+    InputFinder finder(call);
+    for (const std::string& source : sources) finder.add(source);
+    return std::move(finder.inputs);
+}
+
+std::uint64_t fnv1a(const void* bytes, std::size_t size, std::uint64_t hash) noexcept {
+    const auto* byte = static_cast<const unsigned char*>(bytes);
+    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ byte[i]) * 0x100000001b3u;
+    return hash;
+}
+
+std::string digest_of(const std::string& model, const LongCall& call) {
+    std::uint64_t hash = fnv1a("", 0);
+    if (is_built_in_shape(model)) {
+        hash = fnv1a(model.data(), model.size());
+    } else {
+        std::ifstream file(model, std::ios::binary);
+        if (!file) throw Error(ErrorCode::io, model + ": cannot read");
+        std::array<char, 1 << 16> buffer;
+        while (file.read(buffer.data(), buffer.size()), file.gcount() > 0) {
+            call.checkpoint(0.0);
+            hash = fnv1a(buffer.data(), static_cast<std::size_t>(file.gcount()), hash);
+        }
+        if (file.bad()) throw Error(ErrorCode::io, model + ": cannot read");
+    }
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+    return "fnv1a64:" + std::string(digits.data());
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,141 @@
+#include "tools/batch/batch_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+#include "silhouette/error.h"
+
+extern char** environ;
+
+namespace rimline::tools {
+
+namespace {
+
+// Between SIGTERM, after which a process removes its temporary files, and SIGKILL.
+constexpr std::chrono::seconds k_term_grace{2};
+
+std::string last_line(std::string text) {
+    while (text.ends_with('\n')) text.pop_back();
+    return text.substr(text.rfind('\n') + 1);  // npos + 1 is 0.
+}
+
+}  // namespace
+
+BatchProcess::BatchProcess(const std::vector<std::string>& arguments, const BatchLimits& limits)
+    : output_(std::tmpfile()), error_(std::tmpfile()), seconds_(limits.seconds) {
+    const auto fail = [](int number) {
+        throw Error(ErrorCode::io,
+                    "cannot start a process: " + std::generic_category().message(number));
+    };
+    if (!output_ || !error_) fail(errno);
+    std::vector<char*> words;
+    std::string name = "rimline";
+    words.push_back(name.data());
+    std::vector<std::string> kept = arguments;
+    for (std::string& argument : kept) words.push_back(argument.data());
+    words.push_back(nullptr);
+    // Mesa's CPU device starts threads of its own.
+    const std::string threads = "LP_NUM_THREADS=" + std::to_string(limits.threads);
+    std::vector<char*> environment;
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        if (std::strncmp(*variable, "LP_NUM_THREADS=", 15) != 0) environment.push_back(*variable);
+    environment.push_back(const_cast<char*>(threads.c_str()));
+    environment.push_back(nullptr);
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, fileno(output_.get()), 1);
+    posix_spawn_file_actions_adddup2(&actions, fileno(error_.get()), 2);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &all);
+    // A group of its own: Ctrl-C reaches the batch alone, which ends its processes.
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(
+        &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    const int number = posix_spawn(&id_, "/proc/self/exe", &actions, &attributes, words.data(),
+                                   environment.data());
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    if (number != 0) {
+        id_ = -1;
+        fail(number);
+    }
+    if (limits.memory_bytes) {
+        const rlimit limit{*limits.memory_bytes, *limits.memory_bytes};
+        prlimit(id_, RLIMIT_AS, &limit, nullptr);
+    }
+}
+
+BatchProcess::~BatchProcess() {
+    if (id_ < 0) return;
+    kill(id_, SIGTERM);
+    const Clock::time_point deadline = Clock::now() + k_term_grace;
+    while (waitpid(id_, nullptr, WNOHANG) == 0) {
+        if (Clock::now() > deadline) kill(id_, SIGKILL);
+        usleep(2000);
+    }
+}
+
+std::optional<BatchEnd> BatchProcess::poll_end() {
+    int status = 0;
+    if (waitpid(id_, &status, WNOHANG) == 0) {
+        const Clock::time_point now = Clock::now();
+        if (is_over_time_) {
+            if (now > kill_at_) kill(id_, SIGKILL);
+        } else if (seconds_ && std::chrono::duration<double>(now - start_).count() > *seconds_) {
+            is_over_time_ = true;
+            kill_at_ = now + k_term_grace;
+            kill(id_, SIGTERM);
+        }
+        return std::nullopt;
+    }
+    id_ = -1;
+    BatchEnd end{.status = "ok",
+                 .error = last_line(contents(error_.get())),
+                 .output = contents(output_.get()),
+                 .ms = std::chrono::duration<double, std::milli>(Clock::now() - start_).count()};
+    if (is_over_time_) {
+        end.status = "timeout";
+        end.error = "it took more than its time";
+    } else if (WIFSIGNALED(status)) {
+        end.status = "crashed";
+        end.error = std::string("ended by ") + strsignal(WTERMSIG(status)) +
+                    (end.error.empty() ? "" : ": " + end.error);
+    } else if (WEXITSTATUS(status) != 0) {
+        end.status = WEXITSTATUS(status) == 2   ? "usage"
+                     : WEXITSTATUS(status) == 3 ? "check"
+                                                : "failed";
+    }
+    return end;
+}
+
+std::string BatchProcess::contents(std::FILE* file) {
+    std::string text;
+    std::array<char, 1 << 14> buffer;
+    off_t place = 0;
+    for (;;) {
+        const ssize_t size = pread(fileno(file), buffer.data(), buffer.size(), place);
+        if (size < 0 && errno == EINTR) continue;
+        if (size <= 0) return text;
+        text.append(buffer.data(), static_cast<std::size_t>(size));
+        place += size;
+    }
+}
+
+}  // namespace rimline::tools

@@ -1,0 +1,408 @@
+// rimline batch: a subcommand over many models, each in a process of its own.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "silhouette/printable_text.h"
+#include "tools/batch/batch_inputs.h"
+#include "tools/batch/batch_manifest.h"
+#include "tools/batch/batch_page.h"
+#include "tools/batch/batch_process.h"
+#include "tools/command.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/option_types.h"
+#include "tools/output/output_file.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Commands that take a model and end by themselves.
+constexpr std::array<std::string_view, 12> k_batch_commands{
+    "render", "animate", "info",  "silhouette", "draw",  "track",
+    "views",  "path",    "light", "origins",    "field", "points"};
+constexpr std::chrono::milliseconds k_poll{5};
+
+std::string replaced(std::string text, const std::string& place, const std::string& value) {
+    for (std::size_t at = 0; (at = text.find(place, at)) != std::string::npos; at += value.size())
+        text.replace(at, place.size(), value);
+    return text;
+}
+
+// A model, and what is done with it.
+struct BatchTask {
+    BatchInput input;
+    std::vector<std::string> arguments;
+    std::string command;  // The arguments, as the manifest names them.
+    std::string output;   // The value of -o; empty if there is none.
+};
+
+class BatchCommand final : public Command {
+public:
+    std::string name() const override { return "batch"; }
+    std::string summary() const override { return "Run a subcommand over many models"; }
+    void take_rest(std::vector<std::string> arguments) override { rest_ = std::move(arguments); }
+    bool takes_rest() const override { return true; }
+
+    void add_options(CLI::App& app) override {
+        app.add_option("MODELS", sources_,
+                       "Model files, folders of models, shape:NAME[:FACES], or @LIST, a text file "
+                       "with one of these a line")
+            ->required();
+        app.add_option("-o,--output", folder_,
+                       "Folder of the manifest and of the page; {out} in the subcommand's options")
+            ->type_name("FOLDER")
+            ->capture_default_str()
+            ->group("Output");
+        app.add_option("--page", page_, "Also write an HTML page with all pictures")
+            ->type_name("FILE.html")
+            ->group("Output");
+        app.add_flag("--dry-run", is_dry_,
+                     "Print the command of each model that is left to do, and do nothing")
+            ->group("Output");
+        add_count(app, "--jobs", jobs_, 1, 1024, "Models at a time (default: one a processor)")
+            ->default_str("")
+            ->group("Machine");
+        add_number(app, "--timeout", timeout_s_, 0.01, 1e6,
+                   "Seconds that a model may take (default: any)")
+            ->group("Machine");
+        add_number(app, "--memory", memory_mb_, 1.0, 1e9,
+                   "Megabytes of address space that a model may take (default: any)")
+            ->group("Machine");
+        app.add_option_function<std::string>(
+               "--shard", [this](const std::string& text) { shard_ = parse_shard(text); },
+               "Do only part I of N parts, for N machines: I/N. Each has a manifest of its own")
+            ->type_name("I/N")
+            ->group("Machine");
+        app.add_flag("--retry", retries_, "Do again what failed in an earlier run")
+            ->group("Machine");
+        app.footer(
+            "After -- comes a subcommand with its options, without the model. In these stand\n"
+            "  {stem}  the name of the model's file without its ending\n"
+            "  {name}  with its ending\n"
+            "  {path}  within its folder or list, without its ending\n"
+            "  {out}   the folder of --output\n\n"
+            "Each model runs in a process of its own. The manifest, manifest.jsonl in the folder, "
+            "gets a\n"
+            "line of JSON when a model is done: input, digest, command, status, ms, outputs, "
+            "error, and\n"
+            "result, what the subcommand prints with --json. A batch that was ended goes on where "
+            "it was:\n"
+            "what has a line with the same digest and command, and its outputs, is not done "
+            "again. The exit\n"
+            "status is 1 if a model failed.\n\n"
+            "Examples:\n"
+            "  rimline batch models -- views -k 4 --size 512x512 -o {out}/{path}\n"
+            "  rimline batch @list.txt --shard 2/8 --timeout 60 --page all.html -- render -o "
+            "{out}/{stem}.png\n"
+            "  rimline batch models --json -- info");
+    }
+
+    ExitStatus run(const Context& context) override {
+        check_subcommand();
+        const std::vector<BatchTask> tasks = make_tasks(context);
+        context.times.end("finding models");
+        if (is_dry_ && !fs::exists(manifest_path())) return print_dry(context, tasks, {}, 0.0);
+        if (!is_dry_) make_folder(folder_);
+        BatchManifest manifest(manifest_path());
+        std::vector<const BatchTask*> left;
+        double known_ms = 0.0;
+        std::size_t known = 0;
+        {
+            Progress progress(context, "reading models");
+            const LongCall call = progress.call();
+            for (const BatchTask& task : tasks) {
+                call.checkpoint(double(&task - tasks.data()) / double(tasks.size()));
+                if (!is_done(task, manifest, call)) left.push_back(&task);
+            }
+        }
+        for (const auto& [input, entry] : manifest.entries()) {
+            known_ms += entry.ms;
+            ++known;
+        }
+        context.times.end("reading models");
+        if (is_dry_)
+            return print_dry(context, tasks, left, known > 0 ? known_ms / double(known) : 0.0);
+        skipped_ = tasks.size() - left.size();
+        run_all(left, manifest, context);
+        context.times.end("running");
+        if (!page_.empty()) write_page(tasks, manifest);
+        return print_result(context, tasks);
+    }
+
+private:
+    fs::path manifest_path() const {
+        if (shard_.count == 1) return fs::path(folder_) / "manifest.jsonl";
+        return fs::path(folder_) / ("manifest." + std::to_string(shard_.number) + "-of-" +
+                                    std::to_string(shard_.count) + ".jsonl");
+    }
+
+    static void make_folder(const fs::path& folder) {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (!fs::is_directory(folder))
+            throw Error(ErrorCode::io, folder.string() + ": cannot make this folder: " +
+                                           (error ? error.message() : "a file has its name"));
+    }
+
+    void check_subcommand() const {
+        if (rest_.empty())
+            throw UsageError(
+                "no subcommand: after the models comes -- and a subcommand, as -- info");
+        if (std::ranges::find(k_batch_commands, rest_.front()) == k_batch_commands.end())
+            throw UsageError("after -- comes a subcommand that takes a model, not '" +
+                             rest_.front() + "'");
+        for (const std::string& word : rest_)
+            if (word == "--help" || word == "-h")
+                throw UsageError("rimline " + rest_.front() + " --help describes its options");
+    }
+
+    std::vector<BatchTask> make_tasks(const Context& context) const {
+        Progress progress(context, "finding models");
+        std::vector<BatchTask> tasks;
+        std::map<std::string, const BatchInput*> of_output;
+        std::vector<BatchInput> inputs = find_batch_inputs(sources_, progress.call());
+        std::erase_if(inputs, [&](const BatchInput& input) { return !shard_.contains(input); });
+        for (const BatchInput& input : inputs) tasks.push_back(make_task(input));
+        for (const BatchTask& task : tasks) {
+            if (task.output.empty()) continue;
+            const auto [other, is_first] = of_output.try_emplace(task.output, &task.input);
+            if (!is_first)
+                throw UsageError("-o: " + other->second->model + " and " + task.input.model +
+                                 " would both write " + task.output +
+                                 ": use {path}, or {name}, in it");
+        }
+        return tasks;
+    }
+
+    BatchTask make_task(const BatchInput& input) const {
+        BatchTask task{
+            .input = input, .arguments = {rest_.front(), input.model}, .command = {}, .output = {}};
+        const auto fill = [&](std::string word) {
+            word = replaced(std::move(word), "{stem}", input.stem());
+            word = replaced(std::move(word), "{name}", input.file());
+            word = replaced(std::move(word), "{path}", input.path());
+            return replaced(std::move(word), "{out}", folder_);
+        };
+        for (std::size_t i = 1; i < rest_.size(); ++i) {
+            task.arguments.push_back(fill(rest_[i]));
+            const std::string& word = task.arguments.back();
+            if (rest_[i - 1] == "-o" || rest_[i - 1] == "--output") task.output = word;
+            if (word.starts_with("--output=")) task.output = word.substr(9);
+            if (word.starts_with("-o") && word.size() > 2 && !word.starts_with("-o="))
+                task.output = word.substr(2);
+        }
+        for (const std::string& word : task.arguments)
+            task.command += (task.command.empty() ? "" : " ") + word;
+        return task;
+    }
+
+    bool is_done(const BatchTask& task, const BatchManifest& manifest, const LongCall& call) const {
+        const BatchEntry* entry = manifest.find(task.input.model);
+        if (entry == nullptr || entry->command != task.command) return false;
+        if (entry->status != "ok" && retries_) return false;
+        try {
+            if (entry->digest != digest_of(task.input.model, call)) return false;
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::cancelled) throw;
+            return entry->digest.empty();
+        }
+        return std::ranges::all_of(entry->outputs,
+                                   [](const std::string& output) { return fs::exists(output); });
+    }
+
+    struct Running {
+        const BatchTask* task;
+        std::string digest;
+        std::unique_ptr<BatchProcess> process;
+    };
+
+    void run_all(const std::vector<const BatchTask*>& left, BatchManifest& manifest,
+                 const Context& context) {
+        Progress progress(context, "running " + rest_.front());
+        const LongCall call = progress.call();
+        const std::uint32_t processors = std::max(1u, std::thread::hardware_concurrency());
+        const std::uint32_t jobs = jobs_ > 0 ? jobs_ : processors;
+        BatchLimits limits{
+            .seconds = timeout_s_, .memory_bytes = {}, .threads = std::max(1u, processors / jobs)};
+        if (memory_mb_) limits.memory_bytes = std::uint64_t(*memory_mb_ * 1e6);
+        std::vector<Running> running;
+        std::size_t next = 0, done = 0;
+        while (next < left.size() || !running.empty()) {
+            call.checkpoint(double(done) / double(std::max<std::size_t>(left.size(), 1)));
+            while (running.size() < jobs && next < left.size())
+                start(*left[next++], limits, running, context);
+            bool has_ended = false;
+            for (std::size_t i = 0; i < running.size();) {
+                std::optional<BatchEnd> end = running[i].process->poll_end();
+                if (!end) {
+                    ++i;
+                    continue;
+                }
+                // A wrong option is wrong for all models.
+                if (end->status == "usage")
+                    throw UsageError("of the subcommand: " + words_of(end->error));
+                record(*running[i].task, running[i].digest, *end, manifest);
+                running.erase(running.begin() + std::ptrdiff_t(i));
+                ++done;
+                has_ended = true;
+            }
+            if (!has_ended) std::this_thread::sleep_for(k_poll);
+        }
+    }
+
+    void start(const BatchTask& task, const BatchLimits& limits, std::vector<Running>& running,
+               const Context& context) const {
+        std::string digest;
+        try {
+            digest = digest_of(task.input.model, {context.stop, {}});
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::cancelled) throw;
+            // The subcommand says what is wrong with the file.
+        }
+        if (!task.output.empty()) make_folder(fs::absolute(task.output).parent_path());
+        std::vector<std::string> arguments = task.arguments;
+        arguments.emplace_back("--json");
+        if (std::ranges::find(arguments, "--threads") == arguments.end())
+            arguments.insert(arguments.end(), {"--threads", std::to_string(limits.threads)});
+        running.push_back({&task, digest, std::make_unique<BatchProcess>(arguments, limits)});
+    }
+
+    static std::string words_of(std::string error) {
+        constexpr std::string_view k_prefix = "rimline: error: ";
+        return error.starts_with(k_prefix) ? error.substr(k_prefix.size()) : error;
+    }
+
+    static std::vector<std::string> outputs_of(const std::string& output) {
+        std::vector<std::string> files;
+        std::error_code error;
+        if (output.empty() || !fs::exists(output, error)) return files;
+        if (!fs::is_directory(output, error)) return {output};
+        for (const fs::directory_entry& entry : fs::directory_iterator(output, error))
+            if (entry.is_regular_file(error)) files.push_back(entry.path().string());
+        std::ranges::sort(files);
+        return files;
+    }
+
+    void record(const BatchTask& task, const std::string& digest, const BatchEnd& end,
+                BatchManifest& manifest) {
+        const bool is_ok = end.status == "ok";
+        nlohmann::ordered_json entry{
+            {"input", task.input.model},
+            {"digest", digest},
+            {"command", task.command},
+            {"status", end.status},
+            {"ms", end.ms},
+            {"outputs", is_ok ? outputs_of(task.output) : std::vector<std::string>()},
+            {"error", nullptr},
+            {"result", nullptr}};
+        if (!is_ok) entry["error"] = words_of(end.error);
+        auto result = nlohmann::ordered_json::parse(end.output, nullptr, false);
+        if (!result.is_discarded()) entry["result"] = std::move(result);
+        manifest.append(entry);
+        ++done_;
+        if (is_ok) return;
+        ++kinds_[end.status];
+        if (first_failures_.size() < k_named_failures)
+            first_failures_.push_back(task.input.model + ": " + words_of(end.error));
+    }
+
+    // Of all that the manifest has of these models.
+    void write_page(const std::vector<BatchTask>& tasks, const BatchManifest& manifest) const {
+        std::vector<BatchPageItem> items;
+        for (const BatchTask& task : tasks) {
+            const BatchEntry* entry = manifest.find(task.input.model);
+            if (entry == nullptr) continue;
+            items.push_back(
+                {task.input.model, entry->outputs, entry->status == "ok" ? "" : entry->status});
+        }
+        OutputFile file(page_);
+        file.write(batch_page(items, fs::absolute(page_).parent_path()));
+        file.commit();
+    }
+
+    ExitStatus print_dry(const Context& context, const std::vector<BatchTask>& tasks,
+                         std::vector<const BatchTask*> left, double mean_ms) const {
+        if (left.empty() && mean_ms == 0.0)
+            for (const BatchTask& task : tasks) left.push_back(&task);
+        const double jobs = jobs_ > 0 ? jobs_ : std::max(1u, std::thread::hardware_concurrency());
+        const double estimate_s = 1e-3 * mean_ms * double(left.size()) / jobs;
+        if (context.json) {
+            nlohmann::ordered_json commands = nlohmann::ordered_json::array();
+            for (const BatchTask* task : left) commands.push_back(task->command);
+            print_json(context, {{"models", tasks.size()},
+                                 {"left", left.size()},
+                                 {"estimate_s",
+                                  mean_ms > 0.0 ? nlohmann::ordered_json(estimate_s) : nullptr},
+                                 {"commands", std::move(commands)}});
+            return ExitStatus::success;
+        }
+        for (const BatchTask* task : left)
+            std::printf("rimline %s\n", printable_text(task->command).c_str());
+        std::fprintf(stderr, "%zu of %zu models left to do", left.size(), tasks.size());
+        if (mean_ms > 0.0)
+            std::fprintf(stderr, ", about %.0f s by the times of those done", estimate_s);
+        std::fputc('\n', stderr);
+        return ExitStatus::success;
+    }
+
+    ExitStatus print_result(const Context& context, const std::vector<BatchTask>& tasks) const {
+        std::size_t failed = 0;
+        for (const auto& [kind, count] : kinds_) failed += count;
+        if (context.json) {
+            print_json(context, {{"models", tasks.size()},
+                                 {"done", done_ - failed},
+                                 {"skipped", skipped_},
+                                 {"failed", failed},
+                                 {"kinds", kinds_},
+                                 {"failures", first_failures_},
+                                 {"manifest", manifest_path().string()}});
+        } else {
+            std::printf("%s\n", manifest_path().c_str());
+            std::printf("  models      %zu: %zu done, %zu done before, %zu failed\n", tasks.size(),
+                        done_ - failed, skipped_, failed);
+            for (const auto& [kind, count] : kinds_)
+                std::printf("  %-11s %zu\n", kind.c_str(), count);
+            for (const std::string& failure : first_failures_)
+                std::printf("    %s\n", printable_text(failure).c_str());
+            if (failed > first_failures_.size())
+                std::printf("    and %zu more, in the manifest\n", failed - first_failures_.size());
+            std::printf("  time        %s\n", context.times.sentence().c_str());
+        }
+        if (failed == 0) return ExitStatus::success;
+        print_error(std::to_string(failed) + " of " + std::to_string(tasks.size()) +
+                    " models failed: " + manifest_path().string() + " says why");
+        return ExitStatus::failed;
+    }
+
+    static constexpr std::size_t k_named_failures = 5;
+
+    std::vector<std::string> sources_, rest_;
+    std::string folder_ = "batch", page_;
+    Shard shard_;
+    std::uint32_t jobs_ = 0;  // 0: one a processor.
+    std::optional<double> timeout_s_, memory_mb_;
+    bool is_dry_ = false, retries_ = false;
+    std::size_t skipped_ = 0, done_ = 0;
+    std::map<std::string, std::size_t> kinds_;  // Of failures.
+    std::vector<std::string> first_failures_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_batch_command() { return std::make_unique<BatchCommand>(); }
+
+}  // namespace rimline::tools
