@@ -13,15 +13,12 @@ namespace rimline {
 
 namespace {
 
-constexpr double k_same_direction = 1e-4;
-
 class FanBuilder {
 public:
     FanBuilder(const Neighborhood& around, const glm::dvec3& normal, double phi)
         : around_(around), normal_(normal), phi_(phi) {}
 
-    enum class Hidden { kept, dropped };
-    void order(std::span<const std::uint8_t> places, Hidden hidden) {
+    void order(std::span<const std::uint8_t> places) {
         const glm::dvec3 u = any_perpendicular(normal_);
         const glm::dvec3 v = glm::cross(normal_, u);
         for (const std::uint8_t place : places) {
@@ -33,7 +30,6 @@ public:
                   [&](std::uint8_t a, std::uint8_t b) {
                       return turns_[a] != turns_[b] ? turns_[a] < turns_[b] : a < b;
                   });
-        if (hidden == Hidden::dropped) drop_hidden();
         for (std::size_t j = 0; j < fan_.size; ++j)
             if (is_wide(j)) fan_.open(j);
     }
@@ -44,7 +40,7 @@ public:
             double max_turned = omega + k_tie;
             for (std::size_t j = 0; j < fan_.size && fan_.size > 3; ++j) {
                 if (is_at_gap(j)) continue;
-                const double turned = std::max(around_.deviation(fan_, j, normal_),
+                const double turned = std::min(around_.deviation(fan_, j, normal_),
                                                around_.deviation(fan_, fan_.previous(j), normal_));
                 if (turned <= max_turned || turn_without(j) > omega) continue;
                 max_turned = turned + k_tie;
@@ -91,26 +87,6 @@ public:
 
 private:
     const glm::dvec3& edge(std::size_t j) const { return around_.edge(fan_.ring[j]); }
-
-    // Of neighbors in one direction only the nearest is kept. The triangle between two of them would have no
-    // normal, and the nearer would be removed for it.
-    void drop_hidden() {
-        std::uint8_t kept = 0;
-        for (std::size_t j = 0; j < fan_.size; ++j) {
-            const std::uint8_t place = fan_.ring[j];
-            if (kept > 0 && angle_between(around_.edge(fan_.ring[kept - 1u]), around_.edge(place)) <
-                                k_same_direction)
-                fan_.ring[kept - 1u] = std::min(fan_.ring[kept - 1u], place);
-            else
-                fan_.ring[kept++] = place;
-        }
-        if (kept > 1 && angle_between(around_.edge(fan_.ring[kept - 1u]),
-                                      around_.edge(fan_.ring[0])) < k_same_direction) {
-            --kept;
-            fan_.ring[0] = std::min(fan_.ring[0], fan_.ring[kept]);
-        }
-        fan_.size = kept;
-    }
 
     // At a concave boundary a sector is wider than phi; at a convex one it spans π or more around the normal.
     bool is_wide(std::size_t j) const {
@@ -179,10 +155,23 @@ bool is_admissible(const Neighborhood& around, std::uint32_t place, const glm::d
            around.length(place) < options.gamma * radius;
 }
 
+std::optional<Fan> admitted_fan(const Neighborhood& around, std::uint64_t among,
+                                const glm::dvec3& normal, double radius,
+                                const PointSurfaceOptions& options) {
+    std::array<std::uint8_t, k_max_neighbors> places;
+    std::size_t count = 0;
+    for (std::uint32_t place = 0; place < around.size(); ++place)
+        if ((among >> place & 1u) != 0 && is_admissible(around, place, normal, radius, options))
+            places[count++] = static_cast<std::uint8_t>(place);
+    if (count < 2) return std::nullopt;
+    const Fan fan = thesis_fan(around, std::span(places).first(count), normal, radius, options);
+    return fan.is_umbrella() ? std::optional(fan) : std::nullopt;
+}
+
 Fan thesis_fan(const Neighborhood& around, std::span<const std::uint8_t> places,
                const glm::dvec3& normal, double radius, const PointSurfaceOptions& options) {
     FanBuilder builder(around, normal, options.phi);
-    builder.order(places, FanBuilder::Hidden::dropped);
+    builder.order(places);
     builder.take_out_turned(options.omega);
     builder.make_delaunay();
     builder.grow_gaps(options.gamma * radius);
@@ -192,7 +181,7 @@ Fan thesis_fan(const Neighborhood& around, std::span<const std::uint8_t> places,
 Fan ordered_fan(const Neighborhood& around, std::span<const std::uint8_t> places,
                 const glm::dvec3& normal, double phi) {
     FanBuilder builder(around, normal, phi);
-    builder.order(places, FanBuilder::Hidden::kept);
+    builder.order(places);
     return builder.fan();
 }
 

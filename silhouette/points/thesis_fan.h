@@ -4,9 +4,10 @@
 // plane, in order around the normal. Boundaries are found before any neighbor is removed, and are kept from
 // then on.
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "silhouette/points/neighborhood.h"
 
@@ -28,12 +29,17 @@ GabrielTriangle gabriel_triangle(const Neighborhood& around, std::uint32_t k, do
 bool is_admissible(const Neighborhood& around, std::uint32_t place, const glm::dvec3& normal,
                    double radius, const PointSurfaceOptions& options);
 
-/// The umbrella of the places, in four steps. Sectors wider than phi become gaps. Edges are removed whose
-/// triangles turn more than omega from the normal, the worst first, unless the triangle that replaces them
-/// does so too. Edges that are not Delaunay are removed. Gaps grow over triangles with a circumradius above
+/// The umbrella of the places, in four steps. Sectors wider than phi become gaps. Edges are removed whose two
+/// triangles both turn more than omega from the normal, the worst first, unless the triangle that replaces
+/// them does so too. Edges that are not Delaunay are removed. Gaps grow over triangles with a circumradius above
 /// gamma times `radius`. Edges at gaps are never removed, and each new sector may become a gap.
 Fan thesis_fan(const Neighborhood& around, std::span<const std::uint8_t> places,
                const glm::dvec3& normal, double radius, const PointSurfaceOptions& options);
+
+/// The umbrella of those places `among` the list that are admissible. Nothing where it has no triangle.
+std::optional<Fan> admitted_fan(const Neighborhood& around, std::uint64_t among,
+                                const glm::dvec3& normal, double radius,
+                                const PointSurfaceOptions& options);
 
 /// The places in order around the normal. Sectors wider than `phi` are gaps.
 Fan ordered_fan(const Neighborhood& around, std::span<const std::uint8_t> places,

@@ -12,6 +12,7 @@
 
 #include "silhouette/mesh/angle_between.h"
 #include "silhouette/points/point_surface.h"
+#include "tools/bench/even_samples.h"
 #include "tools/bench/gap_rule.h"
 #include "tools/bench/library_borders.h"
 #include "tools/bench/point_truth.h"
@@ -92,8 +93,8 @@ bool PointsBenchResult::is_found(const BorderCount& count) const {
     return count.missed <= 0.04 * border && count.extra <= 0.07 * border;
 }
 
-PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, double noise,
-                               const Context& context) {
+PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,
+                               const PointsBenchOptions& options, const Context& context) {
     PointsBenchResult result;
     result.model = model;
     PointTruth truth = point_truth(mesh);
@@ -102,7 +103,17 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, doubl
     result.border = truth.border_count;
     result.border_wide = truth.wide_count;
     if (result.kind == PointsBenchResult::Kind::unfit) return result;
-    if (noise > 0.0) add_noise(truth, noise);
+    if (options.noise > 0.0) add_noise(truth, options.noise);
+    if (options.is_even) {
+        EvenSamples samples = even_samples(mesh, result.points);
+        truth.positions = std::move(samples.positions);
+        truth.is_border = std::move(samples.is_border);
+        truth.is_wide_at.assign(truth.positions.size(), 0);
+        result.points = static_cast<std::uint32_t>(truth.positions.size());
+        result.border =
+            static_cast<std::uint32_t>(std::ranges::count(truth.is_border, std::uint8_t{1}));
+        result.border_wide = 0;
+    }
 
     Progress progress(context, "finding umbrellas of " + model);
     const LongCall call = progress.call();
@@ -115,7 +126,7 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, doubl
             count.missed_wide += truth.is_wide_at[i] && !found[i];
             count.extra += !truth.is_border[i] && found[i];
         }
-        if (result.border == 0 && count.extra > k_max_extra)
+        if (!options.is_even && result.border == 0 && count.extra > k_max_extra)
             count.around_holes = count_around_holes(mesh, found);
         result.counts.push_back(std::move(count));
     };
@@ -127,8 +138,10 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, doubl
     add("robust", labels(surface));
     result.feature = surface.count(PointLabel::feature);
     result.undecided = surface.count(PointLabel::undecided);
-    measure_normals(mesh, surface, truth, result);
-    result.silhouettes = compare_silhouettes(mesh, surface, {call.stop, {}});
+    if (!options.is_even) {
+        measure_normals(mesh, surface, truth, result);
+        result.silhouettes = compare_silhouettes(mesh, surface, {call.stop, {}});
+    }
     PointSurfaceOptions thesis;
     thesis.method = PointSurfaceOptions::Method::thesis;
     const PointSurface by_thesis(truth.positions, thesis, {call.stop, {}});

@@ -49,9 +49,16 @@ struct PointsBenchResult {
     bool is_found(const BorderCount& count) const;
 };
 
-/// Each coordinate of each vertex is moved by normally distributed noise first, the same for the same mesh,
-/// of standard deviation `noise` times the mean length of the vertex's edges.
-PointsBenchResult bench_points(const std::string& model, const Mesh& mesh, double noise,
-                               const Context& context);
+struct PointsBenchOptions {
+    /// Each coordinate of each vertex is moved by normally distributed noise first, the same for the same mesh,
+    /// of standard deviation `noise` times the mean length of the vertex's edges.
+    double noise = 0.0;
+    /// About as many points spread evenly over the mesh are measured in place of its vertices
+    /// (even_samples.h), without noise. Their borders alone are measured. The kind is that of the mesh.
+    bool is_even = false;
+};
+
+PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,
+                               const PointsBenchOptions& options, const Context& context);
 
 }  // namespace rimline::tools

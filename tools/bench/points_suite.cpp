@@ -114,7 +114,7 @@ void print_normals(const std::vector<PointsBenchResult>& results) {
         exact, models, wrong, apart);
 }
 
-void print_summary(const std::vector<PointsBenchResult>& results) {
+void print_summary(const std::vector<PointsBenchResult>& results, bool is_even) {
     std::printf(
         "\n* found: at most 4%% missed and 7%% extra; closed, at most 10 extra, fandisk 0\n");
     for (const PointsBenchResult& result : results)
@@ -124,14 +124,14 @@ void print_summary(const std::vector<PointsBenchResult>& results) {
                 std::filesystem::path(result.model).filename().c_str(), result.counts[0].extra,
                 result.counts[0].around_holes);
     for (const PointsBenchResult& result : results)
-        if (result.kind == Kind::wide && !result.is_found(result.counts[0]))
+        if (!is_even && result.kind == Kind::wide && !result.is_found(result.counts[0]))
             std::printf(
                 "%s: %u of %u border points missed where the opening is wide, %u of %u elsewhere\n",
                 std::filesystem::path(result.model).filename().c_str(),
                 result.counts[0].missed_wide, result.border_wide,
                 result.counts[0].missed - result.counts[0].missed_wide,
                 result.border - result.border_wide);
-    print_normals(results);
+    if (!is_even) print_normals(results);
     std::printf("%-28s %18s %18s %18s %18s\n", "found of", "wide", "other open", "smooth",
                 "other closed");
     const auto fit = std::ranges::find_if(
@@ -222,10 +222,16 @@ public:
     void add_options(CLI::App& app) override {
         models_.add_to(app, "all meshes of the folders in RIMLINE_MODELS, or built-in shapes");
         add_check(app, check_);
+        CLI::Option* even = app.add_flag(
+            "--even", is_even_,
+            "Points spread evenly over the mesh in place of its vertices, about as many");
+        even->group("Amount");
+        even->excludes("--check");
         add_number(app, "--noise", noise_, 0.0, 1.0,
                    "The standard deviation by which every coordinate is moved, in mean lengths of "
                    "the vertex's edges")
-            ->group("Amount");
+            ->group("Amount")
+            ->excludes(even);
         app.footer(
             "The suite makes umbrellas of the vertices alone. It counts the border points that "
             "are\n"
@@ -239,7 +245,8 @@ public:
             "without those around holes in their samples; fandisk has none.\n\n"
             "Examples:\n"
             "  rimline bench points --check\n"
-            "  rimline bench points shape:terrain:50000 --noise 0.05");
+            "  rimline bench points shape:terrain:50000 --noise 0.05\n"
+            "  rimline bench points shape:terrain:50000 --even");
     }
 
     ExitStatus run(const Context& context) override {
@@ -250,6 +257,7 @@ public:
             for (const PointsBenchResult& result : results) rows.push_back(to_json(result));
             Json object{{"machine", to_json(this_machine())},
                         {"noise", noise_},
+                        {"even", is_even_},
                         {"points", std::move(rows)}};
             if (check_) {
                 TargetList list;
@@ -258,7 +266,7 @@ public:
             }
             print_json(object);
         } else {
-            print_summary(results);
+            print_summary(results, is_even_);
             print_silhouettes(compared_models(results));
             print_targets(targets);
         }
@@ -282,11 +290,13 @@ private:
             }
             if (results.empty() && !context.json) {
                 print_machine(this_machine());
+                if (is_even_) std::printf("points spread evenly in place of vertices\n");
                 if (noise_ > 0.0) std::printf("vertices moved by %g of their mean edge\n", noise_);
                 print_heading();
             }
-            results.push_back(
-                about_model(model, [&] { return bench_points(model, *mesh, noise_, context); }));
+            results.push_back(about_model(model, [&] {
+                return bench_points(model, *mesh, {noise_, is_even_}, context);
+            }));
             if (context.json) continue;
             print_result(results.back());
             std::fflush(stdout);
@@ -296,6 +306,7 @@ private:
 
     SuiteModels models_;
     bool check_ = false;
+    bool is_even_ = false;
     double noise_ = 0.0;
 };
 

@@ -81,10 +81,10 @@ TEST_CASE("borders of real models are missed and invented no more often than mea
                                   {"fandisk.obj", 0, 0, 0, 0},
                                   {"rocker-arm.obj", 0, 6, 22},
                                   {"horse.ply", 0, 93, 16},
-                                  {"beetle-alt.obj", 152, 858, 0, 766, k_thesis},
-                                  {"alligator.obj", 104, 0, 0, 12, k_thesis},
-                                  {"fandisk.obj", 0, 42, 0, 294, k_thesis},
-                                  {"rocker-arm.obj", 0, 513, 0, 964, k_thesis}};
+                                  {"beetle-alt.obj", 68, 922, 0, 516, k_thesis},
+                                  {"alligator.obj", 103, 0, 0, 12, k_thesis},
+                                  {"fandisk.obj", 0, 3, 0, 41, k_thesis},
+                                  {"rocker-arm.obj", 0, 456, 0, 905, k_thesis}};
     check(k_bounds);
 }
 

@@ -45,3 +45,12 @@ def test_bench_points_measures_borders_beside_the_gap_rule():
     assert [n["noise"] for n in noisy] == [0.1, 0.1, 0.3]
     assert found["normal_error_median_deg"] < errors[0] == errors[1] < errors[2]
     assert "not expected: --noise" in fail(2, "bench", "fields", "--noise", "0.1")
+    # Points spread evenly have a border, too. Nothing else is measured of them.
+    even = succeed("bench", "points", "shape:terrain:4000", "--even")
+    assert even["even"] and not noisy[0]["even"]
+    [spread] = even["points"]
+    assert spread["kind"] == "wide" and 1000 < spread["points"] < terrain["points"] and spread["border"] > 100
+    assert spread["borders"][0]["method"] == "robust" and spread["borders"][0]["found"]
+    assert spread["normal_error_99_deg"] == 0 and spread["border_wide"] == 0
+    for other in (["--check"], ["--noise", "0.1"]):
+        assert "--even" in fail(2, "bench", "points", "--even", *other)
