@@ -28,6 +28,7 @@
 #include "tools/options/option_types.h"
 #include "tools/output/leftover.h"
 #include "tools/output/summary_stream.h"
+#include "tools/process/end_with_parent.h"
 #include "tools/process/interrupt.h"
 #include "tools/process/standard_descriptors.h"
 #include "tools/process/thread_limit.h"
@@ -271,6 +272,7 @@ constexpr const char* k_out_of_memory = "out of memory; take a smaller model or 
 }  // namespace
 
 int main(int argc, char** argv) {
+    rimline::tools::end_with_parent();
     std::set_terminate(end_by_exception);
     rimline::tools::open_missing_standard_descriptors();
     try {

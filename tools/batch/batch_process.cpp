@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "silhouette/error.h"
+#include "tools/process/end_with_parent.h"
 
 extern char** environ;
 
@@ -46,10 +47,12 @@ BatchProcess::BatchProcess(const std::vector<std::string>& arguments, const Batc
     words.push_back(nullptr);
     // Mesa's CPU device starts threads of its own.
     const std::string threads = "LP_NUM_THREADS=" + std::to_string(limits.threads);
+    const std::string parent = k_parent_variable + ("=" + std::to_string(getpid()));
     std::vector<char*> environment;
     for (char** variable = environ; *variable != nullptr; ++variable)
         if (std::strncmp(*variable, "LP_NUM_THREADS=", 15) != 0) environment.push_back(*variable);
-    environment.push_back(const_cast<char*>(threads.c_str()));
+    for (const std::string* variable : {&threads, &parent})
+        environment.push_back(const_cast<char*>(variable->c_str()));
     environment.push_back(nullptr);
 
     posix_spawn_file_actions_t actions;

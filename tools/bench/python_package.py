@@ -195,13 +195,14 @@ def main():
             if "vtk_split_edges" in r:
                 print(f"  with split vertices: {r['split_edges']:,} edges, the filter finds "
                       f"{r['filter_split_edges']:,}, VTK {r['vtk_split_edges']:,}")
-    missed = [f"{r['model']}: edges differ" for r in results if r["differences"]]
-    missed += [f"{r['model']}: the filter is not 10 times as fast as VTK's" for r in results
+    differ = [f"{r['model']}: edges differ" for r in results if r["differences"]]
+    missed = [f"{r['model']}: the filter is not 10 times as fast as VTK's" for r in results
                if "vtk_us" in r and r["vtk_us"] < 10 * r["filter_us"]]
     missed += ["a call takes 5 us or more"] if call >= 5 else []
+    missed = differ + (missed if arguments.check else [])
     for line in missed:
         print(f"python_package.py: {line}", file=sys.stderr)
-    sys.exit(3 if missed and (arguments.check or any(r["differences"] for r in results)) else 0)
+    sys.exit(3 if missed else 0)
 
 
 main()

@@ -30,7 +30,7 @@ def entries(path):
 
 def batch(*arguments):
     """The options of the batch come before those of its subcommand."""
-    result = run("batch", *arguments)
+    result = run("batch", "--json", *arguments)
     return result, json.loads(result.stdout) if result.stdout else None
 
 
@@ -190,13 +190,33 @@ def test_killed_batches_lose_nothing_and_double_nothing():
             process.wait()
             for path in pathlib.Path(out).rglob("*.svg"):
                 assert path.read_text().endswith("</svg>\n"), f"{path} is not whole"
-            time.sleep(0.2)  # Its processes end with their models.
         told = json.loads(run(*arguments).stdout)
         assert told["done"] + told["skipped"] == 24 and told["failed"] == 0 and told["skipped"] > 0
         lines = entries(f"{out}/manifest.jsonl")
         assert len({line["input"] for line in lines}) == len(lines) == 24
         assert sorted(path.stem for path in pathlib.Path(out).rglob("*.svg")) == sorted(f"m{i}" for i in range(24))
         assert not list(pathlib.Path(out).rglob(".*.part"))
+
+
+def test_processes_end_with_their_batch():
+    with tempfile.TemporaryDirectory() as folder:
+        process = subprocess.Popen([PROGRAM, "batch", "shape:knot:8000000", "-o", folder, "--jobs", "1", "--", "info"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        children = f"/proc/{process.pid}/task/{process.pid}/children"
+        while not pathlib.Path(children).read_text():
+            time.sleep(0.01)
+        child = int(pathlib.Path(children).read_text().split()[0])
+        time.sleep(0.1)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        deadline = time.monotonic() + 5
+        while os.path.exists(f"/proc/{child}/exe") and time.monotonic() < deadline:
+            time.sleep(0.01)
+        try:
+            state = pathlib.Path(f"/proc/{child}/stat").read_text().rsplit(")", 1)[1].split()[0]
+        except FileNotFoundError:
+            state = "gone"
+        assert state in ("Z", "gone"), state
 
 
 def test_two_batches_do_not_write_one_manifest():
