@@ -24,7 +24,7 @@
 // surface is clipped; volumes end behind the far plane, and depth is clamped. Where the light lies in a face's
 // plane, the sides lie on the face too; there the surface pass uses the face bit.
 // Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
-// Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.1.
+// Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.2.
 
 #include "engine/passes/draw_list.h"
 #include "engine/shadow_choice.h"

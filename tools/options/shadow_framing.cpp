@@ -139,10 +139,12 @@ Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<cons
 }
 
 void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options) {
-    if (!scene.shadows || options.eye || options.target || scene.camera.is_orthographic()) return;
-    scene.camera = frame_with_shadows(scene.camera, mesh, scene.lights,
-                                      rounded_to_float(ground_up_of(mesh, options)),
-                                      double(options.size.width) / options.size.height);
+    const bool is_chosen = !options.target && !(options.eye && options.fov_degrees);
+    if (!scene.shadows || !is_chosen || scene.camera.is_orthographic()) return;
+    const glm::dvec3 ground_up = rounded_to_float(ground_up_of(mesh, options));
+    const double aspect = double(options.size.width) / options.size.height;
+    const auto frame = options.eye ? zoom_with_shadows : frame_with_shadows;
+    scene.camera = frame(scene.camera, mesh, scene.lights, ground_up, aspect);
 }
 
 Camera zoom_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,

@@ -31,7 +31,8 @@ double fade_of_ground(const Mesh& mesh, std::span<const Light> lights, const glm
 Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                           const glm::dvec3& ground_up, double aspect);
 
-/// The same for a scene with a ground, where its shadows are drawn and the command has placed the camera.
+/// The same for a scene with a ground, where its shadows are drawn and the command has placed the camera, or chosen
+/// where a given eye looks: then as zoom_with_shadows().
 void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options);
 
 /// The perspective camera, at its place, turned and with a lens such that the picture holds the mesh and its

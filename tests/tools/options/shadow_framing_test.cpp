@@ -51,6 +51,30 @@ TEST_CASE("the frame holds the model and its shadow on the ground, and nothing m
     }
 }
 
+TEST_CASE("a given eye without a target sees the model and its shadow from there") {
+    const Mesh mesh(make_built_in_shape("knot", 2000));
+    const glm::dvec3 sun(-1, 1, 0.3);
+    const Camera camera{.eye = {2.5, 2, 4}, .target = mesh.center(), .fov_y_deg = 35.0};
+    double ground = 1e9;
+    for (const glm::vec3& p : mesh.positions()) ground = std::min(ground, double{p.y});
+    const auto most = [&](PictureOptions options) {
+        options.size = {640, 480};
+        Scene scene{.lights = {{.vector = sun, .directional = true}}, .camera = camera};
+        frame_ground(scene, mesh, options);
+        CHECK(scene.camera.eye == camera.eye);
+        double farthest = 0.0;
+        for (const glm::vec3& p : mesh.positions()) {
+            const glm::dvec3 shadow = glm::dvec3(p) - (p.y - ground) / sun.y * sun;
+            farthest = std::max(farthest, place_in_picture(scene.camera, shadow));
+        }
+        return farthest;
+    };
+    CHECK(most({.eye = glm::vec3(2.5f, 2, 4)}) < 0.96);
+    // What the user fixed stays.
+    CHECK(most({.eye = glm::vec3(2.5f, 2, 4), .fov_degrees = 35.0}) > 1.0);
+    CHECK(most({.eye = glm::vec3(2.5f, 2, 4), .target = glm::vec3(0.0f)}) > 1.0);
+}
+
 TEST_CASE("the frame holds the shadow of a lamp, and endless shadows fade out within three radii") {
     const Mesh mesh(make_built_in_shape("knot", 2000));
     const glm::dvec3 up(0, 1, 0);

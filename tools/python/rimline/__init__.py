@@ -1,5 +1,7 @@
 """Silhouettes of meshes and point clouds: found, kept up to date while a camera moves, and drawn.
 
+For example::
+
     import rimline
 
     mesh = rimline.load("bunny.obj")
@@ -129,14 +131,14 @@ class Picture(np.ndarray):  # type: ignore[type-arg]
 
 
 class Scene:
-    """A mesh, and how to draw it: the keywords are the options of `rimline render`, with _ for -.
+    """A mesh, and how to draw it. The keywords are the options of `rimline render`, with _ for -::
 
-    Camera   eye (a point, or auto, front, back, left, right, top, bottom, three-quarter), azimuth, elevation, target,
-             up, fov, ortho
-    Style    style (ink, toon, blueprint, hatch, mask), palette, color, line_color, materials, lines, line_width, crease,
-             intersections, min_length, hidden, shadows, ground, ground_up
-    Lights   light (a point, or several), sun (a direction, several, or auto), lighting
-    Image    size (width and height), background (a color, or none)
+        Camera   eye (a point, or auto, front, back, left, right, top, bottom, three-quarter), azimuth, elevation,
+                 target, up, fov, ortho
+        Style    style (ink, toon, blueprint, hatch, mask), palette, color, line_color, materials, lines, line_width,
+                 crease, intersections, min_length, hidden, shadows, ground, ground_up
+        Lights   light (a point, or several), sun (a direction, several, or auto), lighting
+        Image    size (width and height), background (a color, or none)
 
     What is not given is chosen for the mesh.
     """
