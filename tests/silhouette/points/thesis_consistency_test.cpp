@@ -217,7 +217,8 @@ TEST_CASE("a gap with a shared end moves with this end") {
 }
 
 TEST_CASE(
-    "an umbrella may take the open edge of another, and then the other has no open edge to change") {
+    "an umbrella may take the open edge of another, and then the other has no open edge to "
+    "change") {
     CHECK(corrected(folded(), {"0 1 2 |", "0 3 4 |"}, {places({2, 4}), 0, 0}) ==
           "0 1 2 4 |, 0 3 4 |");
 }
