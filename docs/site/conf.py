@@ -26,6 +26,7 @@ html_show_sphinx = False
 # Links to sections, as on the pages of the repository.
 myst_heading_anchors = 3
 
+autodoc_mock_imports = ["vtkmodules"]
 autodoc_member_order = "bysource"
 breathe_projects = {"rimline": os.environ["RIMLINE_SITE_XML"]}
 breathe_default_project = "rimline"

@@ -20,7 +20,8 @@ def pytest_terminal_summary(terminalreporter):
 
 def pytest_sessionfinish(session, exitstatus):
     stats = session.config.pluginmanager.get_plugin("terminalreporter").stats
-    if exitstatus == 0 and stats.get("skipped") and not stats.get("passed"):
+    # 5: not even one test was collected, as where a whole file is skipped.
+    if exitstatus in (0, 5) and stats.get("skipped") and not stats.get("passed"):
         session.exitstatus = 77
 
 
