@@ -22,7 +22,7 @@ std::vector<FaceId> faces_towards(const Mesh& mesh, const glm::dvec3& eye) {
 std::optional<ChosenSun> sun_of(const Mesh& mesh, const glm::dvec3& eye, const LongCall& call) {
     const std::vector<FaceId> faces = faces_towards(mesh, eye);
     if (faces.empty()) return std::nullopt;
-    const TangentialField field(UnitPlanes(mesh, faces), light_function());
+    const TangentialField field(UnitPlanes(mesh, faces), light_function(), {}, call.stop);
     const PointsOfInterest found = find_points_of_interest(field, k_view_shell, {}, call);
     if (found.points.empty()) return std::nullopt;
     return ChosenSun{.direction = glm::normalize(found.points[0].point),

@@ -46,22 +46,35 @@ public:
         const fs::file_status status = fs::status(source, error);
         if (!fs::exists(status))
             throw Error(ErrorCode::io, source + ": cannot read: there is no such file or folder");
-        if (!fs::is_directory(status)) return take(source, fs::path(source).filename().string());
+        if (!fs::is_directory(status)) return take(source, name_of(source));
         add_folder(source);
     }
 
     std::vector<BatchInput> inputs;
 
 private:
+    // The path without a root and without steps upwards.
+    static std::string name_of(const std::string& file) {
+        fs::path name;
+        for (const fs::path& part : fs::path(file).lexically_normal().relative_path())
+            if (part != "..") name /= part;
+        return name.generic_string();
+    }
+
     void add_folder(const std::string& folder) {
+        std::error_code unknown;
+        std::set<fs::path> entered{fs::weakly_canonical(folder, unknown)};
         std::vector<fs::path> files;
         std::error_code error;
         fs::recursive_directory_iterator place(
             folder, fs::directory_options::follow_directory_symlink, error);
         for (; !error && place != fs::recursive_directory_iterator(); place.increment(error)) {
             call_.checkpoint(0.0);
-            if (place.depth() > k_max_depth) place.disable_recursion_pending();
             std::error_code unreadable;
+            // Links may lead back.
+            if (place->is_directory(unreadable) &&
+                !entered.insert(fs::weakly_canonical(place->path(), unreadable)).second)
+                place.disable_recursion_pending();
             if (is_model_file(place->path()) && place->is_regular_file(unreadable))
                 files.push_back(place->path());
         }
@@ -88,10 +101,13 @@ private:
     }
 
     void take(const std::string& model, const std::string& name) {
-        if (known_.insert(model).second) inputs.push_back({model, name});
+        std::error_code unreadable;
+        const bool is_shape = is_built_in_shape(model);
+        const std::string place =
+            is_shape ? model : fs::weakly_canonical(model, unreadable).string();
+        if (known_.insert(place).second) inputs.push_back({model, name});
     }
 
-    static constexpr int k_max_depth = 64;  // Links may lead back.
     const LongCall& call_;
     std::set<std::string> known_;
 };

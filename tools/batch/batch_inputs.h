@@ -12,7 +12,9 @@ namespace rimline::tools {
 
 struct BatchInput {
     std::string model;  ///< As commands take it.
-    std::string name;  ///< Within its folder or list, with `/`: what {path} and shards are made of.
+    /// With `/`: within its folder; of a file that is named itself its path without root and `..`. {path} and
+    /// shards are made of it.
+    std::string name;
 
     std::string stem() const;  ///< Of the file, without folder and ending.
     std::string file() const;  ///< The same with its ending.
@@ -30,7 +32,7 @@ struct Shard {
 Shard parse_shard(const std::string& text);
 
 /// Of each source: a built-in shape, a model file, a folder with all models in it, its subfolders too, or @LIST, a text
-/// file with one of these a line. Sorted by name within a folder; a model that occurs twice counts once. Throws
+/// file with one of these a line. Sorted by name within a folder; a file that occurs twice, by whatever path, counts once. Throws
 /// Error{io} for what does not exist, Error{cancelled}.
 std::vector<BatchInput> find_batch_inputs(const std::vector<std::string>& sources,
                                           const LongCall& call);

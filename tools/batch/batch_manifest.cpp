@@ -79,6 +79,7 @@ void BatchManifest::take(const nlohmann::ordered_json& line) {
     BatchEntry entry{.digest = line.at("digest"),
                      .command = line.at("command"),
                      .status = line.at("status"),
+                     .error = line.at("error").is_null() ? "" : line.at("error").get<std::string>(),
                      .outputs = line.at("outputs"),
                      .ms = line.at("ms")};
     entries_.insert_or_assign(line.at("input"), std::move(entry));

@@ -17,7 +17,7 @@ namespace rimline::tools {
 
 /// What is known of a model from an earlier run.
 struct BatchEntry {
-    std::string digest, command, status;
+    std::string digest, command, status, error;
     std::vector<std::string> outputs;
     double ms = 0.0;
 };

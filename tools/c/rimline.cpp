@@ -7,7 +7,6 @@
 #include <cstring>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <new>
 #include <optional>
 #include <stop_token>
@@ -41,7 +40,6 @@ struct rimline_mesh {
 struct rimline_tracker {
     rimline::tools::SharedMesh mesh;
     rimline::SilhouetteTracker tracker;
-    std::mutex mutex{};
 };
 struct rimline_drawer {
     rimline::tools::BoundDrawer drawer;
@@ -332,7 +330,6 @@ rimline_status rimline_tracker_move(rimline_tracker* tracker, const rimline_poin
         const HomogeneousPoint to = point_of(point);
         if (changes != nullptr && changes->struct_size < sizeof changes->struct_size)
             throw UsageError("changes: struct_size is not set");
-        const std::lock_guard lock(tracker->mutex);
         const rimline::ChangeSet& c = tracker->tracker.move_to(to);
         if (changes == nullptr) return;
         store(rimline_changes{.struct_size = 0,

@@ -9,8 +9,9 @@
  * Structs that a later version may extend begin with `struct_size`: set it to sizeof before the call. Fields that the
  * library does not know are left alone, and fields that the caller does not know are not written.
  *
- * Threads: meshes may be used by any number of threads at a time. Threads that share a tracker, a drawer or a renderer
- * take turns. Everything else is used by one thread at a time.
+ * Threads: meshes may be used by any number of threads at a time. Threads that share a drawer or a renderer take turns.
+ * Everything else is used by one thread at a time: threads that share a tracker lock it themselves, because its arrays
+ * are those of the last move.
  *
  * Vertices are numbered as in the input, from 0; of equal positions the first stands for all. Edges are numbered by
  * the mesh (rimline_mesh_edge_vertices). Coordinates are within 2^60.

@@ -36,11 +36,27 @@ constexpr std::array<std::string_view, 12> k_batch_commands{
     "views",  "path",    "light", "origins",    "field", "points"};
 constexpr std::chrono::milliseconds k_poll{5};
 
-std::string replaced(std::string text, const std::string& place, const std::string& value) {
-    for (std::size_t at = 0; (at = text.find(place, at)) != std::string::npos; at += value.size())
-        text.replace(at, place.size(), value);
-    return text;
+using BatchPlaces = std::vector<std::pair<std::string, std::string>>;
+
+// The text with each place that is named in it filled, from left to right: what is filled in is not looked at again.
+std::string filled(const std::string& text, const BatchPlaces& places) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto found = std::ranges::find_if(places, [&](const auto& place) {
+            return text.compare(at, place.first.size(), place.first) == 0;
+        });
+        if (found == places.end()) {
+            result += text[at++];
+        } else {
+            result += found->second;
+            at += found->first.size();
+        }
+    }
+    return result;
 }
+
+// As the manifest names it: bytes that are no UTF-8 are escaped.
+std::string key_of(const BatchInput& input) { return printable_text(input.model); }
 
 // A model, and what is done with it.
 struct BatchTask {
@@ -126,7 +142,11 @@ public:
             const LongCall call = progress.call();
             for (const BatchTask& task : tasks) {
                 call.checkpoint(double(&task - tasks.data()) / double(tasks.size()));
-                if (!is_done(task, manifest, call)) left.push_back(&task);
+                if (!is_done(task, manifest, call))
+                    left.push_back(&task);
+                else
+                    ++(manifest.find(key_of(task.input))->status == "ok" ? skipped_
+                                                                         : failed_before_);
             }
         }
         for (const auto& [input, entry] : manifest.entries()) {
@@ -136,7 +156,6 @@ public:
         context.times.end("reading models");
         if (is_dry_)
             return print_dry(context, tasks, left, known > 0 ? known_ms / double(known) : 0.0);
-        skipped_ = tasks.size() - left.size();
         run_all(left, manifest, context);
         context.times.end("running");
         if (!page_.empty()) write_page(tasks, manifest);
@@ -183,7 +202,7 @@ private:
             if (!is_first)
                 throw UsageError("-o: " + other->second->model + " and " + task.input.model +
                                  " would both write " + task.output +
-                                 ": use {path}, or {name}, in it");
+                                 ": use {path} in it, or {name}, or batches of their own");
         }
         return tasks;
     }
@@ -191,14 +210,14 @@ private:
     BatchTask make_task(const BatchInput& input) const {
         BatchTask task{
             .input = input, .arguments = {rest_.front(), input.model}, .command = {}, .output = {}};
-        const auto fill = [&](std::string word) {
-            word = replaced(std::move(word), "{stem}", input.stem());
-            word = replaced(std::move(word), "{name}", input.file());
-            word = replaced(std::move(word), "{path}", input.path());
-            return replaced(std::move(word), "{out}", folder_);
-        };
+        // A name is no option.
+        if (input.model.starts_with('-')) task.arguments.back() = "./" + input.model;
+        const BatchPlaces places{{"{stem}", input.stem()},
+                                 {"{name}", input.file()},
+                                 {"{path}", input.path()},
+                                 {"{out}", folder_}};
         for (std::size_t i = 1; i < rest_.size(); ++i) {
-            task.arguments.push_back(fill(rest_[i]));
+            task.arguments.push_back(filled(rest_[i], places));
             const std::string& word = task.arguments.back();
             if (rest_[i - 1] == "-o" || rest_[i - 1] == "--output") task.output = word;
             if (word.starts_with("--output=")) task.output = word.substr(9);
@@ -206,12 +225,12 @@ private:
                 task.output = word.substr(2);
         }
         for (const std::string& word : task.arguments)
-            task.command += (task.command.empty() ? "" : " ") + word;
+            task.command += (task.command.empty() ? "" : " ") + printable_text(word);
         return task;
     }
 
     bool is_done(const BatchTask& task, const BatchManifest& manifest, const LongCall& call) const {
-        const BatchEntry* entry = manifest.find(task.input.model);
+        const BatchEntry* entry = manifest.find(key_of(task.input));
         if (entry == nullptr || entry->command != task.command) return false;
         if (entry->status != "ok" && retries_) return false;
         try {
@@ -220,8 +239,10 @@ private:
             if (error.code() == ErrorCode::cancelled) throw;
             return entry->digest.empty();
         }
-        return std::ranges::all_of(entry->outputs,
-                                   [](const std::string& output) { return fs::exists(output); });
+        const std::vector<std::string> found = outputs_of(task.output);
+        return std::ranges::all_of(entry->outputs, [&](const std::string& output) {
+            return std::ranges::find(found, output) != found.end();
+        });
     }
 
     struct Running {
@@ -252,16 +273,22 @@ private:
                     ++i;
                     continue;
                 }
-                // A wrong option is wrong for all models.
-                if (end->status == "usage")
-                    throw UsageError("of the subcommand: " + words_of(end->error));
                 record(*running[i].task, running[i].digest, *end, manifest);
                 running.erase(running.begin() + std::ptrdiff_t(i));
                 ++done;
                 has_ended = true;
+                check_usage(*end, done == left.size());
             }
             if (!has_ended) std::this_thread::sleep_for(k_poll);
         }
+    }
+
+    // A wrong option is wrong for all models: where all that were done first say so, the rest need not be tried.
+    void check_usage(const BatchEnd& end, bool is_last) const {
+        const auto usage = kinds_.find("usage");
+        const bool all_are = usage != kinds_.end() && usage->second == done_ && skipped_ == 0;
+        if (all_are && (is_last || done_ >= k_tried))
+            throw UsageError("of the subcommand: " + words_of(end.error));
     }
 
     void start(const BatchTask& task, const BatchLimits& limits, std::vector<Running>& running,
@@ -286,13 +313,15 @@ private:
         return error.starts_with(k_prefix) ? error.substr(k_prefix.size()) : error;
     }
 
+    // As the manifest names them, ascending.
     static std::vector<std::string> outputs_of(const std::string& output) {
         std::vector<std::string> files;
         std::error_code error;
         if (output.empty() || !fs::exists(output, error)) return files;
-        if (!fs::is_directory(output, error)) return {output};
+        if (!fs::is_directory(output, error)) return {printable_text(output)};
         for (const fs::directory_entry& entry : fs::directory_iterator(output, error))
-            if (entry.is_regular_file(error)) files.push_back(entry.path().string());
+            if (entry.is_regular_file(error))
+                files.push_back(printable_text(entry.path().string()));
         std::ranges::sort(files);
         return files;
     }
@@ -301,7 +330,7 @@ private:
                 BatchManifest& manifest) {
         const bool is_ok = end.status == "ok";
         nlohmann::ordered_json entry{
-            {"input", task.input.model},
+            {"input", key_of(task.input)},
             {"digest", digest},
             {"command", task.command},
             {"status", end.status},
@@ -324,10 +353,10 @@ private:
     void write_page(const std::vector<BatchTask>& tasks, const BatchManifest& manifest) const {
         std::vector<BatchPageItem> items;
         for (const BatchTask& task : tasks) {
-            const BatchEntry* entry = manifest.find(task.input.model);
+            const BatchEntry* entry = manifest.find(key_of(task.input));
             if (entry == nullptr) continue;
-            items.push_back(
-                {task.input.model, entry->outputs, entry->status == "ok" ? "" : entry->status});
+            items.push_back({task.input.model, entry->outputs,
+                             entry->status == "ok" ? "" : entry->status + ": " + entry->error});
         }
         OutputFile file(page_);
         file.write(batch_page(items, fs::absolute(page_).parent_path()));
@@ -366,14 +395,16 @@ private:
             print_json(context, {{"models", tasks.size()},
                                  {"done", done_ - failed},
                                  {"skipped", skipped_},
+                                 {"failed_before", failed_before_},
                                  {"failed", failed},
                                  {"kinds", kinds_},
                                  {"failures", first_failures_},
                                  {"manifest", manifest_path().string()}});
         } else {
             std::printf("%s\n", manifest_path().c_str());
-            std::printf("  models      %zu: %zu done, %zu done before, %zu failed\n", tasks.size(),
-                        done_ - failed, skipped_, failed);
+            std::printf(
+                "  models      %zu: %zu done, %zu done before, %zu failed, %zu failed before\n",
+                tasks.size(), done_ - failed, skipped_, failed, failed_before_);
             for (const auto& [kind, count] : kinds_)
                 std::printf("  %-11s %zu\n", kind.c_str(), count);
             for (const std::string& failure : first_failures_)
@@ -382,13 +413,15 @@ private:
                 std::printf("    and %zu more, in the manifest\n", failed - first_failures_.size());
             std::printf("  time        %s\n", context.times.sentence().c_str());
         }
-        if (failed == 0) return ExitStatus::success;
-        print_error(std::to_string(failed) + " of " + std::to_string(tasks.size()) +
-                    " models failed: " + manifest_path().string() + " says why");
+        if (failed + failed_before_ == 0) return ExitStatus::success;
+        print_error(std::to_string(failed + failed_before_) + " of " +
+                    std::to_string(tasks.size()) + " models failed: " + manifest_path().string() +
+                    " says why");
         return ExitStatus::failed;
     }
 
     static constexpr std::size_t k_named_failures = 5;
+    static constexpr std::size_t k_tried = 3;
 
     std::vector<std::string> sources_, rest_;
     std::string folder_ = "batch", page_;
@@ -396,7 +429,7 @@ private:
     std::uint32_t jobs_ = 0;  // 0: one a processor.
     std::optional<double> timeout_s_, memory_mb_;
     bool is_dry_ = false, retries_ = false;
-    std::size_t skipped_ = 0, done_ = 0;
+    std::size_t skipped_ = 0, failed_before_ = 0, done_ = 0;
     std::map<std::string, std::size_t> kinds_;  // Of failures.
     std::vector<std::string> first_failures_;
 };

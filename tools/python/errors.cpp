@@ -1,5 +1,6 @@
 #include "tools/python/errors.h"
 
+#include <CLI/App.hpp>
 #include <array>
 #include <string>
 
@@ -51,6 +52,10 @@ void bind_errors(py::module_& module) {
             if (failure) std::rethrow_exception(failure);
         } catch (const Error& error) {
             PyErr_SetString(g_exceptions[static_cast<std::size_t>(error.code())], error.what());
+        } catch (const CLI::ValidationError& error) {  // Of the name of a built-in shape.
+            const std::string message = error.what();
+            PyErr_SetString(PyExc_ValueError,
+                            ("path" + message.substr(message.find(": "))).c_str());
         } catch (const tools::UsageError& error) {
             PyErr_SetString(PyExc_ValueError, in_keywords(error.what()).c_str());
         }

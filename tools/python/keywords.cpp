@@ -25,8 +25,8 @@ std::string keyword_name(std::string option) {
 }
 
 bool is_list(const py::handle& value) {
-    return PyUnicode_Check(value.ptr()) == 0 && py::hasattr(value, "__len__") &&
-           py::hasattr(value, "__getitem__");
+    return PyUnicode_Check(value.ptr()) == 0 && PyDict_Check(value.ptr()) == 0 &&
+           py::hasattr(value, "__len__") && py::hasattr(value, "__getitem__");
 }
 
 bool is_number(const py::handle& value) {

@@ -1,5 +1,7 @@
 #include "tools/python/long_calls.h"
 
+#include <cxxabi.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -48,6 +50,11 @@ public:
     void close() {
         if (closes_bar_) bar_.attr("close")();
     }
+    /// Gives up Python's objects where the interpreter ends: they cannot be released any more.
+    void abandon() noexcept {
+        bar_.release();
+        function_.release();
+    }
 
 private:
     static constexpr const char* k_format = "{percentage:3.0f}%|{bar}| {elapsed}";
@@ -81,23 +88,29 @@ void run_long(const py::object& progress, const std::function<void(const LongCal
     std::exception_ptr interruption;
     try {
         for (bool is_over = false; !is_over;) {
+            // Not by a destructor: where the interpreter ends, this thread ends in PyEval_RestoreThread().
+            PyThreadState* const state = PyEval_SaveThread();
             {
-                const py::gil_scoped_release unlocked;
                 std::unique_lock lock(mutex);
                 is_over = ends.wait_for(lock, k_wake_up, [&] { return has_ended; });
             }
+            PyEval_RestoreThread(state);
             if (is_over) break;
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
             shown.show(share);
         }
+    } catch (abi::__forced_unwind&) {
+        stop.request_stop();
+        worker.join();
+        shown.abandon();
+        throw;
     } catch (...) {
         interruption = std::current_exception();
         stop.request_stop();
     }
-    {
-        const py::gil_scoped_release unlocked;
-        worker.join();
-    }
+    PyThreadState* const state = PyEval_SaveThread();
+    worker.join();
+    PyEval_RestoreThread(state);
     if (!interruption && !failure) shown.show(1.0);
     shown.close();
     if (interruption) std::rethrow_exception(interruption);

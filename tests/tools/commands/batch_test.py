@@ -92,7 +92,7 @@ def test_failures_are_recorded_and_cost_one_model():
         assert "bad.obj:2: " in line["error"] and line["outputs"] == [] and line["result"] is None
         # It is not tried again unless asked for.
         result, told = batch(str(root), "-o", out, "--", "info")
-        assert (result.returncode, told["skipped"], told["failed"]) == (0, 7, 0)
+        assert (result.returncode, told["skipped"], told["failed"], told["failed_before"]) == (1, 6, 0, 1)
         result, told = batch(str(root), "-o", out, "--retry", "--", "info")
         assert (result.returncode, told["skipped"], told["failed"]) == (1, 6, 1)
 
@@ -220,6 +220,33 @@ def has_ended(process):
         return pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z"
     except OSError:  # It is gone, or goes now.
         return True
+
+
+def test_odd_names_and_links_are_models_once():
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder) / "odd"
+        root.mkdir()
+        for name in (b"{name}.obj", b"a b.obj", b"bad\xff.obj", b"bad\xfe.obj", b"-x.obj", b"n\nl.obj"):
+            with open(os.path.join(os.fsencode(root), name), "w") as file:
+                file.write(TRIANGLE)
+        for name in ("one", "two"):
+            os.symlink(".", root / name)
+        arguments = (str(root), "-o", f"{folder}/out", "--", "draw", "-o", "{out}/{path}.svg")
+        assert succeed(*arguments)["done"] == 6
+        assert succeed(*arguments)["skipped"] == 6
+        assert os.path.exists(f"{folder}/out/{{name}}.svg")
+        (pathlib.Path(folder) / "list").write_text(f"{root}/a b.obj\n{root}/../odd/a b.obj\n./-x.obj\n-x.obj\n")
+        result = run("batch", "--json", f"@{folder}/list", "-o", "more", "--", "info", cwd=root)
+        assert json.loads(result.stdout)["done"] == 2, result
+
+
+def test_a_usage_error_of_one_model_costs_that_model():
+    with tempfile.TemporaryDirectory() as folder:
+        root = models(folder)
+        (root / "at.obj").write_text("v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 2\nf 1 2 3\nf 2 3 4\n")
+        result, told = batch(str(root), "-o", f"{folder}/out", "--jobs", "1", "--", "draw", "--eye", "1,1,1", "-o",
+                             "{out}/{path}.svg")
+        assert result.returncode == 1 and told["kinds"] == {"usage": 1} and told["done"] == 5, (result, told)
 
 
 def test_two_batches_do_not_write_one_manifest():

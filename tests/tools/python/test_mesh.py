@@ -171,7 +171,7 @@ def test_files_are_read_and_their_faults_are_errors(tmp_path):
     with pytest.raises(rimline.FileError) as missing:
         rimline.load(tmp_path / "missing.obj")
     assert isinstance(missing.value, OSError)
-    for wrong in ("", "-", 3, None):
+    for wrong in ("", "-", 3, None, "shape:nope", "shape:knot:x"):
         with pytest.raises((TypeError, ValueError)):
             rimline.load(wrong)
     with pytest.raises(ValueError, match="subdivide"):
@@ -236,10 +236,11 @@ import rimline
 
 mesh = rimline.load("shape:knot:1000000")
 vertices, faces = mesh.vertices, mesh.faces
+half = rimline.load("shape:knot:500000")
 calls = {
     "load": lambda: rimline.load("shape:knot:500000", subdivide=3),
     "mesh": lambda: rimline.Mesh(vertices, faces),
-    "index": lambda: mesh.build_index(),
+    "index": lambda: half.build_index(),
     "lines": lambda: rimline.LineDrawer(mesh),
     "field": lambda: rimline.TangentialField(mesh, tolerance=1e-3),
     "views": lambda: rimline.best_views(mesh, visible=False),
@@ -280,3 +281,11 @@ def test_ctrl_c_ends_long_calls_at_once(name):
         if times[-1] < 0.1:
             return
     pytest.fail(f"{name} took {times} s to end")
+
+
+def test_threads_in_long_calls_do_not_break_the_end_of_the_interpreter():
+    code = ("import rimline, threading, time; m = rimline.load('shape:knot:300000');"
+            "threading.Thread(target=lambda: rimline.LineDrawer(m), daemon=True).start(); time.sleep(0.05)")
+    for _ in range(3):
+        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+        assert result.returncode == 0 and result.stderr == "", (result.returncode, result.stderr)

@@ -177,6 +177,20 @@ _shared_renderer: Renderer | None = None
 _shared_renderer_lock = threading.Lock()
 
 
+_renderers_of_parents: list[Renderer | None] = []
+
+
+def _forget_renderer() -> None:
+    """In a child of fork(): the device belongs to the parent, and is not closed here."""
+    global _shared_renderer, _shared_renderer_lock
+    _renderers_of_parents.append(_shared_renderer)
+    _shared_renderer, _shared_renderer_lock = None, threading.Lock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget_renderer)
+
+
 def _renderer() -> Renderer:
     global _shared_renderer
     with _shared_renderer_lock:
