@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "tools/output/xml_text.h"
+
 namespace rimline::tools {
 
 namespace {
@@ -12,21 +14,6 @@ namespace fs = std::filesystem;
 
 // A page of more pictures takes browsers minutes.
 constexpr std::size_t k_max_items = 5000;
-
-std::string html(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '&')
-            escaped += "&amp;";
-        else if (c == '<')
-            escaped += "&lt;";
-        else if (c == '"')
-            escaped += "&quot;";
-        else
-            escaped += c;
-    }
-    return escaped;
-}
 
 // For src and href: bytes that are no letters, digits or plain signs as %XX.
 std::string url(const std::string& path) {
@@ -84,11 +71,11 @@ std::string batch_page(const std::vector<BatchPageItem>& items, const fs::path& 
             const std::string link = url(
                 fs::absolute(*output).lexically_relative(fs::absolute(folder)).generic_string());
             page += "<a href=\"" + link + "\"><img loading=\"lazy\" src=\"" + link + "\" alt=\"" +
-                    html(item.input) + "\"></a>";
+                    escaped_for_xml(item.input) + "\"></a>";
         }
-        page += "<figcaption>" + html(item.input);
+        page += "<figcaption>" + escaped_for_xml(item.input);
         if (!item.error.empty())
-            page += "<br><span class=\"failed\">" + html(item.error) + "</span>";
+            page += "<br><span class=\"failed\">" + escaped_for_xml(item.error) + "</span>";
         page += "</figcaption></figure>\n";
     }
     page += "</main>\n";

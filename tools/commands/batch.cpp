@@ -131,7 +131,11 @@ public:
         check_subcommand();
         const std::vector<BatchTask> tasks = make_tasks(context);
         context.times.end("finding models");
-        if (is_dry_ && !fs::exists(manifest_path())) return print_dry(context, tasks, {}, 0.0);
+        if (is_dry_ && !fs::exists(manifest_path())) {
+            std::vector<const BatchTask*> all;
+            for (const BatchTask& task : tasks) all.push_back(&task);
+            return print_dry(context, tasks, all, 0.0);
+        }
         if (!is_dry_) make_folder(folder_);
         BatchManifest manifest(manifest_path());
         std::vector<const BatchTask*> left;
@@ -364,9 +368,7 @@ private:
     }
 
     ExitStatus print_dry(const Context& context, const std::vector<BatchTask>& tasks,
-                         std::vector<const BatchTask*> left, double mean_ms) const {
-        if (left.empty() && mean_ms == 0.0)
-            for (const BatchTask& task : tasks) left.push_back(&task);
+                         const std::vector<const BatchTask*>& left, double mean_ms) const {
         const double jobs = jobs_ > 0 ? jobs_ : std::max(1u, std::thread::hardware_concurrency());
         const double estimate_s = 1e-3 * mean_ms * double(left.size()) / jobs;
         if (context.json) {

@@ -4,6 +4,7 @@
 #include "silhouette/printable_text.h"
 #include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
+#include "tools/output/xml_text.h"
 
 namespace rimline::tools {
 
@@ -17,7 +18,7 @@ public:
         add(R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" width=")");
         add(drawing_.size_mm.x).add("mm\" height=\"").add(drawing_.size_mm.y);
         add("mm\" viewBox=\"0 0 ").add(drawing_.size_mm.x).add(" ").add(drawing_.size_mm.y);
-        add("\">\n<title>").add_escaped(printable_text(drawing_.title)).add("</title>\n");
+        add("\">\n<title>").add(escaped_for_xml(printable_text(drawing_.title))).add("</title>\n");
         // Visible lines lie above hidden ones.
         add_layer(true);
         add_layer(false);
@@ -35,20 +36,6 @@ private:
         return *this;
     }
     SvgWriter& add(const glm::dvec2& point) { return add(point.x).add(",").add(point.y); }
-    SvgWriter& add_escaped(std::string_view plain) {
-        for (const char c : plain) {
-            if (c == '<')
-                text_ += "&lt;";
-            else if (c == '>')
-                text_ += "&gt;";
-            else if (c == '&')
-                text_ += "&amp;";
-            else
-                text_ += c;
-        }
-        return *this;
-    }
-
     void add_layer(bool is_hidden) {
         const std::string_view name = is_hidden ? "hidden" : "visible";
         const double width = is_hidden ? drawing_.hidden_width_mm : drawing_.width_mm;

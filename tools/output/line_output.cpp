@@ -9,6 +9,7 @@
 
 #include "tools/command.h"
 #include "tools/output/line_projection.h"
+#include "tools/output/xml_text.h"
 
 namespace rimline::tools {
 
@@ -122,21 +123,6 @@ std::string format_ply(const Lines& lines) {
                    face2 == k_no_face ? std::int64_t{-1} : std::int64_t{index(face2)},
                    is_border ? " 1\n" : " 0\n");
     });
-    return text;
-}
-
-std::string escaped_for_xml(std::string_view plain) {
-    std::string text;
-    for (const char c : plain) {
-        if (c == '<')
-            text += "&lt;";
-        else if (c == '>')
-            text += "&gt;";
-        else if (c == '&')
-            text += "&amp;";
-        else
-            text += c;
-    }
     return text;
 }
 

@@ -175,7 +175,7 @@ def test_the_page_shows_pictures_and_failures():
         (root / "b&d <1>.obj").write_text("f 1 2 3\n")
         run("batch", str(root), "-o", out, "--page", f"{folder}/all.html", "--", "draw", "-o", "{out}/{path}.svg")
         page = pathlib.Path(f"{folder}/all.html").read_text()
-        assert "3 models, 1 failed" in page and 'src="out/m0.svg"' in page and "b&amp;d &lt;1>.obj" in page
+        assert "3 models, 1 failed" in page and 'src="out/m0.svg"' in page and "b&amp;d &lt;1&gt;.obj" in page
         assert page.count("<figure>") == 3 and page.count("<img") == 2
 
 
