@@ -91,19 +91,19 @@ struct PythonView {
 py::list best_views(const SharedMesh& shared, std::uint32_t count, const py::object& renderer,
                     const std::string& below, bool by_area, const py::object& up,
                     const py::object& progress) {
-    BoundMesh& mesh = *shared;
     if (count < 1 || count > 64) throw py::value_error("count: expected 1 to 64");
     if (below != "less" && below != "full")
         throw py::value_error("below: expected 'less' or 'full'");
     const tools::ViewChoice choice{.count = count, .by_area = by_area, .below = below};
-    const glm::dvec3 upwards = up_of(mesh.mesh(), up);
-    auto* drawer = renderer.is_none() ? nullptr : &renderer.cast<tools::BoundRenderer&>();
-    const BestViews best = long_result(progress, [&](const LongCall& call) {
+    const glm::dvec3 upwards = up_of(shared->mesh(), up);
+    std::shared_ptr<tools::BoundRenderer> drawer;
+    if (!renderer.is_none()) drawer = renderer.cast<std::shared_ptr<tools::BoundRenderer>>();
+    const BestViews best = long_result_apart(progress, [=](const LongCall& call) {
+        BoundMesh& mesh = *shared;
         tools::check_viewing_range(mesh.name(), mesh.mesh());
         const TangentialField field =
             make_view_field(mesh.mesh(), choice.field_options(), view_function(), call.stop);
-        if (drawer == nullptr)
-            return find_best_views(field, choice.options(mesh.mesh(), upwards, {}), call);
+        if (!drawer) return find_best_views(field, choice.options(mesh.mesh(), upwards, {}), call);
         BestViews found;
         drawer->measure(mesh, call, [&](const VisibleRatios& ratios) {
             found = find_best_views(field, choice.options(mesh.mesh(), upwards, ratios), call);
@@ -112,7 +112,7 @@ py::list best_views(const SharedMesh& shared, std::uint32_t count, const py::obj
     });
     py::list views;
     for (const BestView& view : best.views)
-        views.append(PythonView{tools::camera_of_view(mesh.mesh(), view.eye, upwards, k_aspect),
+        views.append(PythonView{tools::camera_of_view(shared->mesh(), view.eye, upwards, k_aspect),
                                 view, drawer != nullptr});
     return views;
 }

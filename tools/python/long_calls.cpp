@@ -1,14 +1,19 @@
 #include "tools/python/long_calls.h"
 
 #include <cxxabi.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace rimline::python {
 
@@ -16,7 +21,10 @@ namespace py = pybind11;
 
 namespace {
 
-constexpr std::chrono::milliseconds k_wake_up{20};
+using namespace std::chrono_literals;
+
+constexpr auto k_wake_up = 20ms;
+constexpr auto k_patience = 20ms;  // With the time to wake up, well below a tenth of a second.
 
 // Shows shares by whatever the caller gave.
 class ShownProgress {
@@ -64,57 +72,123 @@ private:
     double shown_ = -1.0;
 };
 
-}  // namespace
-
-void run_long(const py::object& progress, const std::function<void(const LongCall&)>& work) {
-    ShownProgress shown(progress);
+// Work on a thread of its own, shared by that thread and the calling one.
+struct Work {
+    std::function<void(const LongCall&)> function;
     std::stop_source stop;
     std::atomic<double> share{0.0};
     std::mutex mutex;
     std::condition_variable ends;
     bool has_ended = false;
     std::exception_ptr failure;
-    std::thread worker([&] {
+
+    void run() noexcept {
         try {
             // Parts of the work may each begin at 0.
-            work({stop.get_token(), [&](double done) { share = std::max(share.load(), done); }});
+            function(
+                {stop.get_token(), [this](double done) { share = std::max(share.load(), done); }});
         } catch (...) {
             failure = std::current_exception();
         }
+        function = nullptr;  // Here, and not where the interpreter's lock is held.
         const std::lock_guard lock(mutex);
         has_ended = true;
-        ends.notify_one();
-    });
+        ends.notify_all();
+    }
+    template <typename Duration>
+    bool ends_within(Duration duration) {
+        std::unique_lock lock(mutex);
+        return ends.wait_for(lock, duration, [&] { return has_ended; });
+    }
+    void wait() {
+        std::unique_lock lock(mutex);
+        ends.wait(lock, [&] { return has_ended; });
+    }
+};
+
+// Work that was left alone. A child of fork() has none of its threads.
+struct LeftWork {
+    pid_t process = getpid();
+    std::mutex mutex;
+    std::vector<std::shared_ptr<Work>> works;
+
+    void add(const std::shared_ptr<Work>& work) {
+        const std::lock_guard lock(mutex);
+        std::erase_if(works, [](const auto& other) { return other->ends_within(0ms); });
+        works.push_back(work);
+    }
+    void wait() {
+        if (process != getpid()) return;
+        const std::lock_guard lock(mutex);
+        for (const std::shared_ptr<Work>& work : works) work->wait();
+        works.clear();
+    }
+};
+LeftWork& left_works() {
+    static LeftWork left;
+    return left;
+}
+
+// Waits for `work` after a stop; at most `patience`, if given.
+void stop_work(const std::shared_ptr<Work>& work,
+               std::optional<std::chrono::milliseconds> patience) {
+    work->stop.request_stop();
+    if (!patience)
+        work->wait();
+    else if (!work->ends_within(*patience))
+        left_works().add(work);
+}
+
+void run(const py::object& progress, std::function<void(const LongCall&)> function,
+         std::optional<std::chrono::milliseconds> patience) {
+    ShownProgress shown(progress);
+    const auto work = std::make_shared<Work>();
+    work->function = std::move(function);
+    std::thread([work] { work->run(); }).detach();
     std::exception_ptr interruption;
     try {
         for (bool is_over = false; !is_over;) {
             // Not by a destructor: where the interpreter ends, this thread ends in PyEval_RestoreThread().
             PyThreadState* const state = PyEval_SaveThread();
-            {
-                std::unique_lock lock(mutex);
-                is_over = ends.wait_for(lock, k_wake_up, [&] { return has_ended; });
-            }
+            is_over = work->ends_within(k_wake_up);
             PyEval_RestoreThread(state);
             if (is_over) break;
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            shown.show(share);
+            shown.show(work->share);
         }
     } catch (abi::__forced_unwind&) {
-        stop.request_stop();
-        worker.join();
+        stop_work(work, std::nullopt);  // The interpreter waits no more.
         shown.abandon();
         throw;
     } catch (...) {
         interruption = std::current_exception();
-        stop.request_stop();
+        PyThreadState* const state = PyEval_SaveThread();
+        stop_work(work, patience);
+        PyEval_RestoreThread(state);
     }
-    PyThreadState* const state = PyEval_SaveThread();
-    worker.join();
-    PyEval_RestoreThread(state);
-    if (!interruption && !failure) shown.show(1.0);
+    const std::exception_ptr failure = interruption ? interruption : work->failure;
+    if (!failure) shown.show(1.0);
     shown.close();
-    if (interruption) std::rethrow_exception(interruption);
     if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+void run_long(const py::object& progress, const std::function<void(const LongCall&)>& work) {
+    run(
+        progress, [&work](const LongCall& call) { work(call); }, std::nullopt);
+}
+
+void run_long_apart(const py::object& progress, std::function<void(const LongCall&)> work) {
+    run(progress, std::move(work), k_patience);
+}
+
+void bind_long_calls(py::module_& module) {
+    left_works();
+    module.def(
+        "_wait_for_left_work", [] { left_works().wait(); },
+        py::call_guard<py::gil_scoped_release>());
+    py::module_::import("atexit").attr("register")(module.attr("_wait_for_left_work"));
 }
 
 }  // namespace rimline::python

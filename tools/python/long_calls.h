@@ -8,7 +8,9 @@
 #include <pybind11/pybind11.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "silhouette/error.h"
 
@@ -19,12 +21,28 @@ namespace rimline::python {
 /// throw, and the exception of a signal's handler, such as KeyboardInterrupt; then the work has ended.
 void run_long(const pybind11::object& progress, const std::function<void(const LongCall&)>& work);
 
-/// The same for work that returns a value.
+/// The same for work that does not end at once, as where it waits for a device: after an exception it is left alone, to
+/// end on its own thread. So it owns what it touches. The end of the interpreter waits for it.
+void run_long_apart(const pybind11::object& progress, std::function<void(const LongCall&)> work);
+
+/// run_long() for work that returns a value.
 template <typename Work>
 auto long_result(const pybind11::object& progress, Work&& work) {
     std::optional<decltype(work(LongCall{}))> result;
     run_long(progress, [&](const LongCall& call) { result.emplace(work(call)); });
     return std::move(*result);
 }
+
+/// run_long_apart() for work that returns a value.
+template <typename Work>
+auto long_result_apart(const pybind11::object& progress, Work work) {
+    auto result = std::make_shared<std::optional<decltype(work(LongCall{}))>>();
+    run_long_apart(progress, [result, work = std::move(work)](const LongCall& call) {
+        result->emplace(work(call));
+    });
+    return std::move(**result);
+}
+
+void bind_long_calls(pybind11::module_& module);
 
 }  // namespace rimline::python

@@ -7,6 +7,7 @@
 #include "tools/python/errors.h"
 #include "tools/python/fields.h"
 #include "tools/python/lines.h"
+#include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
 #include "tools/python/points.h"
 #include "tools/python/renderer.h"
@@ -20,6 +21,7 @@ PYBIND11_MODULE(_rimline, module) {
     module.attr("__version__") = RIMLINE_VERSION;
     rimline::tools::be_quiet();  // What the command's parts would print.
     bind_errors(module);
+    bind_long_calls(module);
     bind_mesh(module);
     bind_tracker(module);
     bind_lines(module);

@@ -20,17 +20,19 @@ namespace {
 
 using tools::BoundRenderer;
 
-std::unique_ptr<BoundRenderer> make_renderer(const std::string& device, bool validate) {
-    const py::gil_scoped_release unlocked;
-    return std::make_unique<BoundRenderer>(device, validate);
+std::shared_ptr<BoundRenderer> make_renderer(const std::string& device, bool validate) {
+    // A stop leaves the device to be opened and closed.
+    return long_result_apart(py::none(), [=](const LongCall&) {
+        return std::make_shared<BoundRenderer>(device, validate);
+    });
 }
 
-py::array render(BoundRenderer& renderer, const SharedMesh& mesh, const py::dict& keywords,
-                 const py::object& progress) {
-    tools::RenderOptions options;
-    parse_keywords(options.app, keywords);
-    const Picture picture = long_result(
-        progress, [&](const LongCall& call) { return renderer.render(mesh, options, call); });
+py::array render(const std::shared_ptr<BoundRenderer>& renderer, const SharedMesh& mesh,
+                 const py::dict& keywords, const py::object& progress) {
+    const auto options = std::make_shared<tools::RenderOptions>();
+    parse_keywords(options->app, keywords);
+    const Picture picture = long_result_apart(
+        progress, [=](const LongCall& call) { return renderer->render(mesh, *options, call); });
     return py::array_t<std::uint8_t>(
         std::vector<py::ssize_t>{py::ssize_t(picture.height), py::ssize_t(picture.width), 4},
         picture.rgba.data());
@@ -62,9 +64,10 @@ py::list devices() {
 }  // namespace
 
 void bind_renderer(py::module_& module) {
-    py::class_<BoundRenderer>(module, "Renderer",
-                              "Draws pictures on a Vulkan device. Threads that share one take "
-                              "turns.")
+    py::class_<BoundRenderer, std::shared_ptr<BoundRenderer>>(
+        module, "Renderer",
+        "Draws pictures on a Vulkan device. Threads that share one take "
+        "turns.")
         .def(py::init(&make_renderer), py::arg("device") = "", py::kw_only(),
              py::arg("validate") = false,
              "device: 'gpu', 'cpu', a number or a part of the name; a discrete GPU if there is "

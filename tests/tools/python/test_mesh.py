@@ -248,7 +248,7 @@ calls = {
     "points": lambda: rimline.PointSurface(vertices),
     "render": lambda: rimline.render(mesh),
 }
-call, delay_s = calls[sys.argv[1]], 0.08
+call, delay_s = calls[sys.argv[1]], float(sys.argv[2])
 sent = []
 
 def interrupt():
@@ -267,13 +267,15 @@ thread.join()
 """
 
 
-@pytest.mark.parametrize("name", ["load", "mesh", "index", "lines", "field", "views", "light", "points", "render"])
-def test_ctrl_c_ends_long_calls_at_once(name):
+@pytest.mark.parametrize(("name", "delay_s"), [
+    ("load", 0.08), ("mesh", 0.08), ("index", 0.08), ("lines", 0.08), ("field", 0.08), ("views", 0.08),
+    ("light", 0.08), ("points", 0.08), ("render", 0.02), ("render", 0.7), ("render", 1.5), ("render", 2.5)])
+def test_ctrl_c_ends_long_calls_at_once(name, delay_s):
     if name == "render":
         have_device()
     times = []
     for _ in range(3):  # The system may stop the process for a moment.
-        result = subprocess.run([sys.executable, "-c", INTERRUPTED, name], capture_output=True, text=True,
+        result = subprocess.run([sys.executable, "-c", INTERRUPTED, name, str(delay_s)], capture_output=True, text=True,
                                 timeout=120)
         assert result.returncode == 0, result.stderr
         assert result.stdout.strip() != "ended"
