@@ -39,7 +39,7 @@ void UnitPlanes::add(const Mesh& mesh, FaceId face) {
         return frame_.from_model(glm::dvec3(mesh.positions()[index(triangle[i])]));
     };
     const glm::dvec3 a = corner(0);
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(plane.nx, plane.ny, plane.nz));
+    const glm::dvec3 normal = glm::normalize(plane.normal());
     normals_.push_back(normal);
     offsets_.push_back(glm::dot(normal, a));
     areas_.push_back(0.5 * glm::length(glm::cross(corner(1) - a, corner(2) - a)));

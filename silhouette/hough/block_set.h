@@ -34,7 +34,7 @@ struct BlockSpace {
         return {point, origin, length};
     }
     PlaneVector vector_of(const Plane& plane) const noexcept {
-        const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
+        const glm::dvec3 n = plane.normal();
         return {n.x, n.y, n.z, (double{plane.d} - glm::dot(n, origin)) / length};
     }
 };

@@ -31,7 +31,7 @@ struct HoughPoint {
 // 5v(|d| + |O|₁) =: e, rounded up to 2^-50(...). Each coordinate of H adds at most 8v|dO|, and
 // |n_i|/|n|² <= 1 + 2^-22. So 2e bounds its error. Where |dO| <= e, |H_i| is below 2e as well.
 inline HoughPoint hough_point(const Plane& plane, const glm::dvec3& origin) noexcept {
-    const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
+    const glm::dvec3 n = plane.normal();
     const double d = plane.d;
     const double distance = d - glm::dot(n, origin);
     const double error =

@@ -15,13 +15,12 @@ namespace rimline {
 double bend_of(const Mesh& mesh, EdgeId edge) {
     const std::span<const FaceId> faces = mesh.faces_of(edge);
     const EdgeClass edge_class = mesh.edge_class(edge);
-    const auto normal = [](const Plane& plane) { return glm::dvec3(plane.nx, plane.ny, plane.nz); };
     double bend = 0.0;
     const Plane& first = mesh.plane(faces[0]);
     for (const FaceId face : faces.subspan(1)) {
         const Plane& other = mesh.plane(face);
         if (!first.has_normal() || !other.has_normal()) continue;
-        const double angle = angle_between(normal(first), normal(other));
+        const double angle = angle_between(first.normal(), other.normal());
         const double turned = std::numbers::pi - angle;
         bend = std::max(bend, edge_class == EdgeClass::regular        ? angle
                               : edge_class == EdgeClass::inconsistent ? turned

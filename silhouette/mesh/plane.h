@@ -29,6 +29,7 @@ struct Plane {
     float nx, ny, nz;
     float d;
 
+    glm::dvec3 normal() const noexcept { return {nx, ny, nz}; }
     bool has_normal() const noexcept { return nx != 0.0f || ny != 0.0f || nz != 0.0f; }
 };
 

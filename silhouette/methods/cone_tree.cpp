@@ -34,7 +34,7 @@ Cluster cluster_of(const Mesh& mesh, std::span<const EdgeId> edges) {
     for (const EdgeId edge : edges) {
         for (const FaceId face : mesh.edge(edge).faces) {
             const Plane& plane = mesh.plane(face);
-            const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
+            const glm::dvec3 n = plane.normal();
             cluster.planes.push_back({n, glm::normalize(n), plane.d});
         }
         for (const VertexId vertex : mesh.edge(edge).vertices) {

@@ -9,7 +9,7 @@ namespace rimline {
 // The bound of hough_point.h: products of a float and a double, three sums.
 OffsetPlane offset_plane(const Plane& plane, const glm::dvec3& origin) noexcept {
     const double d = plane.d;
-    return {d - glm::dot(glm::dvec3(plane.nx, plane.ny, plane.nz), origin),
+    return {d - glm::dot(plane.normal(), origin),
             0x1p-50 * (std::abs(d) + std::abs(origin.x) + std::abs(origin.y) + std::abs(origin.z))};
 }
 

@@ -15,7 +15,7 @@ constexpr double k_min_angle_rad = 1e-3;
 double angle_of(const Mesh& mesh, EdgeId edge) {
     const auto normal = [&mesh](FaceId face) {
         const Plane& plane = mesh.plane(face);
-        return glm::dvec3(plane.nx, plane.ny, plane.nz);
+        return plane.normal();
     };
     const std::span<const FaceId> faces = mesh.faces_of(edge);
     double greatest = k_min_angle_rad;

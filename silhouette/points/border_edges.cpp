@@ -4,10 +4,12 @@
 
 namespace rimline {
 
-std::vector<PointEdge> border_edges(const PointSurface& surface) {
+namespace {
+
+std::vector<PointEdge> edges_at_gaps(const PointSurface& surface, PointLabel label) {
     std::vector<PointEdge> directed;  // From the point whose umbrella it is.
     for (std::uint32_t p = 0; p < surface.size(); ++p) {
-        if (surface.label(PointId{p}) != PointLabel::border) continue;
+        if (surface.label(PointId{p}) != label) continue;
         const auto range = surface.umbrellas_of(PointId{p});
         for (std::uint32_t u = range.first; u < range.last; ++u) {
             const Umbrella umbrella = surface.umbrella(UmbrellaId{u});
@@ -25,6 +27,16 @@ std::vector<PointEdge> border_edges(const PointSurface& surface) {
         if (edge[0] < edge[1] && std::ranges::binary_search(directed, PointEdge{edge[1], edge[0]}))
             edges.push_back(edge);
     return edges;
+}
+
+}  // namespace
+
+std::vector<PointEdge> border_edges(const PointSurface& surface) {
+    return edges_at_gaps(surface, PointLabel::border);
+}
+
+std::vector<PointEdge> crease_edges(const PointSurface& surface) {
+    return edges_at_gaps(surface, PointLabel::feature);
 }
 
 }  // namespace rimline

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "silhouette/points/border_tracing.h"
+#include "silhouette/points/crease_points.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/star_choice.h"
 
@@ -13,7 +14,7 @@ UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
                                   const PointSurfaceOptions& options, const LongCall& call) {
     Stars stars = choose_stars(points, neighbors, options.gap_ratio, call.part(0.0, 0.7));
     const std::vector<OpenPoint> open_points =
-        trace_borders(points, neighbors, stars, options.gap_ratio, call.part(0.7, 1.0));
+        trace_borders(points, neighbors, stars, options.gap_ratio, call.part(0.7, 0.95));
 
     UmbrellaSet found{
         std::move(stars.fans),    std::move(stars.normals),
@@ -57,6 +58,7 @@ UmbrellaSet find_robust_umbrellas(std::span<const glm::dvec3> points,
         found.labels[i] = PointLabel::undecided;
         if (found.reasons[i] != UndecidedReason::unconfirmed_border) found.fans[i].size = 0;
     }
+    split_at_creases(points, neighbors, found, call.part(0.95, 1.0));
     return found;
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("the ground lies under every vertex and faces up") {
         for (const glm::vec3& position : mesh.positions())
             REQUIRE(glm::dot(glm::dvec3(position), n) > height);
         for (const Plane& plane : ground.planes())
-            CHECK(glm::dot(glm::dvec3(plane.nx, plane.ny, plane.nz), n) == doctest::Approx(1.0));
+            CHECK(glm::dot(plane.normal(), n) == doctest::Approx(1.0));
     }
 }
 

@@ -14,6 +14,7 @@
 
 #include "silhouette/mesh/angle_between.h"
 #include "silhouette/mesh/any_perpendicular.h"
+#include "silhouette/mesh/creases.h"
 
 namespace rimline::tools {
 
@@ -52,6 +53,10 @@ public:
             truth_.neighbors[index(e.vertices[0])].push_back(index(e.vertices[1]));
             truth_.neighbors[index(e.vertices[1])].push_back(index(e.vertices[0]));
         }
+        truth_.turns.assign(truth_.positions.size(), 0.0);
+        for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
+            for (const VertexId v : mesh.edge(EdgeId{e}).vertices)
+                truth_.turns[index(v)] = std::max(truth_.turns[index(v)], bend_of(mesh, EdgeId{e}));
         for (auto* normals : {&truth_.normals, &normals_by_area_})
             for (glm::dvec3& normal : *normals) normal = direction_of(normal);
         by_x_.resize(truth_.positions.size());

@@ -28,6 +28,7 @@ struct PointTruth {
     /// a flat face does not change it (Thürmer and Wüthrich 1998). Zero for a vertex without faces.
     std::vector<glm::dvec3> normals;
     std::vector<std::vector<std::uint32_t>> neighbors;  ///< Vertices that share an edge.
+    std::vector<double> turns;  ///< The greatest bend of its edges, in radians.
     std::vector<std::uint8_t> is_border;
     std::vector<std::uint8_t> is_wide_at;  ///< For a border vertex: whether the opening is wide.
     std::uint32_t border_count = 0;

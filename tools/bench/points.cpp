@@ -11,6 +11,7 @@
 #include <random>
 
 #include "silhouette/mesh/angle_between.h"
+#include "silhouette/points/feature_weights.h"
 #include "silhouette/points/point_surface.h"
 #include "tools/bench/even_samples.h"
 #include "tools/bench/gap_rule.h"
@@ -24,6 +25,8 @@ namespace {
 
 constexpr double k_wrong_deg = 60.0;
 constexpr std::uint32_t k_max_extra = 10;  // For closed models.
+constexpr double k_sharp_rad = 40.0 * k_degree, k_blunt_rad = 25.0 * k_degree;
+constexpr float k_heavy = 0.4f;
 constexpr int k_thresholds_deg[] = {90, 120, 150, 180};
 
 PointsBenchResult::Kind kind_of(const PointTruth& truth) {
@@ -48,26 +51,53 @@ void add_noise(PointTruth& truth, double noise) {
     }
 }
 
-glm::dvec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz}; }
+CreaseCount count_creases(std::string method, const PointSurface& surface, const PointTruth& truth,
+                          const LongCall& call) {
+    CreaseCount count{std::move(method)};
+    const std::vector<float> weights = feature_weights(surface, call);
+    const auto is_on = [&](std::uint32_t i) { return truth.turns[i] > k_sharp_rad; };
+    for (std::uint32_t i = 0; i < surface.size(); ++i) {
+        const bool is_labeled = surface.label(PointId{i}) == PointLabel::feature;
+        if (is_on(i)) {
+            ++count.on;
+            count.labeled += is_labeled;
+        } else if (std::ranges::any_of(truth.neighbors[i], is_on)) {
+            ++count.beside;
+            count.heavy += weights[i] > k_heavy;
+        }
+        count.extra += is_labeled && truth.turns[i] < k_blunt_rad;
+    }
+    return count;
+}
 
 void measure_normals(const Mesh& mesh, const PointSurface& surface, const PointTruth& truth,
                      PointsBenchResult& result) {
+    // The angle to the nearest of a point's normals.
     const auto error_deg = [&](std::uint32_t i, const glm::dvec3& truly) {
-        const double error = angle_between(surface.normal(PointId{i}), truly) / k_degree;
-        return std::min(error, 180.0 - error);
+        double least = 180.0;
+        const PointSurface::UmbrellaRange range = surface.umbrellas_of(PointId{i});
+        for (std::uint32_t u = range.first; u < range.last; ++u) {
+            const double error =
+                angle_between(surface.umbrella(UmbrellaId{u}).normal, truly) / k_degree;
+            least = std::min({least, error, 180.0 - error});
+        }
+        return least;
     };
-    std::vector<double> least(surface.size(), 0.0);
-    for (std::uint32_t i = 0; i < surface.size(); ++i)
-        if (surface.normal(PointId{i}) != glm::dvec3(0.0)) least[i] = 180.0;
+    // Of the faces at each point the nearest and the farthest.
+    std::vector<double> least(surface.size(), 180.0), greatest(surface.size(), 0.0);
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-        for (const VertexId v : mesh.triangles()[f])
-            least[index(v)] =
-                std::min(least[index(v)], error_deg(index(v), normal_of(mesh.plane(FaceId{f}))));
+        for (const VertexId v : mesh.triangles()[f]) {
+            const double error = error_deg(index(v), mesh.plane(FaceId{f}).normal());
+            least[index(v)] = std::min(least[index(v)], error);
+            greatest[index(v)] = std::max(greatest[index(v)], error);
+        }
     std::vector<double> errors;
     for (std::uint32_t i = 0; i < surface.size(); ++i) {
         if (surface.normal(PointId{i}) == glm::dvec3(0.0) || truth.normals[i] == glm::dvec3(0.0))
             continue;
-        errors.push_back(error_deg(i, truth.normals[i]));
+        errors.push_back(surface.label(PointId{i}) == PointLabel::feature
+                             ? greatest[i]
+                             : error_deg(i, truth.normals[i]));
         if (least[i] <= k_wrong_deg) continue;
         ++result.wrong_normals;
         result.wrong_apart += !truth.is_crowded(i);
@@ -141,11 +171,14 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,
     if (!options.is_even) {
         measure_normals(mesh, surface, truth, result);
         result.silhouettes = compare_silhouettes(mesh, surface, {call.stop, {}});
+        result.creases.push_back(count_creases("robust", surface, truth, {call.stop, {}}));
     }
     PointSurfaceOptions thesis;
     thesis.method = PointSurfaceOptions::Method::thesis;
     const PointSurface by_thesis(truth.positions, thesis, {call.stop, {}});
     add("thesis", labels(by_thesis));
+    if (!options.is_even)
+        result.creases.push_back(count_creases("thesis", by_thesis, truth, {call.stop, {}}));
     const std::vector<double> widest = widest_sectors(truth.positions);
     for (const int threshold : k_thresholds_deg)
         add("gap " + std::to_string(threshold), [&](std::uint32_t i) {

@@ -26,6 +26,15 @@ struct BorderCount {
     std::uint32_t around_holes = 0;
 };
 
+/// How narrow the creases are that a method finds: the vertices on edges where faces turn by more than 40 degrees, and
+/// their neighbors that are on none.
+struct CreaseCount {
+    std::string method;
+    std::uint32_t on = 0, labeled = 0;    ///< Of those on edges, those labeled as features.
+    std::uint32_t beside = 0, heavy = 0;  ///< Of the neighbors, those with a weight above 0.4.
+    std::uint32_t extra = 0;  ///< Labeled as features where no edge turns by 25 degrees.
+};
+
 struct PointsBenchResult {
     enum class Kind { wide, open, smooth, closed, unfit };  ///< See point_truth.h.
     std::string model;
@@ -35,8 +44,10 @@ struct PointsBenchResult {
     /// robust, thesis, the gap rule by threshold, then the installed libraries.
     std::vector<BorderCount> counts;
     std::uint32_t feature = 0, undecided = 0;
-    double median_error_deg = 0.0,
-           high_error_deg = 0.0;      ///< Of normals; high: the 99th percentile.
+    std::vector<CreaseCount> creases;  ///< robust, thesis.
+    /// Of normals; high: the 99th percentile. Of a feature point the greatest angle from a face at the point to the
+    /// nearest of its normals; of any other the angle to the mean of the faces.
+    double median_error_deg = 0.0, high_error_deg = 0.0;
     std::uint32_t wrong_normals = 0;  ///< Above 60 degrees from every face at the point.
     std::uint32_t wrong_apart = 0;    ///< Those of them without another sheet near the point.
     SilhouetteComparison silhouettes;

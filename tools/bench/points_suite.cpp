@@ -114,6 +114,28 @@ void print_normals(const std::vector<PointsBenchResult>& results) {
         exact, models, wrong, apart);
 }
 
+void print_creases(const std::vector<PointsBenchResult>& results) {
+    constexpr std::uint32_t k_few = 50;
+    std::printf(
+        "creases: points on edges over 40\u00b0 that are labeled; their neighbors beside with "
+        "weights above "
+        "0.4; labeled where\nno edge turns by 25\u00b0\n%-28s %21s %21s %21s %21s %15s\n",
+        "", "labeled, robust", "thesis", "heavy beside, robust", "thesis", "extra");
+    for (const PointsBenchResult& result : results) {
+        if (result.creases.empty() || result.creases[0].on < k_few) continue;
+        const CreaseCount& robust = result.creases[0];
+        const CreaseCount& thesis = result.creases[1];
+        const auto of = [](std::uint32_t part, std::uint32_t all) {
+            return std::to_string(part) + " of " + std::to_string(all);
+        };
+        std::printf("%-28s %21s %21s %21s %21s %7u %7u\n",
+                    std::filesystem::path(result.model).filename().c_str(),
+                    of(robust.labeled, robust.on).c_str(), of(thesis.labeled, thesis.on).c_str(),
+                    of(robust.heavy, robust.beside).c_str(),
+                    of(thesis.heavy, thesis.beside).c_str(), robust.extra, thesis.extra);
+    }
+}
+
 void print_summary(const std::vector<PointsBenchResult>& results, bool is_even) {
     std::printf(
         "\n* found: at most 4%% missed and 7%% extra; closed, at most 10 extra, fandisk 0\n");
@@ -131,7 +153,10 @@ void print_summary(const std::vector<PointsBenchResult>& results, bool is_even) 
                 result.counts[0].missed_wide, result.border_wide,
                 result.counts[0].missed - result.counts[0].missed_wide,
                 result.border - result.border_wide);
-    if (!is_even) print_normals(results);
+    if (!is_even) {
+        print_normals(results);
+        print_creases(results);
+    }
     std::printf("%-28s %18s %18s %18s %18s\n", "found of", "wide", "other open", "smooth",
                 "other closed");
     const auto fit = std::ranges::find_if(
@@ -176,6 +201,14 @@ Json to_json(const PointsBenchResult& result) {
                           {"extra", count.extra},
                           {"around_holes", count.around_holes},
                           {"found", result.is_found(count)}});
+    Json creases = Json::array();
+    for (const CreaseCount& count : result.creases)
+        creases.push_back({{"method", count.method},
+                           {"on_edges", count.on},
+                           {"labeled", count.labeled},
+                           {"beside", count.beside},
+                           {"heavy_beside", count.heavy},
+                           {"extra", count.extra}});
     return {{"model", result.model},
             {"kind", name_of(result.kind)},
             {"points", result.points},
@@ -183,6 +216,7 @@ Json to_json(const PointsBenchResult& result) {
             {"border_wide", result.border_wide},
             {"borders", std::move(counts)},
             {"feature", result.feature},
+            {"creases", std::move(creases)},
             {"undecided", result.undecided},
             {"normal_error_median_deg", result.median_error_deg},
             {"normal_error_99_deg", result.high_error_deg},

@@ -14,7 +14,7 @@ namespace {
 
 std::optional<HoughPoint> dual_point(const Plane& plane, const glm::dvec3& origin) {
     const HoughPoint hough = hough_point(plane, origin);
-    const glm::dvec3 n(plane.nx, plane.ny, plane.nz);
+    const glm::dvec3 n = plane.normal();
     const double distance = static_cast<double>(plane.d) - glm::dot(n, origin);
     const double size = std::abs(distance);
     if (!(size > hough.error)) return std::nullopt;

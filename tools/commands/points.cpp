@@ -71,7 +71,7 @@ public:
             ->group("Output");
         app.add_option_function<std::string>(
                "--mode", [this](const std::string& text) { set_mode(text); },
-               "drawn: one picture; compare: six pictures, see below")
+               "drawn; features: with lines along creases; compare: six pictures, see below")
             ->type_name("NAME")
             ->default_str("drawn")
             ->group("Output");
@@ -113,13 +113,12 @@ public:
             "surface "
             "bends more\n"
             "sharply. Borders are orange, undecided points red, consensus edges ink. --mode "
-            "compare shows six\n"
-            "pictures row by row: points that a convex hull classifies as visible (Katz et al.), "
-            "and the picture\n"
-            "as drawn; as many silhouette points by thresholding normals (Zakaria, Seidel), and "
-            "ours; discs with "
-            "normals of\n"
-            "principal components, and ours.\n\n"
+            "features draws\n"
+            "lines along creases instead of dark points. --mode compare shows six pictures row by "
+            "row:\n"
+            "points that a convex hull classifies as visible (Katz et al.), and the picture as "
+            "drawn;\nas many silhouette points by thresholding normals (Zakaria, Seidel), and "
+            "ours; discs with\nnormals of principal components, and ours.\n\n"
             "Examples:\n"
             "  rimline points scan.ply --eye 2,1,3 --json\n"
             "  rimline points bunny.obj --as-points --export labels.ply\n"
@@ -160,9 +159,12 @@ public:
 
 private:
     void set_mode(const std::string& text) {
-        if (text != "drawn" && text != "compare")
-            throw CLI::ValidationError("--mode", "expected drawn or compare, not '" + text + "'");
-        mode_ = text == "compare" ? PointsMode::compare : PointsMode::drawn;
+        if (text != "drawn" && text != "features" && text != "compare")
+            throw CLI::ValidationError("--mode",
+                                       "expected drawn, features or compare, not '" + text + "'");
+        mode_ = text == "compare"    ? PointsMode::compare
+                : text == "features" ? PointsMode::features
+                                     : PointsMode::drawn;
     }
 
     bool has_silhouette() const { return eye_ || from_ || direction_ || !output_.empty(); }

@@ -13,8 +13,7 @@ std::uint32_t LineMaterials::ink_of(EdgeId edge, const HomogeneousPoint& point) 
     const auto height = [&](FaceId face) {
         const Plane& plane = mesh_->plane(face);
         if (!plane.has_normal()) return -std::numeric_limits<double>::infinity();
-        return glm::dot(glm::dvec3(plane.nx, plane.ny, plane.nz),
-                        glm::dvec3(point.x, point.y, point.z)) -
+        return glm::dot(plane.normal(), glm::dvec3(point.x, point.y, point.z)) -
                double{point.w} * double{plane.d};
     };
     const FaceId seen = std::ranges::max(faces, {}, height);

@@ -6,11 +6,13 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "silhouette/points/border_edges.h"
 #include "silhouette/points/pca_normals.h"
 #include "tools/options/drawing_device.h"
 #include "tools/output/cloud_drawing.h"
 #include "tools/output/contact_sheet.h"
 #include "tools/output/hidden_points.h"
+#include "tools/output/label_output.h"
 #include "tools/output/picture_file.h"
 
 namespace rimline::tools {
@@ -46,6 +48,19 @@ public:
         SplatScene scene = scene_;
         scene.cloud = &cloud;
         return scene;
+    }
+
+    SplatCloud featured() const {
+        SplatCloud cloud = with_umbrellas();
+        const auto add = [&](std::span<const PointEdge> edges, const PointColor& color) {
+            const std::vector<gpu::StrokeRecord> lines = drawing_.strokes(edges, color);
+            cloud.strokes.insert(cloud.strokes.end(), lines.begin(), lines.end());
+        };
+        // Of lines on one edge the first is seen.
+        add(consensus_, k_cloud_ink);
+        add(crease_edges(picture_.surface), label_color(PointLabel::feature));
+        add(border_edges(picture_.surface), label_color(PointLabel::border));
+        return cloud;
     }
 
     SplatCloud drawn() const {
@@ -149,8 +164,9 @@ PointsPictureReport draw_points(const PointsPicture& picture, OutputFile& file) 
     SplatRenderer renderer(device.context());
     const ImageSize size = picture.options.size;
     const auto start = std::chrono::steady_clock::now();
-    if (picture.mode == PointsMode::drawn) {
-        const SplatCloud cloud = drawing.drawn();
+    if (picture.mode != PointsMode::compare) {
+        const SplatCloud cloud =
+            picture.mode == PointsMode::features ? drawing.featured() : drawing.drawn();
         write_png(file, renderer.render(drawing.scene_of(cloud), size.width, size.height));
     } else {
         std::vector<Picture> pictures;

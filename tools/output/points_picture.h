@@ -4,6 +4,7 @@
 //
 //   drawn     discs or dots, darker with a higher feature weight; borders in their own color; consensus edges of
 //             the silhouette as ink
+//   features  discs, with lines along creases and borders, each in its color; consensus edges as ink
 //   compare   six pictures: visible points only, and the picture `drawn`; silhouette points by thresholding
 //             normals (Zakaria and Seidel 2004), as many as ours, and ours; discs with normals of principal
 //             components, and with ours
@@ -21,7 +22,7 @@
 
 namespace rimline::tools {
 
-enum class PointsMode { drawn, compare };
+enum class PointsMode { drawn, features, compare };
 
 struct PointsPicture {
     const std::string& name;  ///< The cloud's name, for messages.

@@ -17,12 +17,6 @@
 namespace rimline {
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180.0;
-
-double angle_of_lines(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), std::abs(glm::dot(a, b)));
-}
-
 TEST_CASE("two close sheets keep apart inside and at four spacings along their borders") {
     for (const double distance : {4.0, 3.0, 2.0, 1.5}) {
         CAPTURE(distance);
@@ -40,7 +34,7 @@ TEST_CASE("two close sheets keep apart inside and at four spacings along their b
             // Nearer, the opening between the rims is narrower than what a triangle may span.
             if (!is_border || distance >= 4.0) CHECK(is_found == is_border);
             if (is_border) continue;
-            CHECK(angle_of_lines(surface.normal(PointId{i}), {0, 0, 1}) < 1e-6);
+            CHECK(tests::angle_of_lines(surface.normal(PointId{i}), {0, 0, 1}) < 1e-6);
             const Umbrella umbrella =
                 surface.umbrella(UmbrellaId{surface.umbrellas_of(PointId{i}).first});
             for (const PointId q : umbrella.ring) CHECK((index(q) < k_n * k_n) == (i < k_n * k_n));
@@ -122,8 +116,8 @@ TEST_CASE("points in rows far denser along than across have the surface's normal
             CHECK((surface.label(PointId{i}) == PointLabel::border) == is_border[i]);
             // No farther off than the plane through two rows.
             if (!is_border[i])
-                CHECK(angle_of_lines(surface.normal(PointId{i}), normals[i]) <
-                      0.501 * 90.0 * k_degree / (k_rows - 1));
+                CHECK(tests::angle_of_lines(surface.normal(PointId{i}), normals[i]) <
+                      0.501 * 90.0 * tests::k_degree / (k_rows - 1));
         }
     }
 }
@@ -169,16 +163,17 @@ TEST_CASE("where rows end the border runs across them, however little of it one 
 void check_sides(const PointSurface& surface, PointId point, double angle_rad) {
     const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
     REQUIRE(range.size() == 2);
-    const double between = angle_of_lines(surface.umbrella(UmbrellaId{range.first}).normal,
-                                          surface.umbrella(UmbrellaId{range.first + 1}).normal);
-    CHECK(std::abs(between - angle_rad) < 1.0 * k_degree);
+    const double between =
+        tests::angle_of_lines(surface.umbrella(UmbrellaId{range.first}).normal,
+                              surface.umbrella(UmbrellaId{range.first + 1}).normal);
+    CHECK(std::abs(between - angle_rad) < 1.0 * tests::k_degree);
 }
 
 TEST_CASE("sharp edges are no borders and leave the normals of both sides alone") {
     for (const double degrees : {150.0, 120.0, 90.0, 60.0, 45.0, 30.0, 22.0}) {
         CAPTURE(degrees);
         constexpr int k_along = 30;
-        const auto points = make_wedge(degrees * k_degree, 12, k_along);
+        const auto points = make_wedge(degrees * tests::k_degree, 12, k_along);
         const PointSurface surface(points);
         tests::check_sound(surface);
         std::uint32_t on_crease = 0;
@@ -192,18 +187,18 @@ TEST_CASE("sharp edges are no borders and leave the normals of both sides alone"
             if (x > 10.5 || points[i].y < 1.5 || points[i].y > k_along - 1.5) continue;
             inside += surface.label(PointId{i}) != PointLabel::interior;
             const double side = points[i].z > 0.0 ? 1.0 : -1.0;
-            const glm::dvec3 normal(-side * std::sin(degrees / 2 * k_degree), 0.0,
-                                    std::cos(degrees / 2 * k_degree));
+            const glm::dvec3 normal(-side * std::sin(degrees / 2 * tests::k_degree), 0.0,
+                                    std::cos(degrees / 2 * tests::k_degree));
             if (x > 2.5)
-                worst = std::max(worst, angle_of_lines(surface.normal(PointId{i}), normal));
+                worst = std::max(worst, tests::angle_of_lines(surface.normal(PointId{i}), normal));
         }
         CHECK(inside == 0);
         CHECK(on_crease == 0);
-        CHECK(worst < 1.0 * k_degree);
+        CHECK(worst < 1.0 * tests::k_degree);
         // So sharp that no star goes around.
         for (std::uint32_t y = 4; degrees <= 60.0 && y <= k_along - 4; ++y) {
             CAPTURE(y);
-            check_sides(surface, PointId{y}, degrees * k_degree);
+            check_sides(surface, PointId{y}, degrees * tests::k_degree);
         }
     }
 }
@@ -218,14 +213,14 @@ TEST_CASE(
             CAPTURE(across);
             CAPTURE(degrees);
             constexpr int k_along = 40;
-            std::vector<glm::dvec3> points = make_wedge(degrees * k_degree, 12, k_along);
+            std::vector<glm::dvec3> points = make_wedge(degrees * tests::k_degree, 12, k_along);
             for (glm::dvec3& p : points) p = turn * (p * glm::dvec3(across, 1.0, across));
             const PointSurface surface(points);
             tests::check_sound(surface);
             for (std::uint32_t i = 5; i <= k_along - 5; ++i) {
                 CAPTURE(i);
                 CHECK(surface.label(PointId{i}) == PointLabel::feature);
-                check_sides(surface, PointId{i}, degrees * k_degree);
+                check_sides(surface, PointId{i}, degrees * tests::k_degree);
             }
         }
 }
@@ -245,7 +240,7 @@ TEST_CASE("a cone's tip is not a border") {
         CAPTURE(i);
         CHECK((surface.label(PointId{i}) == PointLabel::border) == (points[i].z < -9.0));
     }
-    CHECK(angle_of_lines(surface.normal(PointId{0}), {0, 0, 1}) < 20 * k_degree);
+    CHECK(tests::angle_of_lines(surface.normal(PointId{0}), {0, 0, 1}) < 20 * tests::k_degree);
 }
 
 TEST_CASE("fingers that nearly touch stay fingers") {
@@ -272,7 +267,7 @@ TEST_CASE("fingers that nearly touch stay fingers") {
         if (is_facing && (row < 2 || row >= k_along - 2)) continue;
         CHECK((surface.label(PointId{i}) == PointLabel::border) ==
               (row == 0 || row == k_along - 1));
-        CHECK(angle_of_lines(surface.normal(PointId{i}), normals[i]) < 8 * k_degree);
+        CHECK(tests::angle_of_lines(surface.normal(PointId{i}), normals[i]) < 8 * tests::k_degree);
     }
 }
 
@@ -296,7 +291,7 @@ TEST_CASE("a thin plate's faces keep their normals and its rim is not open") {
     for (std::uint32_t i = 0; i < rim; ++i) {
         const bool is_inner = points[i].x > 1.5 && points[i].x < k_n - 1.5 && points[i].y > 1.5 &&
                               points[i].y < k_n - 1.5;
-        if (is_inner) CHECK(angle_of_lines(surface.normal(PointId{i}), {0, 0, 1}) < 1e-6);
+        if (is_inner) CHECK(tests::angle_of_lines(surface.normal(PointId{i}), {0, 0, 1}) < 1e-6);
     }
 }
 
@@ -320,7 +315,8 @@ TEST_CASE("a wound wire keeps its normals where three points of ten are left out
         const PointSurface surface(points);
         tests::check_sound(surface);
         for (std::uint32_t i = 0; i < surface.size(); ++i)
-            wrong += angle_of_lines(surface.normal(PointId{i}), truths[i]) > 60.0 * k_degree;
+            wrong += tests::angle_of_lines(surface.normal(PointId{i}), truths[i]) >
+                     60.0 * tests::k_degree;
     }
     // 20 of 5,296 if stars that stand across what their rings see stayed.
     CHECK(wrong <= 4);
@@ -361,11 +357,12 @@ TEST_CASE("a saddle stitched of octants with overlaps has its outline for border
         border += is_border;
         missed += is_border && !is_found;
         extra += !is_border && is_found;
-        worst = std::max(worst, angle_of_lines(surface.normal(PointId{i}), {-p.x, p.y, 1.0}));
+        worst =
+            std::max(worst, tests::angle_of_lines(surface.normal(PointId{i}), {-p.x, p.y, 1.0}));
     }
     CHECK(missed <= 0.04 * border);
     CHECK(extra == 0);
-    CHECK(worst < 10 * k_degree);
+    CHECK(worst < 10 * tests::k_degree);
 }
 
 }  // namespace

@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "silhouette/mesh/creases.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/points/feature_weights.h"
 #include "silhouette/points/point_surface.h"
 #include "tests/models.h"
+#include "tests/silhouette/points/sample_clouds.h"
 #include "tests/silhouette/points/soundness.h"
 #include "tests/skip.h"
 
@@ -78,7 +81,7 @@ TEST_CASE("borders of real models are missed and invented no more often than mea
     constexpr Bound k_bounds[] = {{"stanford-bunny.obj", 66, 3, 1},
                                   {"beetle-alt.obj", 104, 0, 2},
                                   {"alligator.obj", 103, 0, 4},
-                                  {"fandisk.obj", 0, 0, 0, 0},
+                                  {"fandisk.obj", 0, 0, 0, 27},
                                   {"rocker-arm.obj", 0, 6, 22},
                                   {"horse.ply", 0, 93, 16},
                                   {"beetle-alt.obj", 68, 922, 0, 516, k_thesis},
@@ -86,6 +89,38 @@ TEST_CASE("borders of real models are missed and invented no more often than mea
                                   {"fandisk.obj", 0, 3, 0, 41, k_thesis},
                                   {"rocker-arm.obj", 0, 456, 0, 905, k_thesis}};
     check(k_bounds);
+}
+
+TEST_CASE(
+    "the points of fandisk's sharp edges are features, and the row beside them is not heavy") {
+    const auto path = tests::find_model("fandisk.obj");
+    if (!path) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds fandisk.obj");
+    const Mesh mesh(read_mesh_file(*path));
+    std::vector<bool> is_on(mesh.vertex_count(), false), is_beside = is_on;
+    for (const Crease& crease : find_creases(mesh, float(40.0 * tests::k_degree)))
+        for (const VertexId v : mesh.edge(crease.edge).vertices) is_on[index(v)] = true;
+    for (const Edge& edge : mesh.edges())
+        for (const int end : {0, 1})
+            if (is_on[index(edge.vertices[end])] && !is_on[index(edge.vertices[1 - end])])
+                is_beside[index(edge.vertices[1 - end])] = true;
+    const std::vector<glm::dvec3> points(mesh.positions().begin(), mesh.positions().end());
+    const PointSurface surface(points);
+    tests::check_sound(surface);
+    const std::vector<float> weights = feature_weights(surface);
+    int on = 0, labeled = 0, beside = 0, heavy = 0, beside_labeled = 0;
+    for (std::uint32_t i = 0; i < surface.size(); ++i) {
+        const bool is_feature = surface.label(PointId{i}) == PointLabel::feature;
+        on += is_on[i];
+        labeled += is_on[i] && is_feature;
+        beside += is_beside[i];
+        heavy += is_beside[i] && weights[i] > 0.4f;
+        beside_labeled += is_beside[i] && is_feature;
+    }
+    CHECK(on == 700);
+    CHECK(labeled >= 659);
+    CHECK(beside == 1320);
+    CHECK(heavy <= 59);
+    CHECK(beside_labeled <= 2);
 }
 
 // Those that tools/fetch_meshes.sh fetches and docs/results/points.md counts: wide open ones and smooth ones.

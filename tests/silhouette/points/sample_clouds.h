@@ -13,6 +13,13 @@
 
 namespace rimline::tests {
 
+inline constexpr double k_degree = std::numbers::pi / 180.0;
+
+/// In radians, at most a right angle.
+inline double angle_of_lines(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), std::abs(glm::dot(a, b)));
+}
+
 /// A number in [-1, 1).
 inline double jitter(Random& random) { return static_cast<double>(random.signed_unit()); }
 

@@ -164,6 +164,18 @@ def test_points_draw_clouds():
         fail(1, "points", cloud, "-o", os.path.join(folder, "none", "a.png"))
 
 
+def test_points_draw_lines_along_creases():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        blue = []
+        for shape in ("shape:box:3000", "shape:sphere:3000"):
+            output = os.path.join(folder, "a.png")
+            assert run("points", shape, "--as-points", "--look", "discs", "--mode", "features", "-o", output,
+                       "--size", "160x120").returncode == 0
+            blue.append(sum(1 for row in png_rows(output) for p in row if p[2] > p[0] + 60))
+        assert blue[0] > 200 and blue[1] == 0, blue
+
+
 def test_points_draw_silently_under_validation():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
