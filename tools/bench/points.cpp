@@ -3,15 +3,17 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <random>
+#include <span>
 
 #include "silhouette/mesh/angle_between.h"
 #include "silhouette/points/feature_weights.h"
+#include "silhouette/points/pca_normals.h"
 #include "silhouette/points/point_surface.h"
 #include "tools/bench/even_samples.h"
 #include "tools/bench/gap_rule.h"
@@ -36,21 +38,6 @@ PointsBenchResult::Kind kind_of(const PointTruth& truth) {
     return truth.is_smooth() ? Kind::smooth : Kind::closed;
 }
 
-void add_noise(PointTruth& truth, double noise) {
-    const std::vector<glm::dvec3> exact = truth.positions;
-    std::mt19937 random(1);
-    std::normal_distribution<double> gauss;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        if (truth.neighbors[i].empty()) continue;
-        double lengths = 0.0;
-        for (const std::uint32_t n : truth.neighbors[i])
-            lengths += glm::distance(exact[i], exact[n]);
-        const double spacing = lengths / static_cast<double>(truth.neighbors[i].size());
-        for (int axis = 0; axis < 3; ++axis)
-            truth.positions[i][axis] += noise * spacing * gauss(random);
-    }
-}
-
 CreaseCount count_creases(std::string method, const PointSurface& surface, const PointTruth& truth,
                           const LongCall& call) {
     CreaseCount count{std::move(method)};
@@ -70,42 +57,56 @@ CreaseCount count_creases(std::string method, const PointSurface& surface, const
     return count;
 }
 
-void measure_normals(const Mesh& mesh, const PointSurface& surface, const PointTruth& truth,
-                     PointsBenchResult& result) {
-    // The angle to the nearest of a point's normals.
-    const auto error_deg = [&](std::uint32_t i, const glm::dvec3& truly) {
-        double least = 180.0;
-        const PointSurface::UmbrellaRange range = surface.umbrellas_of(PointId{i});
-        for (std::uint32_t u = range.first; u < range.last; ++u) {
-            const double error =
-                angle_between(surface.umbrella(UmbrellaId{u}).normal, truly) / k_degree;
-            least = std::min({least, error, 180.0 - error});
+// `normals_of(i)` are the normals of point i, which is the vertex `vertices[i]`.
+template <typename NormalsOf>
+NormalErrors normal_errors(const Mesh& mesh, const PointTruth& truth,
+                           std::span<const std::uint32_t> vertices, NormalsOf&& normals_of) {
+    // Of the faces at each vertex the nearest and the farthest from the normals.
+    constexpr std::size_t k_max_normals = 8;
+    struct Point {
+        std::array<glm::dvec3, k_max_normals> normals;
+        std::size_t count = 0;
+        double least = 180.0, greatest = 0.0;
+
+        double error_deg(const glm::dvec3& truly) const {
+            double error = 180.0;
+            for (std::size_t n = 0; n < count; ++n) {
+                const double angle = angle_between(normals[n], truly) / k_degree;
+                error = std::min({error, angle, 180.0 - angle});
+            }
+            return error;
         }
-        return least;
     };
-    // Of the faces at each point the nearest and the farthest.
-    std::vector<double> least(surface.size(), 180.0), greatest(surface.size(), 0.0);
+    std::vector<Point> points(truth.positions.size());
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+        if (vertices[i] == PerturbedPoints::k_none) continue;
+        Point& point = points[vertices[i]];
+        for (const glm::dvec3& normal : normals_of(i))
+            if (normal != glm::dvec3(0.0) && point.count < k_max_normals)
+                point.normals[point.count++] = normal;
+    }
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
         for (const VertexId v : mesh.triangles()[f]) {
-            const double error = error_deg(index(v), mesh.plane(FaceId{f}).normal());
-            least[index(v)] = std::min(least[index(v)], error);
-            greatest[index(v)] = std::max(greatest[index(v)], error);
+            Point& point = points[index(v)];
+            const double error = point.error_deg(mesh.plane(FaceId{f}).normal());
+            point.least = std::min(point.least, error);
+            point.greatest = std::max(point.greatest, error);
         }
+    NormalErrors result;
     std::vector<double> errors;
-    for (std::uint32_t i = 0; i < surface.size(); ++i) {
-        if (surface.normal(PointId{i}) == glm::dvec3(0.0) || truth.normals[i] == glm::dvec3(0.0))
-            continue;
-        errors.push_back(surface.label(PointId{i}) == PointLabel::feature
-                             ? greatest[i]
-                             : error_deg(i, truth.normals[i]));
-        if (least[i] <= k_wrong_deg) continue;
-        ++result.wrong_normals;
-        result.wrong_apart += !truth.is_crowded(i);
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+        if (points[v].count == 0 || truth.normals[v] == glm::dvec3(0.0)) continue;
+        errors.push_back(points[v].count > 1 ? points[v].greatest
+                                             : points[v].error_deg(truth.normals[v]));
+        if (points[v].least <= k_wrong_deg) continue;
+        ++result.wrong;
+        result.wrong_apart += !truth.is_crowded(v);
     }
-    if (errors.empty()) return;
+    if (errors.empty()) return result;
     std::sort(errors.begin(), errors.end());
-    result.median_error_deg = errors[errors.size() / 2];
-    result.high_error_deg = errors[errors.size() * 99 / 100];
+    result.median_deg = errors[errors.size() / 2];
+    result.high_deg = errors[errors.size() * 99 / 100];
+    return result;
 }
 
 }  // namespace
@@ -127,36 +128,46 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,
                                const PointsBenchOptions& options, const Context& context) {
     PointsBenchResult result;
     result.model = model;
-    PointTruth truth = point_truth(mesh);
+    const PointTruth truth = point_truth(mesh);
     result.kind = kind_of(truth);
     result.points = static_cast<std::uint32_t>(truth.positions.size());
     result.border = truth.border_count;
     result.border_wide = truth.wide_count;
     if (result.kind == PointsBenchResult::Kind::unfit) return result;
-    if (options.noise > 0.0) add_noise(truth, options.noise);
+    PerturbedPoints points = perturb(truth, options.perturbation);
+    std::vector<std::uint8_t> is_border, is_wide_at;
     if (options.is_even) {
         EvenSamples samples = even_samples(mesh, result.points);
-        truth.positions = std::move(samples.positions);
-        truth.is_border = std::move(samples.is_border);
-        truth.is_wide_at.assign(truth.positions.size(), 0);
-        result.points = static_cast<std::uint32_t>(truth.positions.size());
-        result.border =
-            static_cast<std::uint32_t>(std::ranges::count(truth.is_border, std::uint8_t{1}));
-        result.border_wide = 0;
+        points.positions = std::move(samples.positions);
+        points.vertices.assign(points.positions.size(), PerturbedPoints::k_none);
+        is_border = std::move(samples.is_border);
+        is_wide_at.assign(is_border.size(), 0);
+    } else {
+        for (const std::uint32_t v : points.vertices) {
+            is_border.push_back(v != PerturbedPoints::k_none && truth.is_border[v]);
+            is_wide_at.push_back(v != PerturbedPoints::k_none && truth.is_wide_at[v]);
+        }
     }
+    const auto count_of = [](const std::vector<std::uint8_t>& flags) {
+        return static_cast<std::uint32_t>(std::ranges::count(flags, std::uint8_t{1}));
+    };
+    result.points = static_cast<std::uint32_t>(points.positions.size());
+    result.border = count_of(is_border);
+    result.border_wide = count_of(is_wide_at);
+    const bool are_vertices = !options.is_even && options.perturbation.keeps_vertices();
 
     Progress progress(context, "finding umbrellas of " + model);
     const LongCall call = progress.call();
-    const auto add = [&](std::string method, auto&& is_border) {
+    const auto add = [&](std::string method, auto&& is_found) {
         BorderCount count{std::move(method)};
         std::vector<std::uint8_t> found(result.points);
         for (std::uint32_t i = 0; i < result.points; ++i) {
-            found[i] = is_border(i);
-            count.missed += truth.is_border[i] && !found[i];
-            count.missed_wide += truth.is_wide_at[i] && !found[i];
-            count.extra += !truth.is_border[i] && found[i];
+            found[i] = is_found(i);
+            count.missed += is_border[i] && !found[i];
+            count.missed_wide += is_wide_at[i] && !found[i];
+            count.extra += !is_border[i] && found[i];
         }
-        if (!options.is_even && result.border == 0 && count.extra > k_max_extra)
+        if (are_vertices && result.border == 0 && count.extra > k_max_extra)
             count.around_holes = count_around_holes(mesh, found);
         result.counts.push_back(std::move(count));
     };
@@ -164,34 +175,49 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,
         return
             [&surface](std::uint32_t i) { return surface.label(PointId{i}) == PointLabel::border; };
     };
-    const PointSurface surface(truth.positions, {}, {call.stop, {}});
+    using Method = PointSurfaceOptions::Method;
+    PointSurfaceOptions robust, thesis;
+    thesis.method = Method::thesis;
+    (options.surface.method == Method::thesis ? thesis : robust) = options.surface;
+    const PointSurface surface(points.positions, robust, {call.stop, {}});
     add("robust", labels(surface));
     result.feature = surface.count(PointLabel::feature);
     result.undecided = surface.count(PointLabel::undecided);
     if (!options.is_even) {
-        measure_normals(mesh, surface, truth, result);
+        result.normals = normal_errors(mesh, truth, points.vertices, [&](std::uint32_t i) {
+            const auto range = surface.umbrellas_of(PointId{i});
+            std::vector<glm::dvec3> normals;
+            for (std::uint32_t u = range.first; u < range.last; ++u)
+                normals.push_back(surface.umbrella(UmbrellaId{u}).normal);
+            return normals;
+        });
+        const std::vector<glm::dvec3> fitted =
+            pca_normals(points.positions, robust.k, {call.stop, {}});
+        result.fitted_normals = normal_errors(mesh, truth, points.vertices, [&](std::uint32_t i) {
+            return std::span(&fitted[i], 1);
+        });
+    }
+    if (are_vertices) {
         result.silhouettes = compare_silhouettes(mesh, surface, {call.stop, {}});
         result.creases.push_back(count_creases("robust", surface, truth, {call.stop, {}}));
     }
-    PointSurfaceOptions thesis;
-    thesis.method = PointSurfaceOptions::Method::thesis;
-    const PointSurface by_thesis(truth.positions, thesis, {call.stop, {}});
+    const PointSurface by_thesis(points.positions, thesis, {call.stop, {}});
     add("thesis", labels(by_thesis));
-    if (!options.is_even)
+    if (are_vertices)
         result.creases.push_back(count_creases("thesis", by_thesis, truth, {call.stop, {}}));
-    const std::vector<double> widest = widest_sectors(truth.positions);
+    const std::vector<double> widest = widest_sectors(points.positions);
     for (const int threshold : k_thresholds_deg)
         add("gap " + std::to_string(threshold), [&](std::uint32_t i) {
             // The sector of a straight border is 180 degrees, up to rounding.
             return widest[i] > threshold * k_degree - 1e-9;
         });
-    for (const LibraryBorders& library : library_borders(truth.positions, context))
+    for (const LibraryBorders& library : library_borders(points.positions, context))
         add(library.method, [&](std::uint32_t i) { return library.is_border[i] != 0; });
 
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     for (int round = 0; round < 3; ++round) {
         const auto start = std::chrono::steady_clock::now();
-        const PointSurface timed(truth.positions, {}, {call.stop, {}});
+        const PointSurface timed(points.positions, robust, {call.stop, {}});
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         result.points_per_second = std::max(result.points_per_second, result.points / seconds);

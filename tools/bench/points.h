@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
+#include "tools/bench/perturbed_points.h"
 #include "tools/bench/silhouette_hits.h"
 #include "tools/command.h"
 
@@ -35,6 +36,14 @@ struct CreaseCount {
     std::uint32_t extra = 0;  ///< Labeled as features where no edge turns by 25 degrees.
 };
 
+/// The angle of a point's normal to the mean of the faces there. Of a point with several normals the greatest angle from
+/// one of the faces to the nearest of them.
+struct NormalErrors {
+    double median_deg = 0.0, high_deg = 0.0;  ///< High: the 99th percentile.
+    std::uint32_t wrong = 0;                  ///< Above 60 degrees from every face at the point.
+    std::uint32_t wrong_apart = 0;  ///< Those of them without another sheet near the point.
+};
+
 struct PointsBenchResult {
     enum class Kind { wide, open, smooth, closed, unfit };  ///< See point_truth.h.
     std::string model;
@@ -45,11 +54,9 @@ struct PointsBenchResult {
     std::vector<BorderCount> counts;
     std::uint32_t feature = 0, undecided = 0;
     std::vector<CreaseCount> creases;  ///< robust, thesis.
-    /// Of normals; high: the 99th percentile. Of a feature point the greatest angle from a face at the point to the
-    /// nearest of its normals; of any other the angle to the mean of the faces.
-    double median_error_deg = 0.0, high_error_deg = 0.0;
-    std::uint32_t wrong_normals = 0;  ///< Above 60 degrees from every face at the point.
-    std::uint32_t wrong_apart = 0;    ///< Those of them without another sheet near the point.
+    NormalErrors normals;              ///< Of the umbrellas.
+    NormalErrors
+        fitted_normals;  ///< Of the planes fitted to the nearest neighbors (pca_normals.h), what libraries do.
     SilhouetteComparison silhouettes;
     double points_per_second = 0.0;  ///< robust, on one thread, the best of three runs.
 
@@ -61,12 +68,13 @@ struct PointsBenchResult {
 };
 
 struct PointsBenchOptions {
-    /// Each coordinate of each vertex is moved by normally distributed noise first, the same for the same mesh,
-    /// of standard deviation `noise` times the mean length of the vertex's edges.
-    double noise = 0.0;
+    /// Where points are added or left out, only borders and normals are measured.
+    Perturbation perturbation;
     /// About as many points spread evenly over the mesh are measured in place of its vertices
-    /// (even_samples.h), without noise. Their borders alone are measured. The kind is that of the mesh.
+    /// (even_samples.h), without perturbation. Their borders alone are measured. The kind is that of the mesh.
     bool is_even = false;
+    /// Of the method that they name; the other has its defaults.
+    PointSurfaceOptions surface;
 };
 
 PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,

@@ -14,6 +14,7 @@
 #include "tools/bench/targets.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/options/surface_options.h"
 
 namespace rimline::tools {
 
@@ -71,6 +72,24 @@ std::vector<std::string> all_models() {
     return models;
 }
 
+void print_perturbation(const Perturbation& perturbation) {
+    if (perturbation.noise > 0.0)
+        std::printf("vertices moved by %g of their mean edge\n", perturbation.noise);
+    if (perturbation.outliers > 0.0)
+        std::printf("%g of the vertices added as outliers\n", perturbation.outliers);
+    if (perturbation.uneven > 0.0)
+        std::printf("up to %g of the vertices left out\n", perturbation.uneven);
+}
+
+// Half of the models, by their names: constants chosen on one half are judged on the other. The extension does not
+// count, so that a model in two formats is in one half.
+const char* half_of(const std::string& model) {
+    std::uint32_t hash = 2166136261u;  // FNV-1a.
+    for (const char c : std::filesystem::path(model).stem().string())
+        hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return (hash >> 16 & 1u) != 0 ? "b" : "a";
+}
+
 void print_heading() {
     std::printf("missed and extra border points; of open models in %% of their border\n");
     std::printf("%-28s %-7s %7s %6s %15s %15s %15s %15s %6s %6s %7s %7s %9s\n", "model", "kind",
@@ -95,7 +114,7 @@ void print_result(const PointsBenchResult& result) {
         std::printf(" %15s", text);
     }
     std::printf(" %6u %6u %6.2f\u00b0 %6.1f\u00b0 %9.0f\n", result.feature, result.undecided,
-                result.median_error_deg, result.high_error_deg, result.points_per_second);
+                result.normals.median_deg, result.normals.high_deg, result.points_per_second);
 }
 
 void print_normals(const std::vector<PointsBenchResult>& results) {
@@ -103,9 +122,9 @@ void print_normals(const std::vector<PointsBenchResult>& results) {
     for (const PointsBenchResult& result : results) {
         if (result.kind != Kind::wide && result.kind != Kind::smooth) continue;
         ++models;
-        exact += result.median_error_deg <= 1.0;
-        wrong += result.wrong_normals;
-        apart += result.wrong_apart;
+        exact += result.normals.median_deg <= 1.0;
+        wrong += result.normals.wrong;
+        apart += result.normals.wrong_apart;
     }
     std::printf(
         "normals of wide and smooth models: median error at most 1 degree in %u of %u; %u above 60 "
@@ -116,13 +135,17 @@ void print_normals(const std::vector<PointsBenchResult>& results) {
 
 void print_creases(const std::vector<PointsBenchResult>& results) {
     constexpr std::uint32_t k_few = 50;
+    const auto has_many = [](const PointsBenchResult& result) {
+        return !result.creases.empty() && result.creases[0].on >= k_few;
+    };
+    if (std::ranges::none_of(results, has_many)) return;
     std::printf(
         "creases: points on edges over 40\u00b0 that are labeled; their neighbors beside with "
         "weights above "
         "0.4; labeled where\nno edge turns by 25\u00b0\n%-28s %21s %21s %21s %21s %15s\n",
         "", "labeled, robust", "thesis", "heavy beside, robust", "thesis", "extra");
     for (const PointsBenchResult& result : results) {
-        if (result.creases.empty() || result.creases[0].on < k_few) continue;
+        if (!has_many(result)) continue;
         const CreaseCount& robust = result.creases[0];
         const CreaseCount& thesis = result.creases[1];
         const auto of = [](std::uint32_t part, std::uint32_t all) {
@@ -218,10 +241,15 @@ Json to_json(const PointsBenchResult& result) {
             {"feature", result.feature},
             {"creases", std::move(creases)},
             {"undecided", result.undecided},
-            {"normal_error_median_deg", result.median_error_deg},
-            {"normal_error_99_deg", result.high_error_deg},
-            {"wrong_normals", result.wrong_normals},
-            {"wrong_normals_apart", result.wrong_apart},
+            {"normal_error_median_deg", result.normals.median_deg},
+            {"normal_error_99_deg", result.normals.high_deg},
+            {"wrong_normals", result.normals.wrong},
+            {"wrong_normals_apart", result.normals.wrong_apart},
+            {"fitted_normals",
+             {{"error_median_deg", result.fitted_normals.median_deg},
+              {"error_99_deg", result.fitted_normals.high_deg},
+              {"wrong", result.fitted_normals.wrong}}},
+            {"half", half_of(result.model)},
             {"silhouettes", to_json(result.silhouettes)},
             {"points_per_second", result.points_per_second}};
 }
@@ -261,11 +289,20 @@ public:
             "Points spread evenly over the mesh in place of its vertices, about as many");
         even->group("Amount");
         even->excludes("--check");
-        add_number(app, "--noise", noise_, 0.0, 1.0,
+        add_number(app, "--noise", perturbation_.noise, 0.0, 1.0,
                    "The standard deviation by which every coordinate is moved, in mean lengths of "
                    "the vertex's edges")
             ->group("Amount")
             ->excludes(even);
+        const auto add_share = [&](const char* option, double& value, const char* description) {
+            add_number(app, option, value, 0.0, 1.0, description)->group("Amount")->excludes(even);
+        };
+        add_share("--outliers", perturbation_.outliers,
+                  "Points added in the bounding box, as a share of the vertices");
+        add_share("--uneven", perturbation_.uneven,
+                  "Share of the vertices left out at one end of the longest axis; none at the "
+                  "other");
+        surface_.add_to(app);
         app.footer(
             "The suite makes umbrellas of the vertices alone. It counts the border points that "
             "are\n"
@@ -290,7 +327,9 @@ public:
             Json rows = Json::array();
             for (const PointsBenchResult& result : results) rows.push_back(to_json(result));
             Json object{{"machine", to_json(this_machine())},
-                        {"noise", noise_},
+                        {"noise", perturbation_.noise},
+                        {"outliers", perturbation_.outliers},
+                        {"uneven", perturbation_.uneven},
                         {"even", is_even_},
                         {"points", std::move(rows)}};
             if (check_) {
@@ -325,11 +364,12 @@ private:
             if (results.empty() && !context.json) {
                 print_machine(this_machine());
                 if (is_even_) std::printf("points spread evenly in place of vertices\n");
-                if (noise_ > 0.0) std::printf("vertices moved by %g of their mean edge\n", noise_);
+                print_perturbation(perturbation_);
                 print_heading();
             }
             results.push_back(about_model(model, [&] {
-                return bench_points(model, *mesh, {noise_, is_even_}, context);
+                return bench_points(model, *mesh, {perturbation_, is_even_, surface_.options()},
+                                    context);
             }));
             if (context.json) continue;
             print_result(results.back());
@@ -341,7 +381,8 @@ private:
     SuiteModels models_;
     bool check_ = false;
     bool is_even_ = false;
-    double noise_ = 0.0;
+    Perturbation perturbation_;
+    SurfaceOptions surface_;
 };
 
 }  // namespace

@@ -122,6 +122,75 @@ TEST_CASE("points in rows far denser along than across have the surface's normal
     }
 }
 
+// A plane of 40 x 40 points, each moved by up to `amount` of the spacing, with an opening in the middle: a slit of 20
+// points in length that tapers off, or a round hole with points all around.
+struct Opened {
+    std::vector<glm::dvec3> points;
+    std::vector<bool> is_border;  // Of the opening.
+
+    static Opened slit(double width, double amount) {
+        tests::Random random(5);
+        Opened opened;
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 40; ++x) {
+                const bool is_in = x >= 10 && x < 30;
+                const int rows = y < 20 ? 19 - y : y - 20;
+                const double aside =
+                    is_in ? (width - 1.0) / 2.0 * std::max(0.0, 1.0 - rows / 10.0) : 0.0;
+                const bool is_edge = is_in && rows == 0;
+                const double dx = is_in ? amount * tests::jitter(random) : 0.0;
+                const double dy = is_in && !is_edge ? amount * tests::jitter(random) : 0.0;
+                opened.points.push_back({x + dx, y + dy + (y < 20 ? -aside : aside), 0.0});
+                opened.is_border.push_back(is_edge);
+            }
+        return opened;
+    }
+    static Opened hole(double width, double amount) {
+        tests::Random random(5);
+        Opened opened;
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 40; ++x) {
+                const double dx = amount * tests::jitter(random),
+                             dy = amount * tests::jitter(random);
+                if (std::hypot(x - 19.5, y - 19.5) < width / 2.0 + 0.5) continue;
+                opened.points.push_back({x + dx, y + dy, 0.0});
+                opened.is_border.push_back(false);
+            }
+        const long around = std::lround(std::numbers::pi * width);
+        for (long n = 0; n < around; ++n) {
+            const double angle = 2.0 * std::numbers::pi * double(n) / double(around) + 0.3;
+            opened.points.push_back(
+                {19.5 + width / 2.0 * std::cos(angle), 19.5 + width / 2.0 * std::sin(angle), 0.0});
+            opened.is_border.push_back(true);
+        }
+        return opened;
+    }
+    // Of the points of the opening's border.
+    double found_share() const {
+        const PointSurface surface(points);
+        double all = 0.0, found = 0.0;
+        for (std::uint32_t i = 0; i < surface.size(); ++i) {
+            all += is_border[i];
+            found += is_border[i] && surface.label(PointId{i}) == PointLabel::border;
+        }
+        return found / all;
+    }
+};
+
+TEST_CASE("slits are found from three spacings on, and round holes from four") {
+    for (const double amount : {0.0, 0.2, 0.4}) {
+        CAPTURE(amount);
+        for (const double width : {1.5, 2.0, 2.5})
+            CHECK(Opened::slit(width, amount).found_share() == 0.0);
+        for (const double width : {3.0, 3.5, 4.0, 5.0})
+            CHECK(Opened::slit(width, amount).found_share() >= 0.8);
+        for (const double width : {2.0, 2.5, 3.0, 3.5})
+            CHECK(Opened::hole(width, amount).found_share() == 0.0);
+        for (const double width : {4.0, 5.0, 6.0})
+            CHECK(Opened::hole(width, amount).found_share() >= 0.95);
+    }
+}
+
 // Two half planes that meet at the angle in the y axis; the points of the crease come first. Rows of the
 // halves are shifted against each other.
 std::vector<glm::dvec3> make_wedge(double angle_rad, int across, int along) {
