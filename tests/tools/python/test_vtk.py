@@ -151,8 +151,10 @@ def test_the_camera_holds_no_filter(filters):
     ours.SetInputData(data)
     ours.SetCamera(camera)
     ours.Update()
+    assert camera.HasObserver("ModifiedEvent")
     reference = weakref.ref(ours)
     del ours
     gc.collect()
     assert reference() is None
+    assert not camera.HasObserver("ModifiedEvent")
     camera.SetPosition(3, 2, 1)

@@ -37,9 +37,9 @@ class Silhouette(VTKPythonAlgorithmBase):
     def __init__(self) -> None:
         super().__init__(nInputPorts=1, inputType="vtkPolyData", nOutputPorts=1, outputType="vtkPolyData")
         self._camera: Any = None
-        self._camera_observer = 0
+        self._camera_observer: weakref.finalize | None = None
         self._prop: Any = None
-        self._prop_observer = 0
+        self._prop_observer: weakref.finalize | None = None
         self._direction = self.DIRECTION_CAMERA_ORIGIN
         self._vector = (0.0, 0.0, 0.0)
         self._origin = (0.0, 0.0, 0.0)
@@ -60,11 +60,11 @@ class Silhouette(VTKPythonAlgorithmBase):
 
     def _observe(self, watched: Any, name: str) -> None:
         """`watched` takes the place of the attribute `name`, and this filter is modified when it is."""
-        old, tag = getattr(self, name), getattr(self, f"{name}_observer")
-        if old is watched:
+        if getattr(self, name) is watched:
             return
-        if old is not None:
-            old.RemoveObserver(tag)
+        stop_watching = getattr(self, f"{name}_observer")
+        if stop_watching is not None:
+            stop_watching()
         filter_reference = weakref.ref(self)
 
         def notice(*_: Any) -> None:
@@ -73,7 +73,11 @@ class Silhouette(VTKPythonAlgorithmBase):
                 filter_or_none.Modified()
 
         setattr(self, name, watched)
-        setattr(self, f"{name}_observer", 0 if watched is None else watched.AddObserver("ModifiedEvent", notice))
+        observer = None
+        if watched is not None:
+            observer = weakref.finalize(self, watched.RemoveObserver, watched.AddObserver("ModifiedEvent", notice))
+            observer.atexit = False
+        setattr(self, f"{name}_observer", observer)
         self.Modified()
 
     def SetCamera(self, camera: Any) -> None:
