@@ -211,8 +211,9 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,
             // The sector of a straight border is 180 degrees, up to rounding.
             return widest[i] > threshold * k_degree - 1e-9;
         });
-    for (const LibraryBorders& library : library_borders(points.positions, context))
-        add(library.method, [&](std::uint32_t i) { return library.is_border[i] != 0; });
+    if (!options.without_libraries)
+        for (const LibraryBorders& library : library_borders(points.positions, context))
+            add(library.method, [&](std::uint32_t i) { return library.is_border[i] != 0; });
 
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     for (int round = 0; round < 3; ++round) {

@@ -73,6 +73,8 @@ struct PointsBenchOptions {
     /// About as many points spread evenly over the mesh are measured in place of its vertices
     /// (even_samples.h), without perturbation. Their borders alone are measured. The kind is that of the mesh.
     bool is_even = false;
+    /// Without Open3D and PCL, which take most of the time.
+    bool without_libraries = false;
     /// Of the method that they name; the other has its defaults.
     PointSurfaceOptions surface;
 };

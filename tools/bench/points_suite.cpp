@@ -302,6 +302,9 @@ public:
         add_share("--uneven", perturbation_.uneven,
                   "Share of the vertices left out at one end of the longest axis; none at the "
                   "other");
+        app.add_flag("--no-libraries", without_libraries_,
+                     "Without Open3D and PCL, which take most of the time")
+            ->group("Amount");
         surface_.add_to(app);
         app.footer(
             "The suite makes umbrellas of the vertices alone. It counts the border points that "
@@ -368,8 +371,9 @@ private:
                 print_heading();
             }
             results.push_back(about_model(model, [&] {
-                return bench_points(model, *mesh, {perturbation_, is_even_, surface_.options()},
-                                    context);
+                return bench_points(
+                    model, *mesh, {perturbation_, is_even_, without_libraries_, surface_.options()},
+                    context);
             }));
             if (context.json) continue;
             print_result(results.back());
@@ -383,6 +387,7 @@ private:
     bool is_even_ = false;
     Perturbation perturbation_;
     SurfaceOptions surface_;
+    bool without_libraries_ = false;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 wide = 1900; high = 1150
 load style
 set multiplot layout 2,3 margins 0.05,0.99,0.16,0.94 spacing 0.045,0.13
-array colors[5] = [green, amber, gray, blue, red]
+array colors[3] = [green, amber, gray]
 set key off
 set yrange [0:*]
 set format y "%g%%"

@@ -19,10 +19,12 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "results" / "points.md"
 PICTURE = ROOT / "docs" / "results" / "points" / "perturbed.png"
+WITH_LIBRARIES = {("noise", 0.1), ("outliers", 0.02), ("uneven", 0.5)}  # They take minutes for each.
 AMOUNTS = {"noise": [0, 0.025, 0.05, 0.1, 0.15, 0.2], "outliers": [0.005, 0.01, 0.02, 0.05],
            "uneven": [0.25, 0.5, 0.75]}
 SHOWN = [("robust", "ours"), ("thesis", "thesis"), ("gap 120", "gap rule, 120\u00b0"), ("Open3D 16 120", "Open3D, 120\u00b0"),
          ("PCL 16 120", "PCL, 120\u00b0")]
+DRAWN = SHOWN[:3]
 CONSTANTS = {"--gap-ratio": [2.25, 2.5, 2.75, 3, 3.5], "-k": [12, 14, 16, 18, 20]}
 
 
@@ -63,7 +65,7 @@ def perturbed_table(runs):
         cells = []
         for method, _ in SHOWN:
             found = totals(results, method)
-            cells.append("not installed" if found is None else "{:.1f}, {:.1f}; {:.2f}".format(*found))
+            cells.append("" if found is None else "{:.1f}, {:.1f}; {:.2f}".format(*found))
         lines.append("| " + " | ".join([name, *cells, "{:.2f}, {:.2f}".format(*normals(results))]) + " |")
     return "\n".join(lines)
 
@@ -71,12 +73,12 @@ def perturbed_table(runs):
 def draw(runs):
     with tempfile.TemporaryDirectory() as folder:
         for kind, amounts in AMOUNTS.items():
-            for number, (method, _) in enumerate(SHOWN, 1):
+            for number, (method, _) in enumerate(DRAWN, 1):
                 rows = [(amount, totals(runs[kind if amount else "noise", amount], method))
                         for amount in sorted({0, *amounts})]
                 text = "".join(f"{amount} {found[0]} {found[1]}\n" for amount, found in rows if found)
-                pathlib.Path(folder, f"{kind}{number}.dat").write_text(text or "0 NaN NaN\n", encoding="utf8")
-        titles = " ".join(f"'{title}'" for _, title in SHOWN)
+                pathlib.Path(folder, f"{kind}{number}.dat").write_text(text, encoding="utf8")
+        titles = " ".join(f"'{title}'" for _, title in DRAWN)
         subprocess.run(["gnuplot", "-e", f"out='{PICTURE}'; style='{ROOT}/tools/figures/style.gp'; titles=\"{titles}\"",
                         ROOT / "tools" / "figures" / "perturbed.gp"], cwd=folder, check=True)
 
@@ -93,7 +95,7 @@ def halves_table(program, files):
     for option, values in CONSTANTS.items():
         scores = {}
         for value in values:
-            results = bench(program, option, value, *files)
+            results = bench(program, "--no-libraries", option, value, *files)
             scores[value] = {half: score([r for r in results if r["half"] == half]) for half in "ab"}
         best = {half: min(values, key=lambda value, half=half: scores[value][half]) for half in "ab"}
         default = 2.75 if option == "--gap-ratio" else 16
@@ -112,7 +114,7 @@ def put(page, name, text):
 
 def main():
     program = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "release" / "rimline"
-    everything = bench(program)
+    everything = bench(program, "--no-libraries")
     if not everything:
         sys.exit("plot_points.py: no wide or smooth model is in the folders of RIMLINE_MODELS")
     files = [r["model"] for r in everything]
@@ -120,7 +122,8 @@ def main():
     for kind, amounts in AMOUNTS.items():
         for amount in amounts:
             if amount:
-                runs[kind, amount] = bench(program, f"--{kind}", amount, *files)
+                libraries = [] if (kind, amount) in WITH_LIBRARIES else ["--no-libraries"]
+                runs[kind, amount] = bench(program, f"--{kind}", amount, *libraries, *files)
     draw(runs)
     page = PAGE.read_text(encoding="utf8")
     page = put(page, "perturbed", perturbed_table(runs))
