@@ -57,6 +57,7 @@ std::uint32_t remove_double_faces(MeshSource& source) {
     }
     if (removed == 0) return 0;
     keep_faces(source.triangles, 1, keeps);
+    keep_faces(source.edge_codes, 1, keeps);
     keep_faces(source.materials.of_face, 1, keeps);
     keep_faces(source.materials.corner_colors, 3, keeps);
     keep_faces(source.materials.corner_uvs, 3, keeps);

@@ -20,6 +20,7 @@
 #include "silhouette/mesh/formats/gltf_accessor.h"
 #include "silhouette/mesh/formats/gltf_buffers.h"
 #include "silhouette/mesh/formats/gltf_document.h"
+#include "silhouette/mesh/formats/gltf_edges.h"
 #include "silhouette/mesh/formats/gltf_nodes.h"
 #include "silhouette/mesh/formats/gltf_scene.h"
 #include "silhouette/mesh/formats/gltf_textures.h"
@@ -69,6 +70,7 @@ public:
         }
         if (!source_.materials.textures.empty())
             source_.materials.corner_uvs.resize(3 * source_.triangles.size(), glm::vec2(0.0f));
+        if (!source_.edge_codes.empty()) source_.edge_codes.resize(source_.triangles.size(), 0);
         return std::move(source_);
     }
 
@@ -152,6 +154,8 @@ private:
         if (primitive.mode > k_gltf_triangle_fan)
             fail("mode " + std::to_string(primitive.mode) + " is not glTF's");
         if (primitive.mode < k_gltf_triangles) {
+            if (primitive.edges)
+                fail(std::string(k_gltf_edges) + ": the primitive has no triangles");
             if (primitive.indices) count_once(*primitive.indices, corners);
             return {vertices, 0};
         }
@@ -219,6 +223,7 @@ private:
         const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
         add_triangles(primitive.mode, first, mirrored);
         add_colors(primitive, number, count, first);
+        add_edges(primitive, number, count, mirrored);
     }
 
     // Returns their number.
@@ -260,18 +265,52 @@ private:
         min_vertices_[*primitive.indices] = min_vertices;
     }
 
+    // The corners of triangle `i` of a primitive, in `corners_`.
+    static std::array<std::size_t, 3> corner_at(std::uint32_t mode, std::size_t i) noexcept {
+        if (mode == k_gltf_triangle_strip) return {i, i + 1 + i % 2, i + 2 - i % 2};
+        if (mode == k_gltf_triangle_fan) return {i + 1, i + 2, 0};
+        return {3 * i, 3 * i + 1, 3 * i + 2};
+    }
+
     void add_triangles(std::uint32_t mode, std::uint32_t first, bool mirrored) {
         const std::size_t n = corners_.size();
         const std::size_t count = mode == k_gltf_triangles ? n / 3 : n - 2;
         for (std::size_t i = 0; i < count; ++i) {
             work(1);
-            std::array<std::size_t, 3> at{3 * i, 3 * i + 1, 3 * i + 2};
-            if (mode == k_gltf_triangle_strip) at = {i, i + 1 + i % 2, i + 2 - i % 2};
-            if (mode == k_gltf_triangle_fan) at = {i + 1, i + 2, 0};
+            std::array<std::size_t, 3> at = corner_at(mode, i);
             if (mirrored) std::swap(at[1], at[2]);
             source_.triangles.push_back(
                 {first + corners_[at[0]], first + corners_[at[1]], first + corners_[at[2]]});
         }
+    }
+
+    // Call it after add_triangles().
+    void add_edges(const GltfPrimitive& primitive, std::uint32_t number, std::uint32_t vertices,
+                   bool mirrored) {
+        if (!primitive.edges) return;
+        auto known = edge_codes_.find(number);
+        if (known == edge_codes_.end()) {
+            const std::size_t n = corners_.size();
+            const std::size_t triangles = primitive.mode == k_gltf_triangles ? n / 3 : n - 2;
+            work(triangles);
+            std::vector<std::array<std::uint32_t, 3>> own;
+            own.reserve(triangles);
+            for (std::size_t i = 0; i < triangles; ++i) {
+                own.emplace_back();
+                for (std::size_t c = 0; c < 3; ++c)
+                    own.back()[c] = corners_[corner_at(primitive.mode, i)[c]];
+            }
+            known = edge_codes_
+                        .emplace(number, read_gltf_edges(
+                                             scene_, accessors_, *primitive.edges, own, vertices,
+                                             [&](const std::string& what) { fail(what); }))
+                        .first;
+        }
+        std::vector<std::uint8_t>& codes = source_.edge_codes;
+        codes.reserve(total_.triangles);
+        codes.resize(source_.triangles.size() - known->second.size(), 0);
+        for (const std::uint8_t code : known->second)
+            codes.push_back(mirrored ? mirrored_edge_codes(code) : code);
     }
 
     // Call it after add_triangles().
@@ -364,6 +403,7 @@ private:
     std::vector<glm::vec3> vertex_colors_;  // Of the first positions; white where they end.
     MaterialId white_ = k_no_material;      // Made for the first primitive that needs it.
     std::vector<bool> has_no_uvs_;          // Primitives that have a warning about it.
+    std::map<std::uint32_t, std::vector<std::uint8_t>> edge_codes_;  // Of primitives.
     std::map<std::uint32_t, std::uint64_t>
         min_vertices_;  // The vertices that an index accessor requires.
     struct {

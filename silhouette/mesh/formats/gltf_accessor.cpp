@@ -197,4 +197,28 @@ GltfElements GltfAccessors::indices(std::uint32_t accessor) const {
     return opened(accessor, 1);
 }
 
+GltfElements GltfAccessors::bit_field(std::uint32_t accessor) const {
+    if (type_of(accessor) != GltfType::scalar ||
+        scalar_type(scene_.accessors[accessor].component) != ScalarType::uint8)
+        bad_accessor(file_, accessor, "should be of type SCALAR and of bytes, as it holds bits");
+    return indices(accessor);
+}
+
+GltfElements GltfAccessors::normals(std::uint32_t accessor) const {
+    if (type_of(accessor) != GltfType::vec3 ||
+        is_unsigned(*scalar_type(scene_.accessors[accessor].component)))
+        bad_accessor(file_, accessor,
+                     "should be of type VEC3 and of floats or signed integers, as it holds "
+                     "normals");
+    return opened(accessor, 3);
+}
+
+std::uint32_t GltfAccessors::restart_index(std::uint32_t accessor) const {
+    switch (*scalar_type(scene_.accessors[accessor].component)) {
+        case ScalarType::uint8: return 0xff;
+        case ScalarType::uint16: return 0xffff;
+        default: return 0xffffffff;
+    }
+}
+
 }  // namespace rimline

@@ -71,6 +71,12 @@ public:
     GltfElements colors(std::uint32_t accessor) const;
     GltfElements uvs(std::uint32_t accessor) const;
     GltfElements indices(std::uint32_t accessor) const;
+    /// Bytes, read by index().
+    GltfElements bit_field(std::uint32_t accessor) const;
+    /// Floats or signed integers, read by position(), whose length means nothing.
+    GltfElements normals(std::uint32_t accessor) const;
+    /// The index that no vertex has, as it separates strips: of an accessor that indices() accepts.
+    std::uint32_t restart_index(std::uint32_t accessor) const;
 
 private:
     GltfType type_of(std::uint32_t accessor) const;

@@ -17,7 +17,8 @@ namespace {
 bool is_harmless(std::string_view extension) noexcept {
     for (const std::string_view prefix :
          {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
-          "EXT_lights_", "KHR_mesh_quantization", "KHR_xmp", "KHR_animation_", "ADOBE_materials_"})
+          "EXT_lights_", "KHR_mesh_quantization", k_gltf_edges, "KHR_xmp", "KHR_animation_",
+          "ADOBE_materials_"})
         if (extension.starts_with(prefix)) return true;
     return false;
 }
@@ -101,14 +102,36 @@ GltfAccessor read_accessor(const GltfPlace& place) {
     return accessor;
 }
 
-GltfPrimitive read_primitive(const GltfPlace& place, const GltfScene& scene) {
+std::uint32_t size_of(const auto& vector) { return static_cast<std::uint32_t>(vector.size()); }
+
+// The number of a primitive's edges in scene.edges.
+std::optional<std::uint32_t> read_edges(const GltfPlace& primitive, GltfScene& scene) {
+    const auto extensions = primitive.find("extensions");
+    if (!extensions) return std::nullopt;
+    const auto place = extensions->object().find(k_gltf_edges);
+    if (!place) return std::nullopt;
+    GltfEdges edges{.visibility = place->object().integer("visibility"),
+                    .silhouette_normals = place->integer("silhouetteNormals"),
+                    .line_strings = {size_of(scene.line_strings), 0}};
+    place->each_object("lineStrings", [&](const GltfPlace& line_string) {
+        scene.line_strings.push_back(line_string.at("indices").integer());
+    });
+    edges.line_strings.end = size_of(scene.line_strings);
+    if (!edges.visibility && edges.line_strings.begin == edges.line_strings.end)
+        place->fail("has neither 'visibility' nor 'lineStrings'");
+    scene.edges.push_back(edges);
+    return size_of(scene.edges) - 1;
+}
+
+GltfPrimitive read_primitive(const GltfPlace& place, GltfScene& scene) {
     const GltfPlace attributes = place.at("attributes").object();
     GltfPrimitive primitive{.mode = place.integer("mode").value_or(k_gltf_triangles),
                             .positions = attributes.integer("POSITION"),
                             .indices = place.integer("indices"),
                             .colors = attributes.integer("COLOR_0"),
                             .uvs = {},
-                            .material = place.integer("material")};
+                            .material = place.integer("material"),
+                            .edges = read_edges(place, scene)};
     if (!primitive.material || *primitive.material >= scene.materials.size()) return primitive;
     const auto texture = scene.materials[*primitive.material].texture;
     if (!texture) return primitive;
@@ -119,8 +142,6 @@ GltfPrimitive read_primitive(const GltfPlace& place, const GltfScene& scene) {
         primitive.uvs = static_cast<std::uint32_t>(uvs->natural());
     return primitive;
 }
-
-std::uint32_t size_of(const auto& vector) { return static_cast<std::uint32_t>(vector.size()); }
 
 GltfRange read_primitives(const GltfPlace& place, GltfScene& scene) {
     const std::uint32_t begin = size_of(scene.primitives);

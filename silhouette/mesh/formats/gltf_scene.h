@@ -78,6 +78,9 @@ struct GltfMaterial {
     std::optional<std::uint32_t> texture;  ///< In GltfScene::textures.
 };
 
+/// The extension of primitives that says when their edges are drawn.
+constexpr const char* k_gltf_edges = "EXT_mesh_primitive_edge_visibility";
+
 // Modes of primitives. Lower ones are points and lines.
 constexpr std::uint32_t k_gltf_triangles = 4;
 constexpr std::uint32_t k_gltf_triangle_strip = 5;
@@ -91,12 +94,20 @@ struct GltfPrimitive {
     std::optional<std::uint32_t> colors;
     std::optional<std::uint32_t> uvs;  ///< Of its material's texture. None if that is not in order.
     std::optional<std::uint32_t> material;
+    std::optional<std::uint32_t> edges;  ///< In GltfScene::edges.
 };
 
 /// Elements of a vector, `end` excluded.
 struct GltfRange {
     std::uint32_t begin;
     std::uint32_t end;
+};
+
+/// EXT_mesh_primitive_edge_visibility of a primitive: numbers of accessors.
+struct GltfEdges {
+    std::optional<std::uint32_t> visibility;
+    std::optional<std::uint32_t> silhouette_normals;
+    GltfRange line_strings;  ///< Of GltfScene::line_strings.
 };
 
 struct GltfTransform {
@@ -120,6 +131,8 @@ struct GltfScene {
     std::vector<GltfMaterial> materials;
     std::vector<GltfPrimitive> primitives;
     std::vector<GltfRange> meshes;  ///< Of `primitives`.
+    std::vector<GltfEdges> edges;
+    std::vector<std::uint32_t> line_strings;  ///< Accessors of indices.
     std::deque<GltfTransform> transforms;
     std::vector<std::uint32_t> children;  ///< Numbers of nodes.
     std::vector<GltfNode> nodes;

@@ -1,0 +1,274 @@
+#include "silhouette/mesh/formats/glb_writer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "silhouette/mesh/formats/gltf_scene.h"
+
+namespace rimline {
+
+namespace {
+
+using GlbJson = nlohmann::ordered_json;
+
+// glTF's numbers.
+constexpr int k_byte = 5120, k_unsigned_byte = 5121, k_unsigned_short = 5123, k_unsigned_int = 5125,
+              k_float = 5126;
+constexpr int k_array_buffer = 34962, k_element_array_buffer = 34963;
+// The greatest 16-bit index separates strips.
+constexpr std::uint32_t k_max_short_vertices = 0xffff;
+
+class GlbWriter {
+public:
+    GlbWriter(const Mesh& mesh, const GlbOptions& options)
+        : mesh_(mesh), options_(options), is_written_(mesh.edge_count(), 0) {}
+
+    std::string bytes() {
+        document_["asset"] = {{"version", "2.0"}, {"generator", "rimline"}};
+        add_positions();
+        GlbJson primitives = GlbJson::array();
+        for (const std::vector<FaceId>& faces : faces_by_material())
+            primitives.push_back(primitive(faces));
+        if (uses_edges_) document_["extensionsUsed"] = GlbJson::array({k_gltf_edges});
+        document_["scene"] = 0;
+        document_["scenes"] = GlbJson::array({GlbJson{{"nodes", GlbJson::array({0})}}});
+        GlbJson node{{"mesh", 0}};
+        if (mesh_.up() == UpAxis::z)  // Of zeros and ones, so that no coordinate is rounded.
+            node["matrix"] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+        document_["nodes"] = GlbJson::array({node});
+        document_["meshes"] = GlbJson::array({GlbJson{{"primitives", primitives}}});
+        if (!materials_.empty()) document_["materials"] = materials_;
+        document_["accessors"] = accessors_;
+        document_["bufferViews"] = views_;
+        document_["buffers"] = GlbJson::array({GlbJson{{"byteLength", binary_.size()}}});
+        return joined();
+    }
+
+private:
+    // The faces of each material, in the order of its first face.
+    std::vector<std::vector<FaceId>> faces_by_material() {
+        const FaceMaterials& materials = mesh_.materials();
+        constexpr std::size_t k_new = ~std::size_t{0};
+        std::vector<std::size_t> group_of(materials.materials.size() + 1, k_new);
+        std::vector<std::vector<FaceId>> groups;
+        for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+            const MaterialId material = materials.empty() ? k_no_material : materials.of_face[f];
+            const bool has_material = material != k_no_material;
+            std::size_t& group = group_of[has_material ? index(material) + 1 : 0];
+            if (group == k_new) {
+                group = groups.size();
+                groups.emplace_back();
+                material_of_group_.push_back(has_material ? add_material(material) : -1);
+            }
+            groups[group].push_back(FaceId{f});
+        }
+        return groups;
+    }
+
+    int add_material(MaterialId material) {
+        const glm::vec3 color = mesh_.materials().materials[index(material)].base_color;
+        const GlbJson surface{{"baseColorFactor", {color.x, color.y, color.z, 1.0f}},
+                              {"metallicFactor", 0}};
+        materials_.push_back(GlbJson::object({{"pbrMetallicRoughness", surface}}));
+        return static_cast<int>(materials_.size()) - 1;
+    }
+
+    GlbJson primitive(const std::vector<FaceId>& faces) {
+        GlbJson primitive{{"attributes", {{"POSITION", 0}}}, {"indices", add_indices(faces)}};
+        if (const int material = material_of_group_[next_group_++]; material >= 0)
+            primitive["material"] = material;
+        if (options_.edges.empty()) return primitive;
+        std::vector<Side> silhouettes;
+        const std::vector<std::uint8_t> bits = visibility_bits(faces, silhouettes);
+        // All edges hidden: the extension would be invalid.
+        if (std::ranges::all_of(bits, [](std::uint8_t byte) { return byte == 0; }))
+            return primitive;
+        uses_edges_ = true;
+        GlbJson edges;
+        begin_view();
+        binary_.append(bits.begin(), bits.end());
+        edges["visibility"] = end_accessor(k_unsigned_byte, bits.size(), "SCALAR");
+        if (!silhouettes.empty()) edges["silhouetteNormals"] = add_normals(silhouettes);
+        primitive["extensions"][k_gltf_edges] = edges;
+        return primitive;
+    }
+
+    // A face at which an edge has its class.
+    struct Side {
+        EdgeId edge;
+        FaceId face;
+    };
+
+    // Appends the sides of silhouette edges.
+    std::vector<std::uint8_t> visibility_bits(const std::vector<FaceId>& faces,
+                                              std::vector<Side>& silhouettes) {
+        std::vector<std::uint8_t> bits((6 * faces.size() + 7) / 8, 0);
+        std::size_t at = 0;
+        for (const FaceId face : faces)
+            for (const EdgeId edge : mesh_.edges_of(face)) {
+                bits[at / 8] |=
+                    static_cast<std::uint8_t>(code_of(edge, face, silhouettes) << at % 8);
+                at += 2;
+            }
+        return bits;
+    }
+
+    unsigned code_of(EdgeId edge, FaceId face, std::vector<Side>& silhouettes) {
+        if (edge == k_no_edge) return 0;
+        const EdgeVisibility visibility = options_.edges[index(edge)];
+        if (visibility == EdgeVisibility::hidden) return 0;
+        const bool is_first = is_written_[index(edge)] == 0;
+        is_written_[index(edge)] = 1;
+        if (visibility == EdgeVisibility::hard) return is_first ? 2 : 3;
+        if (is_first) silhouettes.push_back({edge, face});
+        return is_first ? 1 : 0;
+    }
+
+    std::size_t add_normals(const std::vector<Side>& silhouettes) {
+        const bool are_bytes = options_.normals == SilhouetteNormals::bytes;
+        constexpr int k_padded = 4;  // Vertex attributes are aligned so.
+        begin_view(are_bytes ? GlbJson{{"byteStride", k_padded}} : GlbJson::object());
+        binary_.reserve(binary_.size() + silhouettes.size() * (are_bytes ? 2 * k_padded : 24));
+        for (const auto& [edge, face] : silhouettes)
+            for (const glm::vec3& normal : silhouette_normals(mesh_, edge, face)) {
+                if (are_bytes) {
+                    for (const std::int8_t c : normal_bytes(normal)) add(c);
+                    add(std::int8_t{0});
+                } else {
+                    add(normal);
+                }
+            }
+        // Bytes are not marked as normalized: no published file does, and CesiumJS scales them itself.
+        return end_accessor(are_bytes ? k_byte : k_float, 2 * silhouettes.size(), "VEC3");
+    }
+
+    void add_positions() {
+        begin_view({{"target", k_array_buffer}});
+        binary_.reserve(12 * std::size_t{mesh_.vertex_count()} +
+                        12 * std::size_t{mesh_.face_count()});
+        for (const glm::vec3& p : mesh_.positions()) add(p);
+        const auto& [low, high] = mesh_.bounds();
+        end_accessor(k_float, mesh_.vertex_count(), "VEC3",
+                     {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
+    }
+
+    std::size_t add_indices(const std::vector<FaceId>& faces) {
+        const bool are_short = mesh_.vertex_count() <= k_max_short_vertices;
+        begin_view({{"target", k_element_array_buffer}});
+        for (const FaceId face : faces)
+            for (const VertexId v : mesh_.triangles()[index(face)])
+                if (are_short)
+                    add(static_cast<std::uint16_t>(index(v)));
+                else
+                    add(index(v));
+        return end_accessor(are_short ? k_unsigned_short : k_unsigned_int, 3 * faces.size(),
+                            "SCALAR");
+    }
+
+    // Begins what one accessor holds: all bytes that are added before end_accessor().
+    void begin_view(const GlbJson& properties = GlbJson::object()) {
+        while (binary_.size() % 4 != 0) binary_ += '\0';
+        view_begin_ = binary_.size();
+        view_ = {{"buffer", 0}, {"byteOffset", view_begin_}, {"byteLength", 0}};
+        view_.update(properties);
+    }
+
+    // Returns the number of the accessor.
+    std::size_t end_accessor(int component, std::size_t count, const char* type,
+                             const GlbJson& properties = GlbJson::object()) {
+        if (binary_.size() > k_max_bytes)
+            throw Error(ErrorCode::too_large, "a GLB file of 2^31 bytes or more is too large");
+        view_["byteLength"] = binary_.size() - view_begin_;
+        views_.push_back(view_);
+        GlbJson accessor{{"bufferView", views_.size() - 1},
+                         {"componentType", component},
+                         {"count", count},
+                         {"type", type}};
+        accessor.update(properties);
+        accessors_.push_back(accessor);
+        return accessors_.size() - 1;
+    }
+
+    template <typename T>
+    void add(const T& value) {
+        static_assert(std::endian::native == std::endian::little);
+        char bytes[sizeof(T)];
+        std::memcpy(bytes, &value, sizeof(T));
+        binary_.append(bytes, sizeof(T));
+    }
+
+    // The header, and the chunks with theirs.
+    std::string joined() {
+        std::string json = document_.dump();
+        while (json.size() % 4 != 0) json += ' ';
+        while (binary_.size() % 4 != 0) binary_ += '\0';
+        std::string file;
+        file.reserve(28 + json.size() + binary_.size());
+        const auto add_word = [&](std::size_t value) {
+            const auto word = static_cast<std::uint32_t>(value);
+            char bytes[4];
+            std::memcpy(bytes, &word, 4);
+            file.append(bytes, 4);
+        };
+        file += "glTF";
+        add_word(2);
+        add_word(28 + json.size() + binary_.size());
+        add_word(json.size());
+        file += "JSON";
+        file += json;
+        add_word(binary_.size());
+        file.append("BIN\0", 4);
+        file += binary_;
+        return file;
+    }
+
+    static constexpr std::size_t k_max_bytes = 0x7fff0000;  // Leaves room for the document.
+
+    const Mesh& mesh_;
+    const GlbOptions& options_;
+    std::vector<std::uint8_t> is_written_;  // Edges whose class a face has.
+    GlbJson document_, view_;
+    GlbJson accessors_ = GlbJson::array(), views_ = GlbJson::array(), materials_ = GlbJson::array();
+    std::vector<int> material_of_group_;  // -1: none.
+    std::size_t next_group_ = 0;
+    std::string binary_;
+    std::size_t view_begin_ = 0;
+    bool uses_edges_ = false;
+};
+
+}  // namespace
+
+std::string glb_bytes(const Mesh& mesh, const GlbOptions& options) {
+    RIMLINE_CHECK(mesh.face_count() > 0);
+    RIMLINE_CHECK(options.edges.empty() || options.edges.size() == mesh.edge_count());
+    return GlbWriter(mesh, options).bytes();
+}
+
+std::array<glm::vec3, 2> silhouette_normals(const Mesh& mesh, EdgeId edge, FaceId first) noexcept {
+    const auto normal = [&](FaceId face) {
+        const Plane& plane = mesh.plane(face);
+        return glm::vec3(plane.nx, plane.ny, plane.nz);
+    };
+    const std::span<const FaceId> faces = mesh.faces_of(edge);
+    const FaceId* other = std::ranges::find_if(faces, [&](FaceId f) { return f != first; }).base();
+    const bool has_other = other != faces.data() + faces.size();
+    glm::vec3 a = normal(first);
+    glm::vec3 b = has_other ? normal(*other) : glm::vec3(0.0f);
+    if (mesh.edge_class(edge) == EdgeClass::inconsistent) b = -b;
+    constexpr glm::vec3 k_none(0.0f);
+    if (a == k_none && b == k_none) a = {0.0f, 0.0f, 1.0f};
+    if (a == k_none) a = -b;
+    if (b == k_none) b = -a;
+    return {a, b};
+}
+
+std::array<std::int8_t, 3> normal_bytes(glm::vec3 normal) noexcept {
+    const auto byte = [](float c) { return static_cast<std::int8_t>(std::lround(c * 127.0f)); };
+    return {byte(normal.x), byte(normal.y), byte(normal.z)};
+}
+
+}  // namespace rimline
