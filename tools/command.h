@@ -108,6 +108,7 @@ std::unique_ptr<Command> make_view_command();
 std::unique_ptr<Command> make_views_command();
 std::unique_ptr<Command> make_path_command();
 std::unique_ptr<Command> make_light_command();
+std::unique_ptr<Command> make_convert_command();
 std::unique_ptr<Command> make_batch_command();
 
 }  // namespace rimline::tools

@@ -73,6 +73,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
     commands.push_back(rimline::tools::make_origins_command());
     commands.push_back(rimline::tools::make_field_command());
     commands.push_back(rimline::tools::make_points_command());
+    commands.push_back(rimline::tools::make_convert_command());
     commands.push_back(rimline::tools::make_batch_command());
     commands.push_back(rimline::tools::make_bench_command());
     commands.push_back(rimline::tools::make_view_command());

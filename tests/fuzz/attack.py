@@ -25,7 +25,7 @@ FORMATS = {"mesh_obj": ".obj", "mesh_ply": ".ply", "mesh_stl": ".stl", "mesh_off
            "mesh_glb": ".glb", "point_file": ".xyz"}
 MESH_COMMANDS = [["info", "FILE", "--json"], ["silhouette", "FILE", "--from", "3,2,4", "-o", "out.svg"],
                  ["draw", "FILE", "-o", "out.svg"], ["track", "FILE", "--frames", "5", "--json"],
-                 ["field", "FILE", "--at", "1,2,3", "--json"]]
+                 ["convert", "FILE", "-o", "out.glb", "--edges"], ["field", "FILE", "--at", "1,2,3", "--json"]]
 CLOUD_COMMANDS = [["info", "FILE", "--json"], ["points", "FILE", "--from", "3,2,4", "--json"]]
 LARGE_COMMANDS = [["info", "shape:knot:200000"], ["silhouette", "shape:knot:200000", "--from", "3,2,4", "-o", "out.svg"],
                   ["draw", "shape:knot:100000", "-o", "out.svg"], ["track", "shape:knot:100000", "--frames", "2000"],

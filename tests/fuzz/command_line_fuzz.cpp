@@ -34,6 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     commands.push_back(tools::make_origins_command());
     commands.push_back(tools::make_field_command());
     commands.push_back(tools::make_points_command());
+    commands.push_back(tools::make_convert_command());
     for (const auto& command : commands)
         command->add_options(*app.add_subcommand(command->name(), command->summary()));
     std::ranges::reverse(arguments);

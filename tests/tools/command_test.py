@@ -18,7 +18,7 @@ def test_version_and_help_go_to_standard_output():
 
 
 def test_every_subcommand_has_help():
-    suites = [("bench", suite) for suite in ("hough", "service", "engine", "fields", "views", "points")]
+    suites = [("bench", suite) for suite in ("hough", "service", "engine", "fields", "views", "points", "edges")]
     assert all("  " + suite in run("bench", "--help").stdout for _, suite in suites)
     for command in [(name,) for name in COMMANDS] + suites:
         result = run(*command, "--help")

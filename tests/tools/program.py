@@ -15,7 +15,7 @@ import zlib
 
 PROGRAM = os.path.abspath(sys.argv[1])
 COMMANDS = ("render", "animate", "info", "silhouette", "draw", "track", "views", "path", "light", "origins",
-            "field", "points", "batch", "bench", "view", "devices")
+            "field", "points", "convert", "batch", "bench", "view", "devices")
 
 
 def run(*arguments, **options):

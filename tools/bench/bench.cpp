@@ -25,6 +25,7 @@ public:
         suites_.push_back({make_views_suite()});
         suites_.push_back({make_points_suite()});
         suites_.push_back({make_lines_suite()});
+        suites_.push_back({make_edges_suite()});
         for (Suite& suite : suites_) {
             suite.app = app.add_subcommand(suite.command->name(), suite.command->summary());
             suite.command->add_options(*suite.app);

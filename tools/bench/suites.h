@@ -16,5 +16,6 @@ std::unique_ptr<Command> make_fields_suite();
 std::unique_ptr<Command> make_views_suite();
 std::unique_ptr<Command> make_points_suite();
 std::unique_ptr<Command> make_lines_suite();
+std::unique_ptr<Command> make_edges_suite();
 
 }  // namespace rimline::tools

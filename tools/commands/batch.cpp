@@ -31,9 +31,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Commands that take a model and end by themselves.
-constexpr std::array<std::string_view, 12> k_batch_commands{
-    "render", "animate", "info",  "silhouette", "draw",  "track",
-    "views",  "path",    "light", "origins",    "field", "points"};
+constexpr std::array<std::string_view, 13> k_batch_commands{
+    "render", "animate", "info",    "silhouette", "draw",   "track",  "views",
+    "path",   "light",   "origins", "field",      "points", "convert"};
 constexpr std::chrono::milliseconds k_poll{5};
 
 using BatchPlaces = std::vector<std::pair<std::string, std::string>>;

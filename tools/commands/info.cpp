@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "silhouette/mesh/edge_visibility.h"
 #include "silhouette/mesh/formats/point_file.h"
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/points/neighbor_lists.h"
@@ -106,7 +107,14 @@ void print_place(const Extent& extent) {
                 double{extent.bounds.high.z});
 }
 
-void print_summary(const std::string& model, const Mesh& mesh, const Extent& extent) {
+// What the file says of the edges of its mesh; nothing if it says nothing.
+std::optional<EdgeVisibilityCounts> edge_classes(const MeshSource& source, const Mesh& mesh) {
+    if (source.edge_codes.empty()) return std::nullopt;
+    return count_classes(edge_visibility_of_codes(mesh, source.edge_codes));
+}
+
+void print_summary(const std::string& model, const Mesh& mesh, const Extent& extent,
+                   const std::optional<EdgeVisibilityCounts>& drawn) {
     const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
     std::printf("%s\n", model.c_str());
     std::printf("  vertices    %u used, %u in the file\n", extent.vertices,
@@ -116,6 +124,9 @@ void print_summary(const std::string& model, const Mesh& mesh, const Extent& ext
     std::printf("  edges       %u: %u border, %u non-manifold, %u inconsistent\n",
                 mesh.edge_count(), size_of(EdgeClass::border), size_of(EdgeClass::nonmanifold),
                 size_of(EdgeClass::inconsistent));
+    if (drawn)
+        std::printf("  drawn       %u hard edges, %u silhouette edges; %u are hidden\n",
+                    drawn->hard, drawn->silhouette, drawn->hidden);
     std::printf("  components  %u, %s, %s\n", mesh.component_count(),
                 mesh.is_closed() ? "closed" : "open",
                 mesh.is_oriented() ? "oriented" : "not oriented");
@@ -155,12 +166,13 @@ public:
         const Mesh mesh = make_mesh(model_.model, source, context);
         const Extent extent =
             source.triangles.empty() ? extent_of(source.positions) : extent_of(mesh);
+        const std::optional<EdgeVisibilityCounts> drawn = edge_classes(source, mesh);
         context.times.end("measuring");
         if (!context.json) {
             if (cloud)
                 print_cloud(mesh.file_vertex_count(), extent, *cloud);
             else
-                print_summary(model_.model, mesh, extent);
+                print_summary(model_.model, mesh, extent, drawn);
             return ExitStatus::success;
         }
         const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
@@ -173,6 +185,11 @@ public:
                           {"has_colors", cloud->has_colors},
                           {"has_intensities", cloud->has_intensities},
                           {"spacing", cloud->spacing}};
+        nlohmann::ordered_json drawn_json;
+        if (drawn)
+            drawn_json = {{"hidden", drawn->hidden},
+                          {"silhouette", drawn->silhouette},
+                          {"hard", drawn->hard}};
         print_json({{"model", model_.model},
                     {"cloud", std::move(cloud_json)},
                     {"vertices", extent.vertices},
@@ -182,6 +199,7 @@ public:
                     {"border_edges", size_of(EdgeClass::border)},
                     {"nonmanifold_edges", size_of(EdgeClass::nonmanifold)},
                     {"inconsistent_edges", size_of(EdgeClass::inconsistent)},
+                    {"edge_visibility", std::move(drawn_json)},
                     {"degenerate_faces", mesh.degenerate_face_count()},
                     {"components", mesh.component_count()},
                     {"closed", mesh.is_closed()},

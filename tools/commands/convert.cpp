@@ -1,0 +1,142 @@
+// rimline convert: a model as GLB, with the classes of its edges.
+
+#include <cstdio>
+#include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "silhouette/mesh/clear_creases.h"
+#include "silhouette/mesh/edge_visibility.h"
+#include "silhouette/mesh/formats/glb_writer.h"
+#include "silhouette/mesh/mesh.h"
+#include "tools/command.h"
+#include "tools/options/drawn_lines.h"
+#include "tools/options/model_argument.h"
+#include "tools/options/option_types.h"
+#include "tools/output/output_file.h"
+#include "tools/progress.h"
+
+namespace rimline::tools {
+
+namespace {
+
+class ConvertCommand final : public Command {
+public:
+    std::string name() const override { return "convert"; }
+    std::string summary() const override {
+        return "Write a model as GLB, with edges for viewers that draw them";
+    }
+
+    void add_options(CLI::App& app) override {
+        model_.add_to(app);
+        add_output(app, "-o,--output", output_, ".glb", "The file to write")->required();
+        CLI::Option* edges =
+            app.add_flag("--edges", finds_edges_,
+                         "Find the classes of edges: hard, silhouette or hidden (default: those "
+                         "of a glTF file that has them)");
+        add_number(app, "--crease", crease_degrees_, 1.0, 180.0,
+                   "Edges that bend by at least this angle in degrees are hard (default: those "
+                   "that bend by 30 and stand out)")
+            ->needs(edges);
+        app.add_option("--normals", normals_,
+                       "Normals of silhouette edges: bytes, which all viewers read, or floats, "
+                       "which are exact")
+            ->check(CLI::IsMember({"bytes", "floats"}))
+            ->capture_default_str();
+        app.footer(
+            "The classes are those of EXT_mesh_primitive_edge_visibility. Hard edges are always "
+            "drawn: borders,\n"
+            "creases, and edges of three faces or more. Silhouette edges are drawn where one face "
+            "is front and\n"
+            "the other back. Edges between faces in one plane are hidden. Equal positions become "
+            "one vertex.\n\n"
+            "Examples:\n"
+            "  rimline convert bunny.obj -o bunny.glb --edges\n"
+            "  rimline convert fandisk.obj -o fandisk.glb --edges --crease 20 --normals floats");
+    }
+
+    ExitStatus run(const Context& context) override {
+        check_output(context, output_);
+        OutputFile file(output_, model_.model);
+        MeshSource source = model_.load(context);
+        const Mesh mesh = make_mesh(model_.model, source, context);
+        warn_of_losses(mesh);
+        const std::vector<std::uint8_t> codes = std::move(source.edge_codes);
+        source = {};
+        std::vector<EdgeVisibility> edges;
+        std::string bytes;
+        about_model(model_.model, [&] {
+            if (finds_edges_)
+                edges = edge_visibility(mesh, crease_flags_of(mesh));
+            else if (!codes.empty())
+                edges = edge_visibility_of_codes(mesh, codes);
+            context.times.end("classes of edges");
+            context.checkpoint();
+            bytes = glb_bytes(mesh, {.edges = edges,
+                                     .normals = normals_ == "bytes" ? SilhouetteNormals::bytes
+                                                                    : SilhouetteNormals::floats});
+        });
+        context.checkpoint();
+        file.write(bytes);
+        file.commit();
+        context.times.end("writing");
+        report(context, mesh, edges, bytes.size());
+        return ExitStatus::success;
+    }
+
+private:
+    std::vector<std::uint8_t> crease_flags_of(const Mesh& mesh) const {
+        if (crease_degrees_)
+            return crease_flags(mesh, static_cast<float>(glm::radians(*crease_degrees_)));
+        return clear_crease_flags(
+            mesh, static_cast<float>(glm::radians(DrawnLines::k_clear_crease_degrees)));
+    }
+
+    void warn_of_losses(const Mesh& mesh) const {
+        const FaceMaterials& materials = mesh.materials();
+        if (!materials.corner_colors.empty() || !materials.corner_uvs.empty())
+            print_warning(model_.model +
+                          ": colors of vertices and textures are not written, only the base "
+                          "colors of materials");
+    }
+
+    void report(const Context& context, const Mesh& mesh, const std::vector<EdgeVisibility>& edges,
+                std::size_t bytes) const {
+        const EdgeVisibilityCounts counts = count_classes(edges);
+        if (context.json) {
+            nlohmann::ordered_json classes;
+            if (!edges.empty())
+                classes = {{"hidden", counts.hidden},
+                           {"silhouette", counts.silhouette},
+                           {"hard", counts.hard}};
+            print_json(context, {{"model", model_.model},
+                                 {"vertices", mesh.vertex_count()},
+                                 {"faces", mesh.face_count()},
+                                 {"edge_visibility", std::move(classes)},
+                                 {"bytes", bytes},
+                                 {"output", output_}});
+            return;
+        }
+
+        std::printf("%s: %u vertices, %u faces, %zu bytes\n", output_.c_str(), mesh.vertex_count(),
+                    mesh.face_count(), bytes);
+        if (!edges.empty())
+            std::printf("  edges       %u hidden, %u silhouette, %u hard\n", counts.hidden,
+                        counts.silhouette, counts.hard);
+    }
+
+    ModelArgument model_;
+    std::string output_;
+    bool finds_edges_ = false;
+    std::optional<double> crease_degrees_;
+    std::string normals_ = "bytes";
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_convert_command() { return std::make_unique<ConvertCommand>(); }
+
+}  // namespace rimline::tools
