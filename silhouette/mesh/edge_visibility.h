@@ -1,19 +1,21 @@
 #pragma once
 
-// When the edges of a mesh are drawn, for programs that draw models with their edges and do not look for silhouettes
-// themselves: the classes of the glTF extension EXT_mesh_primitive_edge_visibility (formats/glb_writer.h).
+// When the edges of a mesh are drawn, for programs that draw models with their edges and do not look for
+// silhouettes themselves: the classes of the glTF extension EXT_mesh_primitive_edge_visibility
+// (formats/glb_writer.h).
 //
 //   hard         always: borders, edges of three or more faces, and creases
 //   silhouette   while one of its two faces is front and the other back
 //   hidden       never: an edge that can be on no silhouette, because both faces lie in one plane
 //
-// An edge is flat if rounding can have made it: if its four corners can be moved into one plane by half a unit in the
-// last place of the largest coordinate among them. To first order the volume of their tetrahedron then is at most
+// An edge is flat if rounding can have made it: if its four corners can be moved into one plane by half a unit in
+// the last place of the largest coordinate among them. To first order the volume of their tetrahedron then is at
+// most
 //
 //     (1/3) * move * sum of the areas of its four triangles
 //
-// An exact test would take the diagonals of a rotated box for silhouettes. A valley is a silhouette edge: its faces can
-// differ as those of a ridge can, on an open mesh also where it is seen.
+// An exact test would take the diagonals of a rotated box for silhouettes. A valley is a silhouette edge: its faces
+// can differ as those of a ridge can, on an open mesh also where it is seen.
 
 #include <cstdint>
 #include <span>
@@ -26,8 +28,8 @@ namespace rimline {
 /// If an edge has several in a file, the last of them in this order counts.
 enum class EdgeVisibility : std::uint8_t { hidden, silhouette, hard };
 
-/// The class of each edge. `is_crease` has a flag for each edge (clear_crease_flags() or crease_flags()). An edge is
-/// hidden, too, if a face of it has no plane and it is no crease. O(edges), in parallel.
+/// The class of each edge. `is_crease` has a flag for each edge (clear_crease_flags() or crease_flags()). An edge
+/// is hidden, too, if a face of it has no plane and it is no crease. O(edges), in parallel.
 std::vector<EdgeVisibility> edge_visibility(const Mesh& mesh,
                                             std::span<const std::uint8_t> is_crease);
 

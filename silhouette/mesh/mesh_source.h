@@ -31,7 +31,7 @@ struct MeshSource {
     UpAxis up = UpAxis::y;
     /// Of the faces in `triangles`. Empty if the file gives no face a color.
     FaceMaterials materials = {};
-    /// When the edges of each triangle are drawn, if the file says it (edge_visibility.h): two bits for each, the edge
+    /// When the edges of each triangle are drawn, if the file says it (edge_visibility.h): two bits each, the edge
     /// from corner 0 to 1 in the lowest. 0: never; 1: on silhouettes, at one of its triangles, and 0 at the other;
     /// 2: always, at one of its triangles, and 3 at the others. Empty, or one for each triangle.
     std::vector<std::uint8_t> edge_codes = {};

@@ -1,8 +1,8 @@
 #pragma once
 
-// How viewers judge silhouette edges by the normals that a file gives them (EXT_mesh_primitive_edge_visibility), beside
-// the bits of the faces. A viewer draws an edge if one of its normals points towards the eye and the other does not,
-// seen from the middle of the edge.
+// How viewers judge silhouette edges by the normals that a file gives them (EXT_mesh_primitive_edge_visibility),
+// beside the bits of the faces. A viewer draws an edge if one of its normals points towards the eye and the other
+// does not, seen from the middle of the edge.
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,8 @@
 #include "silhouette/mesh/formats/glb_writer.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -21,6 +24,8 @@ constexpr int k_byte = 5120, k_unsigned_byte = 5121, k_unsigned_short = 5123, k_
 constexpr int k_array_buffer = 34962, k_element_array_buffer = 34963;
 // The greatest 16-bit index separates strips.
 constexpr std::uint32_t k_max_short_vertices = 0xffff;
+
+static_assert(std::endian::native == std::endian::little);
 
 class GlbWriter {
 public:
@@ -130,27 +135,37 @@ private:
 
     std::size_t add_normals(const std::vector<Side>& silhouettes) {
         const bool are_bytes = options_.normals == SilhouetteNormals::bytes;
-        constexpr int k_padded = 4;  // Vertex attributes are aligned so.
+        constexpr std::size_t k_padded = 4;  // Vertex attributes are aligned so.
         begin_view(are_bytes ? GlbJson{{"byteStride", k_padded}} : GlbJson::object());
-        binary_.reserve(binary_.size() + silhouettes.size() * (are_bytes ? 2 * k_padded : 24));
-        for (const auto& [edge, face] : silhouettes)
+        const std::size_t side_bytes = 2 * (are_bytes ? k_padded : sizeof(glm::vec3));
+        char* const begin = extended_by(silhouettes.size() * side_bytes);
+        const auto write = [&](std::size_t i) {
+            char* at = begin + i * side_bytes;
+            const auto [edge, face] = silhouettes[i];
             for (const glm::vec3& normal : silhouette_normals(mesh_, edge, face)) {
-                if (are_bytes) {
-                    for (const std::int8_t c : normal_bytes(normal)) add(c);
-                    add(std::int8_t{0});
-                } else {
-                    add(normal);
-                }
+                if (are_bytes)
+                    std::memcpy(at, normal_bytes(normal).data(), 3);
+                else
+                    std::memcpy(at, &normal, sizeof normal);
+                at += side_bytes / 2;
             }
+        };
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, silhouettes.size(), 4096),
+                          [&](const auto& run) {
+                              for (std::size_t i = run.begin(); i < run.end(); ++i) write(i);
+                          });
         // Bytes are not marked as normalized: no published file does, and CesiumJS scales them itself.
         return end_accessor(are_bytes ? k_byte : k_float, 2 * silhouettes.size(), "VEC3");
     }
 
     void add_positions() {
         begin_view({{"target", k_array_buffer}});
-        binary_.reserve(12 * std::size_t{mesh_.vertex_count()} +
-                        12 * std::size_t{mesh_.face_count()});
-        for (const glm::vec3& p : mesh_.positions()) add(p);
+        char* at = extended_by(mesh_.positions().size_bytes());
+        for (const glm::vec3& p : mesh_.positions()) {
+            const glm::vec3 positive = p + 0.0f;  // Transforms of nodes do not keep negative zeros.
+            std::memcpy(at, &positive, sizeof positive);
+            at += sizeof positive;
+        }
         const auto& [low, high] = mesh_.bounds();
         end_accessor(k_float, mesh_.vertex_count(), "VEC3",
                      {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
@@ -159,12 +174,13 @@ private:
     std::size_t add_indices(const std::vector<FaceId>& faces) {
         const bool are_short = mesh_.vertex_count() <= k_max_short_vertices;
         begin_view({{"target", k_element_array_buffer}});
+        char* at = extended_by(3 * faces.size() * (are_short ? 2 : 4));
         for (const FaceId face : faces)
-            for (const VertexId v : mesh_.triangles()[index(face)])
-                if (are_short)
-                    add(static_cast<std::uint16_t>(index(v)));
-                else
-                    add(index(v));
+            for (const VertexId v : mesh_.triangles()[index(face)]) {
+                const std::uint32_t number = index(v);
+                std::memcpy(at, &number, are_short ? 2 : 4);  // Its lower half comes first.
+                at += are_short ? 2 : 4;
+            }
         return end_accessor(are_short ? k_unsigned_short : k_unsigned_int, 3 * faces.size(),
                             "SCALAR");
     }
@@ -193,12 +209,11 @@ private:
         return accessors_.size() - 1;
     }
 
-    template <typename T>
-    void add(const T& value) {
-        static_assert(std::endian::native == std::endian::little);
-        char bytes[sizeof(T)];
-        std::memcpy(bytes, &value, sizeof(T));
-        binary_.append(bytes, sizeof(T));
+    // Where as many bytes were added.
+    char* extended_by(std::size_t bytes) {
+        const std::size_t size = binary_.size();
+        binary_.resize(size + bytes);
+        return binary_.data() + size;
     }
 
     // The header, and the chunks with theirs.
@@ -267,7 +282,9 @@ std::array<glm::vec3, 2> silhouette_normals(const Mesh& mesh, EdgeId edge, FaceI
 }
 
 std::array<std::int8_t, 3> normal_bytes(glm::vec3 normal) noexcept {
-    const auto byte = [](float c) { return static_cast<std::int8_t>(std::lround(c * 127.0f)); };
+    const auto byte = [](float c) {
+        return static_cast<std::int8_t>(c * 127.0f + std::copysign(0.5f, c));
+    };
     return {byte(normal.x), byte(normal.y), byte(normal.z)};
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
 // Writes a mesh as GLB, the binary form of glTF 2, with the classes of its edges as the extension
-// EXT_mesh_primitive_edge_visibility (edge_visibility.h, gltf_edges.h). CesiumJS, Cesium for Unreal and iTwin.js draw
-// such edges.
+// EXT_mesh_primitive_edge_visibility (edge_visibility.h, gltf_edges.h). CesiumJS, Cesium for Unreal and iTwin.js
+// draw such edges.
 //
-// A primitive for each material, each with the faces of it in their order; faces without a material are one, too. All
-// share the welded vertices. A mesh whose up axis is z gets a node that turns it to glTF's, y. Each edge has its class
-// at one of its faces, the first as they are written, also if its other faces are in other primitives.
+// A primitive for each material, each with the faces of it in their order; faces without a material are one, too.
+// All share the welded vertices. A mesh whose up axis is z gets a node that turns it to glTF's, y. Each edge has
+// its class at one of its faces, the first as they are written, also if its other faces are in other primitives.
 //
-// Viewers decide on which silhouettes an edge is by two normals. As signed bytes they are wrong by up to half a degree
-// (docs/results/edges.md has what that does); as floats they are as our own.
+// Viewers decide on which silhouettes an edge is by two normals. As signed bytes they are wrong by up to half a
+// degree (docs/results/edges.md has what that does); as floats they are as our own.
 
 #include <array>
 #include <cstdint>
@@ -33,14 +33,14 @@ struct GlbOptions {
     SilhouetteNormals normals = SilhouetteNormals::bytes;
 };
 
-/// The bytes of the file. Base colors of materials are kept, colors of corners and textures are not. `mesh` must have
-/// faces. Throws Error{too_large} if the file would have 2^31 bytes or more. O(vertices + faces + edges); in memory the
-/// file and one byte for each edge.
+/// The bytes of the file. Base colors of materials are kept, colors of corners and textures are not. `mesh` must
+/// have faces. Throws Error{too_large} if the file would have 2^31 bytes or more. O(vertices + faces + edges); in
+/// memory the file and one byte for each edge.
 std::string glb_bytes(const Mesh& mesh, const GlbOptions& options);
 
-/// The outward unit normals of the two faces of an edge, that of `first`, one of its faces, before the other's, which
-/// is turned round if both faces traverse the edge in the same direction. A face that is missing or has no plane gets
-/// the opposite of the other's normal, so that viewers draw the edge.
+/// The outward unit normals of the two faces of an edge, that of `first`, one of its faces, before the other's,
+/// which is turned round if both faces traverse the edge in the same direction. A face that is missing or has no
+/// plane gets the opposite of the other's normal, so that viewers draw the edge.
 std::array<glm::vec3, 2> silhouette_normals(const Mesh& mesh, EdgeId edge, FaceId first) noexcept;
 
 /// A unit vector as three signed bytes, to be divided by 127: the nearest.

@@ -2,12 +2,12 @@
 
 // When the edges of a primitive of glTF are drawn: the extension EXT_mesh_primitive_edge_visibility.
 //
-// `visibility` has two bits for each edge of each triangle, in their order (MeshSource::edge_codes). `lineStrings` are
-// strips of edges that are always drawn and have no bits. For each silhouette edge, `silhouetteNormals` has the two
-// normals of its faces; the mesh has better ones, so only their number is checked.
+// `visibility` has two bits for each edge of each triangle, in their order (MeshSource::edge_codes). `lineStrings`
+// are strips of edges that are always drawn and have no bits. For each silhouette edge, `silhouetteNormals` has the
+// two normals of its faces; the mesh has better ones, so only their number is checked.
 //
-// After the README of the extension in KhronosGroup/glTF at commit fff86b4, but for its silhouetteMates, which later
-// became silhouetteNormals of floats or signed bytes (docs/results/edges.md).
+// After the README of the extension in KhronosGroup/glTF at commit fff86b4, but for its silhouetteMates, which
+// later became silhouetteNormals of floats or signed bytes (docs/results/edges.md).
 
 #include <array>
 #include <cstdint>
@@ -21,8 +21,8 @@
 
 namespace rimline {
 
-/// The codes of `triangles`, those of the primitive whose extension is scene.edges[edges], with `vertices` vertices.
-/// Calls fail(what), which must throw, where the extension is violated. Accessors throw Error{bad_input}.
+/// The codes of `triangles`, those of the primitive whose extension is scene.edges[edges], with `vertices`
+/// vertices. Calls fail(what), which must throw, where the extension is violated. Accessors throw Error{bad_input}.
 /// O(n log n) in the number of triangles, however long the lists of the file are.
 std::vector<std::uint8_t> read_gltf_edges(const GltfScene& scene, const GltfAccessors& accessors,
                                           std::uint32_t edges,

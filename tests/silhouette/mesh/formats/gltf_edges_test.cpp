@@ -13,8 +13,9 @@ std::uint8_t codes(unsigned first, unsigned second, unsigned third) {
     return std::uint8_t(first | second << 2 | third << 4);
 }
 
-// The square of the specification's examples as two triangles, 0 1 2 and 0 2 3, and what the extension needs: accessor
-// 0 has positions, 1 indices, 2 `visibility`, 3 normals, bytes and as many as are given, 4 `lines` as bytes.
+// The square of the specification's examples as two triangles, 0 1 2 and 0 2 3, and what the extension needs:
+// accessor 0 has positions, 1 indices, 2 `visibility`, 3 normals, bytes and as many as are given, 4 `lines` as
+// bytes.
 struct Square {
     std::string visibility = std::string("\x12\x02");
     std::uint32_t normals = 2;
