@@ -18,7 +18,7 @@ namespace rimline::tools {
 
 enum class StoredNormals : std::uint8_t {
     bytes,         ///< Three signed bytes, as the library writes them.
-    cesium_bytes,  ///< The same as CesiumJS 1.140 decodes them: (2b + 1) / 255.
+    cesium_bytes,  ///< The same as CesiumJS decodes them: (2b + 1) / 255.
     oct16,         ///< The octahedron in two bytes, as the first draft of the extension had them.
     floats
 };
@@ -37,8 +37,7 @@ struct MisjudgedEdges {
 /// Sums over all views.
 struct EdgeNormalsResult {
     std::uint64_t silhouette = 0;  ///< Edges on silhouettes, of the class silhouette.
-    std::uint64_t hidden =
-        0;  ///< Edges on silhouettes, of the class hidden: their faces are in one plane.
+    std::uint64_t hidden = 0;      ///< Edges on silhouettes, of the class hidden.
     std::array<MisjudgedEdges, k_stored_normals> misjudged{};
 };
 

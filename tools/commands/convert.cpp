@@ -42,7 +42,7 @@ public:
                    "that bend by 30 and stand out)")
             ->needs(edges);
         app.add_option("--normals", normals_,
-                       "Normals of silhouette edges: bytes, which all viewers read, or floats, "
+                       "Normals of silhouette edges: bytes, as CesiumJS needs them, or floats, "
                        "which are exact")
             ->check(CLI::IsMember({"bytes", "floats"}))
             ->capture_default_str();

@@ -154,7 +154,7 @@ private:
                           [&](const auto& run) {
                               for (std::size_t i = run.begin(); i < run.end(); ++i) write(i);
                           });
-        // Bytes are not marked as normalized: no published file does, and CesiumJS scales them itself.
+        // Bytes are not marked as normalized: CesiumJS scales them itself, and its sample does not either.
         return end_accessor(are_bytes ? k_byte : k_float, 2 * silhouettes.size(), "VEC3");
     }
 
