@@ -168,6 +168,10 @@ struct FrameData {
 #define RIMLINE_LINES_TESTED 3u     // All regular edges, tested by face planes.
 #define RIMLINE_LINES_IRREGULAR 4u  // All face pairs at irregular edges, likewise.
 
+// DrawConstants.choice of a draw of shapes: the instance has outlines, or it only hides those of others.
+#define RIMLINE_SHAPE_OUTLINED 0u
+#define RIMLINE_SHAPE_HIDING 2u
+
 // How far the ink of a line reaches beyond its width, in pixels of the pass: half a pixel's diagonal for the edge,
 // and an eighth for rounding.
 #define RIMLINE_INK_REACH 0.8321
@@ -198,6 +202,7 @@ struct InstanceData {
     // For lines in the colors of their materials, else 0: the ink of each material. Beside it only `face_materials`
     // is needed.
     RIMLINE_ADDRESS(MaterialList) material_inks;
+    RIMLINE_ADDRESS(CornerNormals) hull_normals;  // For outlines by back faces, else 0.
     // For surfaces with textures, else 0.
     RIMLINE_ADDRESS(FaceList) textured_faces;  // All faces, ordered by texture.
     RIMLINE_ADDRESS(CornerUvs) corner_uvs;
@@ -232,6 +237,14 @@ struct DrawConstants {
         material_ink;  // Of line passes: draws only lines of this ink (InstanceData.material_inks), or any.
 };
 
+// Push constants of the Sobel operator.
+struct SobelConstants {
+    int low_x, low_y, high_x, high_y;  // The pixels that are drawn.
+    int reach;                         // From a pixel to those that are compared.
+    float depth_step;                  // Outline (engine/renderer_options.h).
+    float normal_step;                 // Length of the difference of unit normals.
+};
+
 // Push constants of the passes of a visible ratio: one viewpoint of one mesh.
 struct RatioConstants {
     RIMLINE_ADDRESS(Positions) positions;
@@ -250,9 +263,9 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 27);
-static_assert(sizeof(InstanceData) == 17 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
+static_assert(sizeof(InstanceData) == 18 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
 static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
-static_assert(sizeof(DrawConstants) == 8);
+static_assert(sizeof(DrawConstants) == 8 && sizeof(SobelConstants) == 28);
 }  // namespace rimline::gpu
 #endif
 

@@ -84,7 +84,9 @@ private:
         for (const SceneInstance& instance : scene_.instances) {
             const std::size_t begin = all.size();
             segments_.push_back({begin * sizeof(gpu::LineSegment), {}});
-            if (!has_lines(scene_, instance) || !instance.picture_lines) continue;
+            if (!has_lines(scene_, instance) || !instance.picture_lines ||
+                parts_.outline != OutlineMethod::lines)
+                continue;
             const PictureLines& lines = *instance.picture_lines;
             const auto add_color = [&](std::uint32_t color) {
                 const std::size_t first = all.size();
@@ -146,11 +148,17 @@ private:
                                      frame_.deformed);
     }
 
-    // Returns the address of the silhouette's slots; 0 for a line path without slots, and for lines of the caller.
+    // Returns the address of the silhouette's slots; 0 for what has none: some line paths, lines of the caller,
+    // outlines of pixels.
     VkDeviceAddress add_lines(std::size_t i, DrawnInstance& drawn) {
         InstanceState& state = state_of(i);
         FrameReport& report = frame_.report;
         const SceneInstance& instance = scene_.instances[i];
+        if (parts_.outline != OutlineMethod::lines) {
+            // The color of the first one is that of all.
+            if (list_.inks.empty()) ink_index(list_.inks, line_color(scene_, instance));
+            return 0;
+        }
         if (instance.picture_lines) {
             add_segments(i, drawn);
             return 0;
@@ -220,6 +228,8 @@ private:
         if (state.deforming) {
             data.positions = state.deforming->mesh().positions();
             data.corner_normals = state.deforming->mesh().corner_normals();
+            // Those of the hull do not move: it is open at creases.
+            if (data.hull_normals != 0) data.hull_normals = data.corner_normals;
         }
         return parts_.draw_data.put(data);
     }

@@ -13,6 +13,7 @@
 #include "engine/frame/shadow_batches.h"
 #include "engine/line_path.h"
 #include "engine/passes/draw_list.h"
+#include "engine/renderer_options.h"
 #include "engine/vulkan/picture_target.h"
 
 namespace rimline {
@@ -24,6 +25,7 @@ struct DrawListParts {
     ShadowBatches& shadow_batches;
     const PictureTarget& target;
     LinePath line_path;  ///< As LinePass::path().
+    OutlineMethod outline;
     const RenderTargets& targets;
     bool limits_shadows;  ///< As RendererOptions::limits_shadows.
 };

@@ -30,6 +30,22 @@ DrawnArea drawn_area(const FrameView& view, const PictureTarget& target) {
     return {drawn_rect(view), *around};
 }
 
+// By so many pixels on each side.
+void widen(DrawnArea& area, std::int32_t pixels, VkExtent2D extent) {
+    const auto width = static_cast<std::int32_t>(extent.width);
+    const auto height = static_cast<std::int32_t>(extent.height);
+    const VkRect2D rect = area.rect;
+    const std::int32_t left = std::max(rect.offset.x - pixels, 0);
+    const std::int32_t top = std::max(rect.offset.y - pixels, 0);
+    const std::int32_t right =
+        std::min(rect.offset.x + static_cast<std::int32_t>(rect.extent.width) + pixels, width);
+    const std::int32_t bottom =
+        std::min(rect.offset.y + static_cast<std::int32_t>(rect.extent.height) + pixels, height);
+    area.rect = {
+        {left, top},
+        {static_cast<std::uint32_t>(right - left), static_cast<std::uint32_t>(bottom - top)}};
+}
+
 // The map from depths of a backdrop to those of the surfaces. Both are linear on the screen, so one is a linear
 // function of the other.
 BackdropMap backdrop_map(const FrameView& view, VkFormat format) {
@@ -67,12 +83,21 @@ FramePasses::FramePasses(const DeviceContext& context, const RendererOptions& op
     : context_(context),
       sampling_(sampling_of(context, options.samples, options.scale)),
       keeps_stencil_(options.keeps_stencil),
+      outline_(options.outline),
       surface_pass_(context, draw_data, surface_formats(sampling_.samples)),
       shadow_pass_(context, draw_data, surface_formats(sampling_.samples), options.shadow_sides),
       line_pass_(context, draw_data, k_surface_format, options.line_path),
       ink_pass_(context, k_surface_format),
       backdrop_pass_(context, surface_formats(sampling_.samples), options.frames_in_flight),
-      composite_pass_(context) {}
+      composite_pass_(context) {
+    if (outline_.method == OutlineMethod::sobel) {
+        shape_pass_.emplace(context, draw_data,
+                            AttachmentFormats{k_shape_format, k_depth_stencil_format, 1});
+        sobel_pass_.emplace(context, draw_data, k_surface_format);
+    }
+    if (outline_.method == OutlineMethod::backs)
+        back_pass_.emplace(context, draw_data, surface_formats(sampling_.samples));
+}
 
 std::uint32_t FramePasses::scale_for(const PictureTarget& target) const {
     return fitting_scale(context_, target.extent, target.backdrop ? 1 : sampling_.scale,
@@ -92,11 +117,12 @@ bool FramePasses::has_targets_for(const Scene& scene, const PictureTarget& targe
 
 void FramePasses::make_targets(const Scene& scene, const PictureTarget& target) {
     targets_.reset();  // Frees their memory before the new ones are made.
-    auto targets = std::make_unique<RenderTargets>(context_, target.extent,
-                                                   Sampling{sampling_.samples, scale_for(target)},
-                                                   keeps_stencil_, is_layer(scene, target));
+    auto targets = std::make_unique<RenderTargets>(
+        context_, target.extent, Sampling{sampling_.samples, scale_for(target)}, keeps_stencil_,
+        is_layer(scene, target), sobel_pass_.has_value());
     line_pass_.set_surface_depth(targets->depth());
     composite_pass_.set_surfaces(targets->surfaces());
+    if (sobel_pass_) sobel_pass_->set_shapes(targets->shapes());
     if (targets->has_coverage()) ink_pass_.set_coverage(targets->coverage());
     targets_ = std::move(targets);
 }
@@ -125,11 +151,13 @@ void FramePasses::record(Commands commands, Commands picture, const FrameView& v
                          const DrawList& list, const PictureTarget& target, std::uint32_t ring_slot,
                          PassClock& clock) const {
     Frame frame{view, list, target, drawn_area(view, target), ring_slot, clock};
+    if (back_pass_) widen(frame.area, back_pass_->reach_px(view.scene), target.extent);
     if (target.backdrop) {
         backdrop_pass_.set(ring_slot, *target.backdrop);
         frame.backdrop = backdrop_map(view, target.backdrop->format);
         RenderTargets::record_before_backdrop(commands, *target.backdrop);
     }
+    if (shape_pass_) record_shapes(commands, frame);
     targets_->record_before_surfaces(commands);
     record_surfaces(commands, frame);
     targets_->record_before_lines(commands);
@@ -143,6 +171,16 @@ void FramePasses::record(Commands commands, Commands picture, const FrameView& v
     record_picture(picture, frame);
     RenderTargets::record_after_picture(picture, target);
     clock.end_pass(picture, "picture");
+}
+
+void FramePasses::record_shapes(Commands commands, const Frame& frame) const {
+    const PassLabel label(commands, "shapes");
+    targets_->record_before_shapes(commands);
+    targets_->begin_shapes(commands, frame.area);
+    shape_pass_->record(commands, frame.list);
+    commands->CmdEndRendering(commands);
+    targets_->record_after_shapes(commands);
+    frame.clock.end_pass(commands, "shapes");
 }
 
 void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
@@ -162,6 +200,10 @@ void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
         frame.clock.end_pass(commands, "surfaces, unlit");
         for (std::size_t light = 0; light < list.light_count; ++light)
             record_light(commands, frame, light);
+    }
+    if (back_pass_) {
+        back_pass_->record(commands, list, is_layer(scene, frame.target));
+        frame.clock.end_pass(commands, "backs");
     }
     commands->CmdEndRendering(commands);
     if (sampling_.samples > 1) frame.clock.end_pass(commands, "resolve");
@@ -190,6 +232,7 @@ void FramePasses::record_lines(Commands commands, const Frame& frame) const {
     if (palette.grid_strength > 0.0f)
         ink_pass_.record_grid(commands, glm::vec4(palette.grid, palette.grid_strength),
                               targets_->size(), targets_->scale());
+    if (sobel_pass_) record_sobel(commands, frame);
     for (std::size_t ink = 0; ink < list.inks.size(); ++ink) {
         if (ink > 0) ink_pass_.record_ink(commands, list.inks[ink - 1]);
         line_pass_.record(commands, list, ink);
@@ -197,12 +240,20 @@ void FramePasses::record_lines(Commands commands, const Frame& frame) const {
     commands->CmdEndRendering(commands);
 }
 
+void FramePasses::record_sobel(Commands commands, const Frame& frame) const {
+    const VkRect2D drawn = targets_->in_pass(frame.area.rect);
+    sobel_pass_->record(commands, frame.list, outline_,
+                        frame.view.scene.line_width_px * float(targets_->scale()), drawn);
+}
+
 // The surfaces' alpha is opacity here, so the coverage of each color has its own scope.
 void FramePasses::record_layer_lines(Commands commands, const Frame& frame) const {
+    if (back_pass_) return;  // They are surfaces.
     const PassLabel label(commands, "lines");
     for (std::size_t ink = 0; ink < frame.list.inks.size(); ++ink) {
         targets_->record_before_coverage(commands);
         targets_->begin_coverage(commands, frame.area);
+        if (sobel_pass_) record_sobel(commands, frame);
         line_pass_.record(commands, frame.list, ink);
         commands->CmdEndRendering(commands);
         targets_->record_after_coverage(commands);

@@ -6,16 +6,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "engine/frame/frame_view.h"
 #include "engine/frame/pass_clock.h"
 #include "engine/frame/render_targets.h"
+#include "engine/passes/back_pass.h"
 #include "engine/passes/backdrop_pass.h"
 #include "engine/passes/composite_pass.h"
 #include "engine/passes/draw_list.h"
 #include "engine/passes/ink_pass.h"
 #include "engine/passes/line_pass.h"
 #include "engine/passes/shadow_volume_pass.h"
+#include "engine/passes/shape_pass.h"
+#include "engine/passes/sobel_pass.h"
 #include "engine/passes/surface_pass.h"
 #include "engine/renderer_options.h"
 #include "engine/sampling.h"
@@ -30,6 +34,7 @@ public:
                 VkDescriptorSetLayout draw_data);
 
     LinePath line_path() const noexcept { return line_pass_.path(); }
+    OutlineMethod outline() const noexcept { return outline_.method; }
 
     /// As Renderer::set_scale() and Renderer::targets().
     void set_scale(std::uint32_t scale) noexcept {
@@ -56,7 +61,7 @@ public:
     void record(Commands commands, Commands picture, const FrameView& view, const DrawList& list,
                 const PictureTarget& target, std::uint32_t ring_slot, PassClock& clock) const;
     static std::uint32_t max_passes(const Scene& scene) noexcept {
-        return 4 + 2 * static_cast<std::uint32_t>(scene.lights.size());
+        return 5 + 2 * static_cast<std::uint32_t>(scene.lights.size());
     }
 
 private:
@@ -73,7 +78,9 @@ private:
 
     std::uint32_t scale_for(const PictureTarget& target) const;
     CompositeKind composite_kind(const Scene& scene, const PictureTarget& target) const;
+    void record_shapes(Commands commands, const Frame& frame) const;
     void record_surfaces(Commands commands, const Frame& frame) const;
+    void record_sobel(Commands commands, const Frame& frame) const;
     void record_light(Commands commands, const Frame& frame, std::size_t light) const;
     void record_lines(Commands commands, const Frame& frame) const;
     void record_layer_lines(Commands commands, const Frame& frame) const;
@@ -82,12 +89,16 @@ private:
     DeviceContext context_;
     Sampling sampling_;
     bool keeps_stencil_;
+    Outline outline_;
     SurfacePass surface_pass_;
     ShadowVolumePass shadow_pass_;
     LinePass line_pass_;
     InkPass ink_pass_;
     BackdropPass backdrop_pass_;
     CompositePass composite_pass_;
+    std::optional<ShapePass> shape_pass_;  // Both only with OutlineMethod::sobel.
+    std::optional<SobelPass> sobel_pass_;
+    std::optional<BackPass> back_pass_;  // Only with OutlineMethod::backs.
     std::unique_ptr<RenderTargets> targets_;
 };
 

@@ -51,6 +51,7 @@ FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptio
       instances_(context, options.service ? *options.service : *own_service_,
                  {.crease_angle_rad = options.crease_angle_rad,
                   .line_path = passes_.line_path(),
+                  .outline = options.outline.method,
                   .ring_slots = options.frames_in_flight,
                   .stream_memory_bytes = options.stream_memory_bytes,
                   .tracker_memory_bytes = options.tracker_memory_bytes}) {
@@ -133,7 +134,7 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
         const DrawList list =
             build_draw_list(view, frame_data(view, *passes_.targets()), slot,
                             {instances_, draw_data_, shadow_batches_, target, passes_.line_path(),
-                             *passes_.targets(), limits_shadows_},
+                             passes_.outline(), *passes_.targets(), limits_shadows_},
                             recorded);
         clock_.start(commands, slot, FramePasses::max_passes(scene) + 1);
         record_silhouettes(commands, recorded);

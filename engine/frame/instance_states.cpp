@@ -66,7 +66,8 @@ const GpuMesh& InstanceStates::upload(const Mesh& mesh, Uploaded& uploaded) {
     if (!known) {
         UploadBatch batch(context_, uploads_);
         auto made =
-            std::make_unique<GpuMesh>(batch, mesh, options_.crease_angle_rad, options_.line_path);
+            std::make_unique<GpuMesh>(batch, mesh, options_.crease_angle_rad, options_.line_path,
+                                      options_.outline == OutlineMethod::backs);
         batch.send();
         known = std::move(made);
         ++uploaded.meshes;
@@ -135,7 +136,7 @@ void InstanceStates::prepare_silhouettes(const FrameView& view) {
         const SceneInstance& instance = view.scene.instances[i];
         const InstanceView& seen = view.instances[i];
         InstanceState& state = instances_[i];
-        if (seen.lines && draws_slots(options_.line_path)) {
+        if (seen.lines && follows_camera()) {
             if (state.deforming)
                 state.deforming->prepare_camera(uploads_);
             else
@@ -163,7 +164,7 @@ bool InstanceStates::is_prepared(const Scene& scene) const {
 bool InstanceStates::has_silhouettes(const FrameView& view) const {
     for (std::size_t i = 0; i < instances_.size(); ++i) {
         const InstanceState& state = instances_[i];
-        if (view.instances[i].lines && draws_slots(options_.line_path) &&
+        if (view.instances[i].lines && follows_camera() &&
             !(state.deforming ? state.deforming->has_camera() : state.camera != nullptr))
             return false;
         if (!casts_shadows(view.scene, view.scene.instances[i])) continue;

@@ -16,6 +16,7 @@
 #include "engine/frame/moved_caster.h"
 #include "engine/frame/near_count.h"
 #include "engine/line_path.h"
+#include "engine/renderer_options.h"
 #include "engine/scene.h"
 #include "engine/stream/deforming_instance.h"
 #include "engine/stream/gpu_mesh.h"
@@ -43,6 +44,7 @@ public:
     struct Options {
         float crease_angle_rad;
         LinePath line_path;
+        OutlineMethod outline;
         std::uint32_t ring_slots;
         std::uint64_t stream_memory_bytes;   ///< As in RendererOptions.
         std::uint64_t tracker_memory_bytes;  ///< As in RendererOptions.
@@ -98,6 +100,10 @@ private:
         std::unique_ptr<GpuSilhouette> gpu_silhouette;
     };
 
+    // Whether lines are drawn from silhouettes of the camera.
+    bool follows_camera() const noexcept {
+        return options_.outline == OutlineMethod::lines && draws_slots(options_.line_path);
+    }
     Retired& next_retired();
     void retire(std::unique_ptr<TrackedSilhouette>& silhouette);
     void retire(InstanceState& state);

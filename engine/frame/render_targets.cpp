@@ -112,7 +112,8 @@ std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::
 }
 
 RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
-                             const Sampling& sampling, bool keeps_stencil, bool is_layer)
+                             const Sampling& sampling, bool keeps_stencil, bool is_layer,
+                             bool has_shapes)
     : size_(size),
       scale_(sampling.scale),
       samples_(sampling.samples),
@@ -135,6 +136,13 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
     if (is_layer)
         coverage_ = Image(context, {k_surface_format, extent, k_drawn_and_read},
                           "the coverage of the picture's lines");
+    if (has_shapes) {
+        shapes_ =
+            Image(context, {k_shape_format, extent, k_drawn_and_read}, "the picture's shapes");
+        shapes_depth_ = Image(
+            context, {k_depth_stencil_format, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT},
+            "the depth of the picture's shapes");
+    }
     if (is_multisampled()) {
         // Resolved at the end of the pass, and never read: tiled GPUs need no memory for them.
         constexpr VkImageUsageFlags k_transient = VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
@@ -213,6 +221,33 @@ void RenderTargets::begin_coverage(Commands commands, const DrawnArea& area) con
     const VkRect2D drawn = in_pass(area.rect);
     begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_,
                     color_attachment(coverage_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
+}
+
+void RenderTargets::begin_shapes(Commands commands, const DrawnArea& area) const {
+    const VkRenderingAttachmentInfo depth{
+        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+        .imageView = shapes_depth_.attachment_view(),
+        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
+        .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+        .clearValue = {.depthStencil = {0.0f, 0}}};
+    const VkRect2D drawn = in_pass(area.rect);
+    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_,
+                    color_attachment(shapes_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR),
+                    &depth, &depth);
+}
+
+void RenderTargets::record_before_shapes(Commands commands) const {
+    record_barrier(commands, k_drawing_and_sampling, k_drawing,
+                   {{shapes_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL},
+                    {shapes_depth_, VK_IMAGE_LAYOUT_UNDEFINED,
+                     VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}});
+}
+
+void RenderTargets::record_after_shapes(Commands commands) const {
+    record_barrier(commands, k_drawing, k_sampling,
+                   {{shapes_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}});
 }
 
 void RenderTargets::record_before_coverage(Commands commands) const {

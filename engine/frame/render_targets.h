@@ -22,6 +22,8 @@
 namespace rimline {
 
 constexpr VkFormat k_surface_format = VK_FORMAT_R16G16B16A16_SFLOAT;
+/// Depth needs all bits of a float.
+constexpr VkFormat k_shape_format = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 /// The greatest scale from 1 to `wanted` whose images are within the device's limits and take at most half
 /// of its memory; 1 if none is.
@@ -40,7 +42,7 @@ class RenderTargets {
 public:
     /// `keeps_stencil`: as in RendererOptions. Throws Error{too_large} naming the limit.
     RenderTargets(const DeviceContext& context, VkExtent2D size, const Sampling& sampling,
-                  bool keeps_stencil, bool is_layer = false);
+                  bool keeps_stencil, bool is_layer = false, bool has_shapes = false);
 
     VkExtent2D size() const noexcept { return size_; }
     /// The size of the images that the surface and line passes draw into.
@@ -60,6 +62,9 @@ public:
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
     const Image& coverage() const noexcept { return coverage_; }
+    /// Normals and depth of what each pixel of the passes shows, one sample each (passes/shape_pass.h). Only with
+    /// `has_shapes`.
+    const Image& shapes() const noexcept { return shapes_; }
 
     /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area, to which a
     /// scissor limits all draws; the render area may be larger where something is cleared (clear_area.h). The
@@ -70,6 +75,8 @@ public:
     void begin_lines(Commands commands, const DrawnArea& area) const;
     /// For drawing coverage of lines into its own image, which is cleared.
     void begin_coverage(Commands commands, const DrawnArea& area) const;
+    /// For drawing shapes, which are cleared to zero: nothing.
+    void begin_shapes(Commands commands, const DrawnArea& area) const;
     /// Clears the target around the area, but for PictureUse::over; the caller must draw every pixel of the
     /// area.
     static void begin_picture(Commands commands, const PictureTarget& target,
@@ -82,6 +89,9 @@ public:
     /// Before and after coverage is drawn, to be read by the next scope of lines.
     void record_before_coverage(Commands commands) const;
     void record_after_coverage(Commands commands) const;
+    /// Before and after shapes are drawn, to be read by a later scope.
+    void record_before_shapes(Commands commands) const;
+    void record_after_shapes(Commands commands) const;
     void record_before_picture(Commands commands, const PictureTarget& target) const;
     /// Moves the target to its final layout. Later uses in that layout wait for it (layout_uses.h).
     static void record_after_picture(Commands commands, const PictureTarget& target);
@@ -101,6 +111,7 @@ private:
     float guard_;
     Image surfaces_, depth_;                            // One sample.
     Image coverage_;                                    // Likewise, and only for a layer.
+    Image shapes_, shapes_depth_;                       // Likewise, and only with shapes.
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
 };
 

@@ -194,6 +194,7 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .face_materials = faces ? faces->of_face() : 0,
             .corner_colors = colors ? colors->corner_colors() : 0,
             .material_inks = inks ? inks->ink_numbers() : 0,
+            .hull_normals = mesh.hull_normals(),
             .textured_faces = textures ? textures->faces() : 0,
             .corner_uvs = textures ? textures->corner_uvs() : 0,
             .eye_from_object = glm::mat3(view.eye_from_world * instance.rotation),

@@ -42,7 +42,8 @@ std::uint64_t GpuMaterials::size_bytes() const noexcept {
            (textures_ ? textures_->size_bytes() : 0);
 }
 
-GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, LinePath line_path)
+GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, LinePath line_path,
+                 bool has_hull)
     : vertex_count_(mesh.vertex_count()),
       face_count_(mesh.face_count()),
       border_count_(mesh.edges_of_class(EdgeClass::border).size()),
@@ -53,6 +54,11 @@ GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, L
       triangles_(batch.add(mesh.triangles(), "triangles")) {
     const std::vector<glm::vec3> normals = rimline::corner_normals(mesh, crease_angle_rad);
     corner_normals_ = batch.add(std::span<const glm::vec3>(normals), "normals");
+    if (has_hull) {
+        const std::vector<glm::vec3> smooth =
+            rimline::corner_normals(mesh, std::numbers::pi_v<float>);
+        hull_normals_ = batch.add(std::span<const glm::vec3>(smooth), "normals of the hull");
+    }
     const std::vector<gpu::EdgeRecord> edges = edge_records(mesh);
     edges_ = batch.add(std::span<const gpu::EdgeRecord>(edges), "edges");
     const std::vector<gpu::EdgeRecord> loose = loose_edge_records(mesh);
@@ -80,8 +86,8 @@ GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, L
 std::uint64_t GpuMesh::size_bytes() const noexcept {
     std::uint64_t size = comparator_ ? comparator_->size_bytes() : 0;
     if (materials_) size += materials_->size_bytes();
-    for (const Buffer* buffer : {&positions_, &triangles_, &corner_normals_, &edges_, &loose_edges_,
-                                 &creases_, &clear_creases_})
+    for (const Buffer* buffer : {&positions_, &triangles_, &corner_normals_, &hull_normals_,
+                                 &edges_, &loose_edges_, &creases_, &clear_creases_})
         size += buffer->size();
     return size;
 }

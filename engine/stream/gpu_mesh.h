@@ -45,10 +45,10 @@ private:
 class GpuMesh {
 public:
     /// Surfaces are shaded smooth across edges that bend by at most `crease_angle_rad`. Adds its data to
-    /// `batch`, with the data that only `line_path` needs. The caller sends the batch, and keeps this object
+    /// `batch`, with the data that only `line_path` needs, and hull_normals() if `has_hull`. The caller sends the batch, and keeps this object
     /// until the copies are done. `mesh` is not needed afterwards.
     GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad,
-            LinePath line_path = LinePath::geometry);
+            LinePath line_path = LinePath::geometry, bool has_hull = false);
 
     /// Bytes of buffers.
     std::uint64_t size_bytes() const noexcept;
@@ -71,6 +71,8 @@ public:
     VkBuffer indices() const noexcept { return triangles_.handle(); }
     std::uint32_t vertex_count() const noexcept { return vertex_count_; }
     VkDeviceAddress corner_normals() const noexcept { return corner_normals_.address(); }
+    /// The same, smooth across all edges: all corners of a vertex move alike. 0 if it has no hull.
+    VkDeviceAddress hull_normals() const noexcept { return hull_normals_.address(); }
     /// edge_records(), by edge number.
     VkDeviceAddress edges() const noexcept { return edges_.address(); }
     /// The records of borders among them.
@@ -95,7 +97,7 @@ private:
     glm::vec3 center_{};
     Buffer positions_;
     Buffer triangles_;
-    Buffer corner_normals_;
+    Buffer corner_normals_, hull_normals_;
     Buffer edges_;
     Buffer loose_edges_;
     Buffer creases_, clear_creases_;

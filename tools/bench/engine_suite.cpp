@@ -6,7 +6,9 @@
 #include "engine/tested_device.h"
 #include "tools/bench/engine.h"
 #include "tools/bench/engine_growth.h"
+#include "tools/bench/image_space.h"
 #include "tools/bench/machine.h"
+#include "tools/bench/piece_rays.h"
 #include "tools/bench/suite_models.h"
 #include "tools/bench/suites.h"
 #include "tools/options/model_argument.h"
@@ -157,17 +159,25 @@ public:
                      "Measure the stream, compute shaders and adjacency on shape:knot at growing "
                      "sizes, in place of the models")
             ->group("Kind");
-        CLI::Option* const viewpoints = add_count(app, "--viewpoints", options_.viewpoints, 1,
-                                                  1'000'000, "Viewpoints of the visible ratio");
+        app.add_flag(
+               "--image-space", image_space_,
+               "Set lines beside outlines that are found in pixels, by rays: missed and extra "
+               "pixels, times")
+            ->group("Kind");
+        viewpoints_option_ = add_count(app, "--viewpoints", options_.viewpoints, 1, 1'000'000,
+                                       "Viewpoints of the visible ratio");
+        views_option_ = add_count(app, "--views", image_space_options_.views, 1, 1000,
+                                  "Views in which --image-space counts pixels");
         CLI::Option* const frames = add_count(app, "--frames", options_.frames, 1, 1'000'000,
                                               "Steps of half a degree on an orbit at 2 radii");
-        CLI::Option* const rounds =
+        rounds_option_ =
             add_count(app, "--rounds", options_.rounds, 1, 1000, "Rounds of the visible ratio");
         min_option_ = add_count(app, "--least-faces", growth_options_.min_faces, 1, 1u << 28,
                                 "The least size of --growth");
         max_option_ = add_count(app, "--most-faces", growth_options_.max_faces, 1, 1u << 28,
                                 "The greatest size of --growth");
-        for (CLI::Option* option : {viewpoints, frames, rounds, min_option_, max_option_})
+        for (CLI::Option* option :
+             {viewpoints_option_, views_option_, frames, rounds_option_, min_option_, max_option_})
             option->group("Amount");
         add_device(app, device_, "gpu, cpu, an index, or a part of a name");
         app.footer(
@@ -178,8 +188,13 @@ public:
             "compared first. A ratio is the median of one way over the median of the first way.\n\n"
             "--check requires: igea streamed 1/4; closed meshes of 60,000 to 110,000 faces\n"
             "adjacency 1.8x, visible ratios on devices of the CPU type 1.4x.\n\n"
+            "--image-space counts the pixels that differ from visible silhouettes by more than "
+            "one pixel, or two\n"
+            "where they are extra; it takes ogre, stanford-bunny, fandisk and igea of the folders "
+            "in RIMLINE_MODELS.\n\n"
             "Examples:\n"
             "  rimline bench engine --check\n"
+            "  rimline bench engine --image-space ogre.obj\n"
             "  rimline bench engine shape:knot:70000 --frames 8\n"
             "  rimline bench engine --growth --most-faces 10000000 --device gpu");
     }
@@ -193,9 +208,19 @@ public:
         for (const CLI::Option* option : {check_option_, models_.subdivide_option()})
             if (growth_ && option->count() > 0)
                 throw UsageError(option->get_name() + ": not together with --growth");
+        if (growth_ && image_space_) throw UsageError("--growth: not together with --image-space");
+        if (!image_space_ && views_option_->count() > 0)
+            throw UsageError("--views: belongs to --image-space");
+        for (const CLI::Option* option : {check_option_, viewpoints_option_, rounds_option_})
+            if (image_space_ && option->count() > 0)
+                throw UsageError(option->get_name() + ": not together with --image-space");
+        if (image_space_ && !PieceRays::missing().empty())
+            throw Error(ErrorCode::no_device,
+                        "--image-space: " + std::string(PieceRays::missing()));
         const VulkanInstance instance;
         const TestedDevice device(instance, device_);
-        return growth_ ? run_growth(device, context) : run_models(device, context);
+        if (growth_) return run_growth(device, context);
+        return image_space_ ? run_image_space(device, context) : run_models(device, context);
     }
 
 private:
@@ -226,6 +251,34 @@ private:
             std::printf("compute shaders are faster at %u faces still\n", steps.back().faces);
         }
         return report_difference("shape:knot", steps.back().difference);
+    }
+
+    ExitStatus run_image_space(const Device& device, const Context& context) {
+        image_space_options_.frames = options_.frames;
+        std::vector<std::string> names = models_.named();
+        if (names.empty())
+            names = known_models({"ogre.obj", "stanford-bunny.obj", "fandisk.obj", "igea.ply"},
+                                 {"shape:knot:70000"});
+        Json models = Json::array();
+        for (const std::string& model : names) {
+            const Mesh mesh = load_mesh(model, models_.subdivide(), context);
+            check_has_extent(model, mesh);
+            if (!context.json && &model == &names.front()) print_machine(device);
+            const ImageSpaceResult result = about_model(model, [&] {
+                return bench_image_space(model, mesh, device, image_space_options_, context);
+            });
+            if (context.json)
+                models.push_back(to_json(result));
+            else
+                print_result(result);
+        }
+        if (context.json)
+            print_json({{"machine", to_json(this_machine())},
+                        {"device", device_json(device)},
+                        {"views", image_space_options_.views},
+                        {"frames", image_space_options_.frames},
+                        {"models", std::move(models)}});
+        return ExitStatus::success;
     }
 
     ExitStatus run_models(const Device& device, const Context& context) {
@@ -275,11 +328,13 @@ private:
     }
 
     SuiteModels models_;
-    bool check_ = false, growth_ = false;
+    bool check_ = false, growth_ = false, image_space_ = false;
     EngineBenchOptions options_;
     EngineGrowthOptions growth_options_;
+    ImageSpaceOptions image_space_options_;
     std::string device_;
     const CLI::Option* check_option_ = nullptr;
+    CLI::Option *viewpoints_option_ = nullptr, *views_option_ = nullptr, *rounds_option_ = nullptr;
     CLI::Option *min_option_ = nullptr, *max_option_ = nullptr;
 };
 

@@ -11,6 +11,7 @@
 #include "tools/options/drawing_device.h"
 #include "tools/options/model_list.h"
 #include "tools/options/model_octree.h"
+#include "tools/options/outline_options.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
@@ -50,6 +51,7 @@ public:
         options_.add_to(app);
         options_.add_palette_to(app);
         options_.add_still_lines_to(app);
+        outline_.add_to(app);
         picture_.add_camera_to(app);
         models_.add_to_camera(app);
         picture_.add_ground_up_to(app);
@@ -88,6 +90,7 @@ public:
         models_.settle(picture_, ModelList::FirstCamera::used);
         options_.has_painted_models = models_.has_paint();
         options_.check_usage(picture_);
+        outline_.check_usage(*app_);
         check_output(context, output_);
         check_outputs();
         OutputFile output(output_);  // Reports a bad path before the work.
@@ -110,13 +113,14 @@ public:
         }();
         times.end("choosing the light");
         std::optional<ShownLines> lines;
-        if (still.scene().lines) {
+        if (still.scene().lines && outline_.draws_lines()) {
             lines.emplace(prepare_lines(octree, context));
             Progress progress(context, "drawing lines");
             still.add_lines(*lines, progress.call());
         }
         times.end("lines");
-        Renderer renderer(device.context(), {.pass_times = pass_times_});
+        Renderer renderer(device.context(),
+                          {.pass_times = pass_times_, .outline = outline_.outline()});
         Picture picture = [&] {
             const Progress progress(context, "drawing the picture");
             return renderer.render(still.scene(), picture_.size.width, picture_.size.height);
@@ -233,8 +237,9 @@ private:
     void print_summary(const DrawingDevice& device, const FrameReport& report, const Scene& scene,
                        const glm::dvec3& ground_up, const RunTimes& times) const {
         std::printf("%s\n", output_.c_str());
-        std::printf("  lines       %u silhouette and border edges, %u creases\n", report.silhouette,
-                    report.creases);
+        if (outline_.draws_lines())
+            std::printf("  lines       %u silhouette and border edges, %u creases\n",
+                        report.silhouette, report.creases);
         std::printf("  shadows     %u edges extruded\n", report.shadow_edges);
         std::printf("  streamed    %llu bytes\n",
                     static_cast<unsigned long long>(report.bytes_streamed));
@@ -264,6 +269,7 @@ private:
     PictureOptions picture_;
     std::string output_ = k_default_output, scene_output_;
     SceneOptions options_;
+    OutlineOptions outline_;
     bool pass_times_ = false;
     const CLI::App* app_ = nullptr;
 };

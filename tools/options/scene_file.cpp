@@ -39,7 +39,7 @@ struct PictureKey {
     Kind kind;
 };
 // Each is the name of an option.
-constexpr std::array<PictureKey, 15> k_picture_keys{{{"style", Kind::text},
+constexpr std::array<PictureKey, 18> k_picture_keys{{{"style", Kind::text},
                                                      {"palette", Kind::text},
                                                      {"color", Kind::text},
                                                      {"materials", Kind::on_or_off},
@@ -52,6 +52,9 @@ constexpr std::array<PictureKey, 15> k_picture_keys{{{"style", Kind::text},
                                                      {"ground", Kind::flag},
                                                      {"intersections", Kind::on_or_off},
                                                      {"min-length", Kind::number},
+                                                     {"outline", Kind::text},
+                                                     {"depth-step", Kind::number},
+                                                     {"normal-step", Kind::number},
                                                      {"background", Kind::text},
                                                      {"size", Kind::text}}};
 
