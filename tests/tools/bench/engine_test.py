@@ -29,3 +29,33 @@ def test_bench_engine_compares_and_then_measures():
     assert "no size from 5 to 6 faces" in fail(
         1, "bench", "engine", "--growth", "--least-faces", "5", "--most-faces", "6")
     assert run("bench", "engine", "no such file.ply").stdout == ""
+
+
+def test_bench_engine_sets_lines_beside_outlines_of_pixels():
+    have_device()
+    few = ("--views", "2", "--frames", "2")
+    result = succeed("bench", "engine", "--image-space", "shape:scene", *few)
+    assert result["views"] == 2
+    [model] = result["models"]
+    ways = {way["name"]: way["pixels"] for way in model["ways"]}
+    assert list(ways) == ["lines by slots", "Sobel, depth and normals", "Sobel, depth alone", "thickened backs",
+                          "lines of exact visibility"]
+    assert len({pixels["true"] for pixels in ways.values()}) == 1
+    # The scene is of boxes: normals find their creases, and depth alone none of them.
+    assert ways["Sobel, depth and normals"]["creases"] > 10 * max(1, ways["Sobel, depth alone"]["creases"])
+    missed = {name: pixels["missed"] / pixels["true"] for name, pixels in ways.items()}
+    assert missed["lines by slots"] < 0.01 and missed["lines of exact visibility"] < 0.01, missed
+    assert missed["Sobel, depth and normals"] < missed["Sobel, depth alone"], missed
+    for way in model["ways"]:
+        assert way["frame_ms"] > 0 and 0 < way["cpu_ms"] < way["frame_ms"], way
+    # A higher threshold never finds more.
+    at = {(s["depth_step"], s["normal_step_degrees"]): s["pixels"]["marked"] for s in model["sobel"]}
+    assert len(at) == 25
+    depths, normals = (sorted({key[k] for key in at}) for k in (0, 1))
+    for d in range(4):
+        for n in range(4):
+            assert at[depths[d], normals[n]] >= at[depths[d + 1], normals[n]]
+            assert at[depths[d], normals[n]] >= at[depths[d], normals[n + 1]]
+    assert "--views: belongs to --image-space" in fail(2, "bench", "engine", "--views", "3")
+    for options in (["--growth"], ["--check"], ["--rounds", "2"], ["--viewpoints", "2"]):
+        assert "not together with" in fail(2, "bench", "engine", "--image-space", *options)

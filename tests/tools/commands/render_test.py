@@ -306,6 +306,45 @@ def test_render_chooses_lines_by_style_and_option():
             fail(2, "render", "shape:box:12", "-o", output, *options)
 
 
+def test_render_draws_outlines_of_pixels_for_comparison():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+
+        def ink(*options):
+            """The number of pixels in the color of lines."""
+            said = succeed("render", "shape:box:12", "-o", output, "--size", "128x96", "--eye", "4,3,5", "--shadows", "off",
+                           "--line-color", "#f0f", "--validate", *options)
+            assert said["validation_messages"] == 0
+            return sum(tuple(pixel[:3]) == (255, 0, 255) for row in png_rows(output) for pixel in row)
+
+        lines, sobel, backs = (ink("--outline", name) for name in ("lines", "sobel", "backs"))
+        assert 0 < backs < sobel and lines > 0, (lines, sobel, backs)  # Backs have no inner edges.
+        outer = ink("--outline", "sobel", "--normal-step", "100")
+        assert 0 < outer < 0.9 * sobel, (outer, sobel)
+        assert ink("--outline", "sobel", "--normal-step", "180", "--depth-step", "1") <= outer
+        assert ink("--outline", "backs", "--lines", "off") == 0
+        assert ink("--outline", "sobel", "--lines", "off") == 0
+        assert ink("--outline", "sobel", "--line-width", "8") > 2 * sobel
+        for style in ("toon", "blueprint", "hatch"):
+            assert ink("--outline", "sobel", "--style", style) > 0
+        assert ink("--outline", "backs", "--background", "none", "--ground") > 0
+        os.remove(output)
+        for options, words in ((["--outline", "pixels"], "--outline"),
+                               (["--outline", "sobel", "--depth-step=-0.1"], "--depth-step"),
+                               (["--outline", "sobel", "--depth-step", "nan"], "--depth-step"),
+                               (["--outline", "sobel", "--normal-step", "181"], "--normal-step"),
+                               (["--depth-step", "0.1"], "--depth-step: belongs to --outline sobel"),
+                               (["--outline", "backs", "--normal-step", "9"], "--normal-step: belongs to --outline sobel"),
+                               (["--outline", "sobel", "--hidden"], "--hidden: belongs to --outline lines"),
+                               (["--outline", "backs", "--crease", "40"], "--crease: belongs to --outline lines"),
+                               (["--outline", "backs", "--intersections", "on"], "--intersections: belongs to"),
+                               (["--outline", "backs", "--min-length", "4"], "--min-length: belongs to"),
+                               (["--outline", "sobel", "--line-color", "material"], "belongs to --outline lines")):
+            assert words in fail(2, "render", "shape:box:12", "-o", output, *options), options
+        assert not os.path.exists(output)
+
+
 def write_colored_cube(folder, library):
     """A cube whose front is red, back green and other sides blue, in folder/cube.obj."""
     path = os.path.join(folder, "cube.obj")

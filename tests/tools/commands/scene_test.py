@@ -149,6 +149,7 @@ def test_a_saved_scene_draws_the_same_picture_in_every_style():
         models = (BOX, "--paint", "#c04020", "shape:knot:2000", "--at=-2.5,0.1,0.3", "--turn", "1,2,3,30", "--up", "z")
         cases = ([], ["--style", "toon", "--ground", "--sun", "auto"], ["--style", "hatch", "--light", "3,4.1,5"],
                  ["--style", "blueprint", "--hidden", "--palette", "sepia"],
+                 ["--outline", "sobel", "--depth-step", "0.01", "--normal-step", "55.5"], ["--outline", "backs"],
                  ["--style", "mask", "--lines", "on"], ["--background", "none", "--ground"], ["--eye", "top", "--ground"],
                  ["--ortho", "8.3", "--crease", "40.5", "--line-width", "3.3", "--line-color", "navy", "--materials", "off",
                   "--intersections", "off", "--min-length", "2.5", "--shadows", "fail", "--color", "#abc"])
