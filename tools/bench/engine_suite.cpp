@@ -205,7 +205,8 @@ public:
         for (const CLI::Option* option : {min_option_, max_option_})
             if (!growth_ && option->count() > 0)
                 throw UsageError(option->get_name() + ": belongs to --growth");
-        for (const CLI::Option* option : {check_option_, models_.subdivide_option()})
+        for (const CLI::Option* option :
+             std::initializer_list<const CLI::Option*>{check_option_, models_.subdivide_option()})
             if (growth_ && option->count() > 0)
                 throw UsageError(option->get_name() + ": not together with --growth");
         if (growth_ && image_space_) throw UsageError("--growth: not together with --image-space");
@@ -333,9 +334,8 @@ private:
     EngineGrowthOptions growth_options_;
     ImageSpaceOptions image_space_options_;
     std::string device_;
-    const CLI::Option* check_option_ = nullptr;
-    CLI::Option *viewpoints_option_ = nullptr, *views_option_ = nullptr, *rounds_option_ = nullptr;
-    CLI::Option *min_option_ = nullptr, *max_option_ = nullptr;
+    CLI::Option *check_option_ = nullptr, *viewpoints_option_ = nullptr, *views_option_ = nullptr,
+                *rounds_option_ = nullptr, *min_option_ = nullptr, *max_option_ = nullptr;
 };
 
 }  // namespace

@@ -29,8 +29,8 @@ constexpr ImageSize k_mask_size{1024, 1024};
 constexpr double k_view_radii = 3.0;
 constexpr std::uint32_t k_untimed_frames = 2;
 constexpr double k_turn_rad = 0.5 * std::numbers::pi / 180.0;
-constexpr std::array k_depth_steps{0.001f, 0.002f, 0.004f, 0.008f, 0.016f};
-constexpr std::array k_normal_steps_deg{20.0f, 30.0f, 40.0f, 60.0f, 180.0f};
+constexpr std::array k_depth_steps{0.001f, 0.004f, 0.016f};
+constexpr std::array k_normal_steps_deg{20.0f, 40.0f, 60.0f, 180.0f};
 
 struct Technique {
     const char* name;

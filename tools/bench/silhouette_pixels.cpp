@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "silhouette/lines/line_view.h"
 #include "silhouette/mesh/brute_force.h"
@@ -105,19 +106,24 @@ PixelMask PixelMask::widened(int reach) const {
     return wide;
 }
 
+TruePixels::TruePixels(PixelMask of_silhouettes, PixelMask of_borders, PixelMask of_creases)
+    : silhouettes(std::move(of_silhouettes)),
+      borders(std::move(of_borders)),
+      creases(std::move(of_creases)),
+      near_silhouettes(silhouettes.widened(k_compared_width_px)),
+      near_borders(borders.widened(k_compared_width_px)),
+      near_creases(creases.widened(k_compared_width_px)) {}
+
 TruePixels find_true_pixels(const Mesh& mesh, const PieceRays& rays, const Camera& camera,
                             std::uint32_t width, std::uint32_t height) {
     TruePixelFinder finder(mesh, rays, camera, width, height);
-    const PixelMask none(width, height);
-    TruePixels truth{none, none, none};
+    PixelMask silhouettes(width, height), sharp(width, height), open(width, height);
     for (const EdgeId edge : brute_force_silhouette(mesh, finder.point()))
-        finder.mark(edge, truth.silhouettes);
+        finder.mark(edge, silhouettes);
     const auto borders = mesh.edges_of_class(EdgeClass::border);
-    for (std::uint32_t i = 0; i < borders.size(); ++i)
-        finder.mark(EdgeId{borders.first + i}, truth.borders);
-    for (const Crease& crease : find_creases(mesh, k_crease_rad))
-        finder.mark(crease.edge, truth.creases);
-    return truth;
+    for (std::uint32_t i = 0; i < borders.size(); ++i) finder.mark(EdgeId{borders.first + i}, open);
+    for (const Crease& crease : find_creases(mesh, k_crease_rad)) finder.mark(crease.edge, sharp);
+    return {std::move(silhouettes), std::move(open), std::move(sharp)};
 }
 
 OutlineHits& OutlineHits::operator+=(const OutlineHits& other) noexcept {
@@ -132,19 +138,16 @@ OutlineHits& OutlineHits::operator+=(const OutlineHits& other) noexcept {
 
 OutlineHits count_hits(const TruePixels& truth, const PixelMask& marked) {
     const PixelMask found = marked.widened(1);
-    const PixelMask at_silhouettes = truth.silhouettes.widened(k_compared_width_px);
-    const PixelMask at_borders = truth.borders.widened(k_compared_width_px);
-    const PixelMask at_creases = truth.creases.widened(k_compared_width_px);
     OutlineHits hits;
     for (std::size_t i = 0; i < marked.at.size(); ++i) {
         hits.truth += truth.silhouettes.at[i];
         hits.missed += truth.silhouettes.at[i] & (found.at[i] ^ 1u);
         if (marked.at[i] == 0) continue;
         ++hits.marked;
-        if (at_silhouettes.at[i] != 0) continue;
-        if (at_borders.at[i] != 0)
+        if (truth.near_silhouettes.at[i] != 0) continue;
+        if (truth.near_borders.at[i] != 0)
             ++hits.borders;
-        else if (at_creases.at[i] != 0)
+        else if (truth.near_creases.at[i] != 0)
             ++hits.creases;
         else
             ++hits.extra;

@@ -36,8 +36,12 @@ struct PixelMask {
     PixelMask widened(int reach) const;
 };
 
+/// Pixels of visible edges.
 struct TruePixels {
-    PixelMask silhouettes, borders, creases;  ///< Visible ones.
+    PixelMask silhouettes, borders, creases;
+    PixelMask near_silhouettes, near_borders, near_creases;  ///< Widened by the compared width.
+
+    TruePixels(PixelMask of_silhouettes, PixelMask of_borders, PixelMask of_creases);
 };
 
 /// The camera is a perspective one, outside of the mesh, of which `rays` are. O(edges + places).
