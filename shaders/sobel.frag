@@ -14,7 +14,8 @@ layout(set = 1, binding = 0) uniform sampler2D shapes;
 
 layout(location = 0) out vec4 coverage;
 
-// The steepest slope that is taken from a normal, a tangent of 87 degrees: that of a grazing one would hide all steps.
+// The steepest slope that is taken from a normal, a tangent of 87 degrees: that of a grazing one would hide all
+// steps.
 const float k_max_slope = 20.0;
 
 bool is_shape(vec4 shape) { return dot(shape.xyz, shape.xyz) > 0.25; }

@@ -1,9 +1,9 @@
 #pragma once
 
-// Outlines as back faces that stick out behind the surfaces (Raskar and Cohen, Image Precision Silhouette Edges, 1999),
-// of one width in pixels. As programs do today, back faces are not widened one by one, but all corners of a vertex move
-// along its normal: the hull has no gaps where the mesh has none. It needs closed meshes: of an open one, backs that
-// are seen from inside are covered in part. A comparator (Outline).
+// Outlines as back faces that stick out behind the surfaces (Raskar and Cohen, Image Precision Silhouette Edges,
+// 1999), of one width in pixels. As programs do today, back faces are not widened one by one, but all corners of a
+// vertex move along its normal: the hull has no gaps where the mesh has none. It needs closed meshes: of an open
+// one, backs that are seen from inside are covered in part. A comparator (Outline).
 
 #include <cstdint>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // What each pixel shows, as normals and depth: the G-buffer of Saito and Takahashi (Comprehensible Rendering of 3-D
-// Shapes, 1990), for sobel_pass.h. Of programs that shade from such images it is the price of nothing; here it is one
-// more draw of all surfaces. One sample a pixel, in its middle, whatever the samples of the surfaces.
+// Shapes, 1990), for sobel_pass.h. Programs that shade from such images have them anyway; here it is one more draw
+// of all surfaces. One sample a pixel, in its middle, whatever the samples of the surfaces.
 
 #include "engine/passes/draw_list.h"
 #include "engine/vulkan/functions.h"

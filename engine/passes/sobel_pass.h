@@ -1,9 +1,9 @@
 #pragma once
 
 // Outlines as steps of depth and of normals between pixels, by the Sobel operator: depth as Saito and Takahashi
-// (Comprehensible Rendering of 3-D Shapes, 1990), normals as Decaudin (Cartoon-Looking Rendering of 3D-Scenes, 1996).
-// It finds creases, borders and self-intersections with silhouettes, and cannot tell them apart. It misses silhouettes
-// before a surface that is near and turned alike. A comparator (Outline).
+// (Comprehensible Rendering of 3-D Shapes, 1990), normals as Decaudin (Cartoon-Looking Rendering of 3D-Scenes,
+// 1996). It finds creases, borders and self-intersections with silhouettes, and cannot tell them apart. It misses
+// silhouettes before a surface that is near and turned alike. A comparator (Outline).
 
 #include "engine/passes/draw_list.h"
 #include "engine/renderer_options.h"

@@ -45,8 +45,8 @@ private:
 class GpuMesh {
 public:
     /// Surfaces are shaded smooth across edges that bend by at most `crease_angle_rad`. Adds its data to
-    /// `batch`, with the data that only `line_path` needs, and hull_normals() if `has_hull`. The caller sends the batch, and keeps this object
-    /// until the copies are done. `mesh` is not needed afterwards.
+    /// `batch`, with the data that only `line_path` needs, and hull_normals() if `has_hull`. The caller sends the
+    /// batch, and keeps this object until the copies are done. `mesh` is not needed afterwards.
     GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad,
             LinePath line_path = LinePath::geometry, bool has_hull = false);
 

@@ -1,5 +1,5 @@
-// Outlines of pixels (Outline, renderer_options.h), on pictures whose outlines have a closed form. Models are white on
-// white and without light, so that a picture is the mask of its outlines.
+// Outlines of pixels (Outline, renderer_options.h), on pictures whose outlines have a closed form. Models are
+// white on white and without light, so that a picture is the mask of its outlines.
 
 #include <doctest/doctest.h>
 

@@ -1,14 +1,15 @@
 #pragma once
 
-// `rimline bench engine --image-space`: lines by slots beside the techniques of programs that have no edges (Outline,
-// engine/renderer_options.h), and beside lines of exact visibility, which the CPU draws.
+// `rimline bench engine --image-space`: lines by slots beside the techniques of programs that have no edges
+// (Outline, engine/renderer_options.h), and beside lines of exact visibility, which the CPU draws.
 //
-// Masks: all draw black lines, two pixels wide, on a white model without light, one sample a pixel. A pixel that is at
-// least half covered is marked. The pixels are compared with rays (silhouette_pixels.h), over views spread evenly
-// around the model. The Sobel operator has two thresholds: its masks are counted at many pairs of them, too.
+// Masks: all draw black lines, two pixels wide, on a white model without light, one sample a pixel. A pixel that
+// is at least half covered is marked. The pixels are compared with rays (silhouette_pixels.h), over views spread
+// evenly around the model. The Sobel operator has two thresholds: its masks are counted at many pairs of them,
+// too.
 //
-// Times: frames of an orbit of half a degree at two radii, 1024 x 1024, without light and shadows; the ways alternate
-// frame by frame. The time by the clock is from moving the trackers to the picture in memory.
+// Times: frames of an orbit of half a degree at two radii, 1024 x 1024, without light and shadows; the ways
+// alternate frame by frame. The time by the clock is from moving the trackers to the picture in memory.
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -51,8 +52,8 @@ struct ImageSpaceResult {
     std::vector<SobelHits> sobel;
 };
 
-/// Only where no rays are missing (PieceRays::missing()). The mesh must have an extent. Throws the errors of devices
-/// and renderers.
+/// Only where no rays are missing (PieceRays::missing()). The mesh must have an extent. Throws the errors of
+/// devices and renderers.
 ImageSpaceResult bench_image_space(const std::string& model, const Mesh& mesh, const Device& device,
                                    const ImageSpaceOptions& options, const Context& context);
 

@@ -2,12 +2,12 @@
 
 // Which pixels of a picture silhouettes pass through, by rays, and how well marked pixels agree with them.
 //
-// Edges are taken in places a quarter of a pixel apart. From each place one ray goes to the eye, past the faces of the
-// edge itself (RayWay::own_faces). The pixel that contains a visible place is a true one.
+// Edges are taken in places a quarter of a pixel apart. From each place one ray goes to the eye, past the faces
+// of the edge itself (RayWay::own_faces). The pixel that contains a visible place is a true one.
 //
 //     found    a true pixel with a marked one among the nine around it: within one pixel
 //     missed   a true pixel that is not found
-//     extra    a marked pixel with no true one within two pixels, which is the width of the lines that are compared:
+//     extra    a marked pixel with no true one within two pixels, the width of the lines that are compared:
 //              some draw it on one side of the edge. Of these, pixels within two pixels of a visible border or
 //              crease count apart, because a technique may draw them on purpose.
 

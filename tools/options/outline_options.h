@@ -13,8 +13,8 @@ namespace rimline::tools {
 class OutlineOptions {
 public:
     void add_to(CLI::App& app);
-    /// Throws UsageError for an option of another way to outlines than the one chosen. `app` has the options of lines
-    /// too.
+    /// Throws UsageError for an option of another way to outlines than the one chosen. `app` has the options of
+    /// lines too.
     void check_usage(const CLI::App& app) const;
 
     bool draws_lines() const { return method_ == "lines"; }
