@@ -6,14 +6,16 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <system_error>
-
-#include "silhouette/error.h"
+#include <thread>
 
 namespace rimline::tools {
 
 namespace {
+
+constexpr std::chrono::milliseconds k_lock_poll{50};
 
 [[noreturn]] void fail_manifest(const std::filesystem::path& path, const char* what) {
     throw Error(ErrorCode::io,
@@ -22,17 +24,12 @@ namespace {
 
 }  // namespace
 
-BatchManifest::BatchManifest(const std::filesystem::path& path) : path_(path) {
+BatchManifest::BatchManifest(const std::filesystem::path& path, const LongCall* wait)
+    : path_(path) {
     descriptor_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail_manifest(path, "write");
     try {
-        if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-            if (errno == EWOULDBLOCK)
-                throw Error(ErrorCode::io, path.string() +
-                                               ": another batch writes it: wait, or take another "
-                                               "--output or --shard");
-            fail_manifest(path, "lock");
-        }
+        lock(wait);
         std::string text;
         std::array<char, 1 << 16> buffer;
         for (;;) {
@@ -57,6 +54,18 @@ BatchManifest::BatchManifest(const std::filesystem::path& path) : path_(path) {
 
 BatchManifest::~BatchManifest() { close(descriptor_); }
 
+void BatchManifest::lock(const LongCall* wait) const {
+    while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+        if (errno != EWOULDBLOCK) fail_manifest(path_, "lock");
+        if (wait == nullptr)
+            throw Error(ErrorCode::io, path_.string() +
+                                           ": another batch writes it: use --wait, or another "
+                                           "--output or --shard");
+        wait->checkpoint(0.0);
+        std::this_thread::sleep_for(k_lock_poll);
+    }
+}
+
 void BatchManifest::read(const std::string& text) {
     std::size_t number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -65,29 +74,45 @@ void BatchManifest::read(const std::string& text) {
             text.begin() + static_cast<std::ptrdiff_t>(begin),
             text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
         ++number;
-        begin = end + 1;
         try {
-            take(line);
+            take(line, end - begin);
         } catch (const nlohmann::json::exception&) {
             throw Error(ErrorCode::bad_input, path_.string() + ":" + std::to_string(number) +
                                                   ": no entry of a batch: take another --output");
         }
+        begin = end + 1;
     }
 }
 
-void BatchManifest::take(const nlohmann::ordered_json& line) {
+void BatchManifest::take(const nlohmann::ordered_json& line, std::uint64_t size) {
     BatchEntry entry{.digest = line.at("digest"),
                      .command = line.at("command"),
                      .status = line.at("status"),
                      .error = line.at("error").is_null() ? "" : line.at("error").get<std::string>(),
                      .outputs = line.at("outputs"),
-                     .ms = line.at("ms")};
+                     .ms = line.at("ms"),
+                     .begin = size_,
+                     .size = size};
     entries_.insert_or_assign(line.at("input"), std::move(entry));
+    size_ += size + 1;
 }
 
 const BatchEntry* BatchManifest::find(const std::string& input) const {
     const auto found = entries_.find(input);
     return found == entries_.end() ? nullptr : &found->second;
+}
+
+std::string BatchManifest::line(const BatchEntry& entry) const {
+    std::string text(entry.size, '\0');
+    for (std::size_t known = 0; known < text.size();) {
+        const ssize_t size = pread(descriptor_, text.data() + known, text.size() - known,
+                                   static_cast<off_t>(entry.begin + known));
+        if (size < 0 && errno == EINTR) continue;
+        if (size < 0) fail_manifest(path_, "read");
+        if (size == 0) throw Error(ErrorCode::io, path_.string() + ": another program cut it");
+        known += static_cast<std::size_t>(size);
+    }
+    return text;
 }
 
 void BatchManifest::append(const nlohmann::ordered_json& entry) {
@@ -99,7 +124,7 @@ void BatchManifest::append(const nlohmann::ordered_json& entry) {
         if (size < 0) fail_manifest(path_, "write");
         written += static_cast<std::size_t>(size);
     }
-    take(entry);
+    take(entry, line.size() - 1);
 }
 
 }  // namespace rimline::tools

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 
 #include "silhouette/error.h"
@@ -25,9 +25,56 @@ namespace {
 // Between SIGTERM, after which a process removes its temporary files, and SIGKILL.
 constexpr std::chrono::seconds k_term_grace{2};
 
+bool is_value_of(std::string_view setting, std::string_view variable) {
+    return setting.starts_with(variable) && setting.substr(variable.size()).starts_with('=');
+}
+
 std::string last_line(std::string text) {
     while (text.ends_with('\n')) text.pop_back();
     return text.substr(text.rfind('\n') + 1);  // npos + 1 is 0.
+}
+
+// Between vfork() and exec(): what a system call does not change is the parent's. Returns the error.
+int become_process(char* const* words, char* const* environment, int output, int error,
+                   const BatchLimits& limits) {
+    setpgid(0, 0);  // Ctrl-C reaches the batch alone, which ends its processes.
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    for (int signal = 1; signal < NSIG; ++signal) sigaction(signal, &usual, nullptr);
+    const int input = open("/dev/null", O_RDONLY);
+    if (input < 0 || dup2(input, 0) < 0 || dup2(output, 1) < 0 || dup2(error, 2) < 0) return errno;
+    if (input > 2) close(input);
+    if (limits.memory_bytes) {
+        const rlimit limit{*limits.memory_bytes, *limits.memory_bytes};
+        if (setrlimit(RLIMIT_AS, &limit) != 0) return errno;
+    }
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    execve("/proc/self/exe", words, environment);
+    return errno;
+}
+
+// Returns 0 or the error. Not inlined: vfork() returns twice, and the caller's variables stay out of it.
+[[gnu::noinline]] int start_process(pid_t& id, char* const* words, char* const* environment,
+                                    int output, int error, const BatchLimits& limits) {
+    // The child has the parent's memory until exec(): no handler of the parent may run in it.
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    volatile int number = 0;
+    id = vfork();
+    if (id == 0) {
+        number = become_process(words, environment, output, error, limits);
+        _exit(127);
+    }
+    if (id < 0) {
+        number = errno;
+    } else if (number != 0) {
+        waitpid(id, nullptr, 0);
+    }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    return number;
 }
 
 }  // namespace
@@ -50,38 +97,17 @@ BatchProcess::BatchProcess(const std::vector<std::string>& arguments, const Batc
     const std::string parent = k_parent_variable + ("=" + std::to_string(getpid()));
     std::vector<char*> environment;
     for (char** variable = environ; *variable != nullptr; ++variable)
-        if (std::strncmp(*variable, "LP_NUM_THREADS=", 15) != 0) environment.push_back(*variable);
+        if (!is_value_of(*variable, "LP_NUM_THREADS") && !is_value_of(*variable, k_parent_variable))
+            environment.push_back(*variable);
     for (const std::string* variable : {&threads, &parent})
         environment.push_back(const_cast<char*>(variable->c_str()));
     environment.push_back(nullptr);
 
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, fileno(output_.get()), 1);
-    posix_spawn_file_actions_adddup2(&actions, fileno(error_.get()), 2);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    // A group of its own: Ctrl-C reaches the batch alone, which ends its processes.
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(
-        &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-    const int number = posix_spawn(&id_, "/proc/self/exe", &actions, &attributes, words.data(),
-                                   environment.data());
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
+    const int number = start_process(id_, words.data(), environment.data(), fileno(output_.get()),
+                                     fileno(error_.get()), limits);
     if (number != 0) {
         id_ = -1;
         fail(number);
-    }
-    if (limits.memory_bytes) {
-        const rlimit limit{*limits.memory_bytes, *limits.memory_bytes};
-        prlimit(id_, RLIMIT_AS, &limit, nullptr);
     }
 }
 

@@ -16,12 +16,15 @@
 #include "silhouette/printable_text.h"
 #include "tools/batch/batch_inputs.h"
 #include "tools/batch/batch_manifest.h"
+#include "tools/batch/batch_merge.h"
 #include "tools/batch/batch_page.h"
 #include "tools/batch/batch_process.h"
+#include "tools/batch/batch_task.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/output_file.h"
+#include "tools/process/thread_limit.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -35,36 +38,6 @@ constexpr std::array<std::string_view, 13> k_batch_commands{
     "render", "animate", "info",    "silhouette", "draw",   "track",  "views",
     "path",   "light",   "origins", "field",      "points", "convert"};
 constexpr std::chrono::milliseconds k_poll{5};
-
-using BatchPlaces = std::vector<std::pair<std::string, std::string>>;
-
-// The text with each place that is named in it filled, from left to right: what is filled in is not looked at again.
-std::string filled(const std::string& text, const BatchPlaces& places) {
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto found = std::ranges::find_if(places, [&](const auto& place) {
-            return text.compare(at, place.first.size(), place.first) == 0;
-        });
-        if (found == places.end()) {
-            result += text[at++];
-        } else {
-            result += found->second;
-            at += found->first.size();
-        }
-    }
-    return result;
-}
-
-// As the manifest names it: bytes that are no UTF-8 are escaped.
-std::string key_of(const BatchInput& input) { return printable_text(input.model); }
-
-// A model, and what is done with it.
-struct BatchTask {
-    BatchInput input;
-    std::vector<std::string> arguments;
-    std::string command;  // The arguments, as the manifest names them.
-    std::string output;   // The value of -o; empty if there is none.
-};
 
 class BatchCommand final : public Command {
 public:
@@ -86,9 +59,10 @@ public:
         app.add_option("--page", page_, "Also write an HTML page with all pictures")
             ->type_name("FILE.html")
             ->group("Output");
-        app.add_flag("--dry-run", is_dry_,
-                     "Print the command of each model that is left to do, and do nothing")
-            ->group("Output");
+        CLI::Option* dry =
+            app.add_flag("--dry-run", is_dry_,
+                         "Print the command of each model that is left to do, and do nothing")
+                ->group("Output");
         add_count(app, "--jobs", jobs_, 1, 1024, "Models at a time (default: one a processor)")
             ->default_str("")
             ->group("Machine");
@@ -98,10 +72,18 @@ public:
         add_number(app, "--memory", memory_mb_, 1.0, 1e9,
                    "Megabytes of address space that a model may take (default: any)")
             ->group("Machine");
-        app.add_option_function<std::string>(
-               "--shard", [this](const std::string& text) { shard_ = parse_shard(text); },
-               "Do only part I of N parts, for N machines: I/N. Each has a manifest of its own")
-            ->type_name("I/N")
+        CLI::Option* shard =
+            app.add_option_function<std::string>(
+                   "--shard", [this](const std::string& text) { shard_ = parse_shard(text); },
+                   "Do only part I of N parts, for N machines: I/N. Each has a manifest of its own")
+                ->type_name("I/N")
+                ->group("Machine");
+        app.add_flag("--merge", merges_,
+                     "Run nothing: add to the manifest what the manifests of shards have")
+            ->excludes(shard)
+            ->excludes(dry)
+            ->group("Machine");
+        app.add_flag("--wait", waits_, "Wait for another batch that writes the manifest")
             ->group("Machine");
         app.add_flag("--retry", retries_, "Do again what failed in an earlier run")
             ->group("Machine");
@@ -119,11 +101,13 @@ public:
             "it was:\n"
             "what has a line with the same digest and command, and its outputs, is not done "
             "again. The exit\n"
-            "status is 1 if a model failed.\n\n"
+            "status is 1 if a model failed. --threads N limits the threads of all models "
+            "together.\n\n"
             "Examples:\n"
             "  rimline batch models -- views -k 4 --size 512x512 -o {out}/{path}\n"
             "  rimline batch @list.txt --shard 2/8 --timeout 60 --page all.html -- render -o "
             "{out}/{stem}.png\n"
+            "  rimline batch @list.txt --merge -- render -o {out}/{stem}.png\n"
             "  rimline batch models --json -- info");
     }
 
@@ -137,7 +121,9 @@ public:
             return print_dry(context, tasks, all, 0.0);
         }
         if (!is_dry_) make_folder(folder_);
-        BatchManifest manifest(manifest_path());
+        const LongCall wait{context.stop, {}};
+        BatchManifest manifest(manifest_path(), waits_ ? &wait : nullptr);
+        if (merges_) return merge(tasks, manifest, context);
         std::vector<const BatchTask*> left;
         double known_ms = 0.0;
         std::size_t known = 0;
@@ -149,8 +135,7 @@ public:
                 if (!is_done(task, manifest, call))
                     left.push_back(&task);
                 else
-                    ++(manifest.find(key_of(task.input))->status == "ok" ? skipped_
-                                                                         : failed_before_);
+                    ++(manifest.find(task.key)->status == "ok" ? skipped_ : failed_before_);
             }
         }
         for (const auto& [input, entry] : manifest.entries()) {
@@ -167,10 +152,30 @@ public:
     }
 
 private:
-    fs::path manifest_path() const {
-        if (shard_.count == 1) return fs::path(folder_) / "manifest.jsonl";
-        return fs::path(folder_) / ("manifest." + std::to_string(shard_.number) + "-of-" +
-                                    std::to_string(shard_.count) + ".jsonl");
+    fs::path manifest_path() const { return batch_manifest_path(folder_, shard_); }
+
+    // The outputs are looked for, models are not read: the next batch finds those that changed.
+    ExitStatus merge(const std::vector<BatchTask>& tasks, BatchManifest& manifest,
+                     const Context& context) {
+        {
+            Progress progress(context, "merging manifests");
+            merge_shards(folder_, tasks, manifest, waits_, progress.call());
+        }
+        for (const BatchTask& task : tasks) {
+            const BatchEntry* entry = manifest.find(task.key);
+            ++done_;
+            if (entry == nullptr || entry->command != task.command) {
+                ++left_;
+            } else if (entry->status != "ok") {
+                count_failure(task, entry->status, entry->error);
+            } else if (!has_outputs(task, *entry)) {
+                ++left_;
+            }
+        }
+        done_ -= left_;
+        context.times.end("merging manifests");
+        if (!page_.empty()) write_page(tasks, manifest);
+        return print_result(context, tasks);
     }
 
     static void make_folder(const fs::path& folder) {
@@ -199,42 +204,22 @@ private:
         std::map<std::string, const BatchInput*> of_output;
         std::vector<BatchInput> inputs = find_batch_inputs(sources_, progress.call());
         std::erase_if(inputs, [&](const BatchInput& input) { return !shard_.contains(input); });
-        for (const BatchInput& input : inputs) tasks.push_back(make_task(input));
+        for (const BatchInput& input : inputs)
+            tasks.push_back(make_batch_task(input, rest_, folder_));
         for (const BatchTask& task : tasks) {
-            if (task.output.empty()) continue;
-            const auto [other, is_first] = of_output.try_emplace(task.output, &task.input);
-            if (!is_first)
-                throw UsageError("-o: " + other->second->model + " and " + task.input.model +
-                                 " would both write " + task.output +
+            for (const std::string& output : task.outputs) {
+                const auto [other, is_first] = of_output.try_emplace(output, &task.input);
+                if (is_first || other->second == &task.input) continue;
+                throw UsageError(other->second->model + " and " + task.input.model +
+                                 " would both write " + output +
                                  ": use {path} in it, or {name}, or batches of their own");
+            }
         }
         return tasks;
     }
 
-    BatchTask make_task(const BatchInput& input) const {
-        BatchTask task{
-            .input = input, .arguments = {rest_.front(), input.model}, .command = {}, .output = {}};
-        // A name is no option.
-        if (input.model.starts_with('-')) task.arguments.back() = "./" + input.model;
-        const BatchPlaces places{{"{stem}", input.stem()},
-                                 {"{name}", input.file()},
-                                 {"{path}", input.path()},
-                                 {"{out}", folder_}};
-        for (std::size_t i = 1; i < rest_.size(); ++i) {
-            task.arguments.push_back(filled(rest_[i], places));
-            const std::string& word = task.arguments.back();
-            if (rest_[i - 1] == "-o" || rest_[i - 1] == "--output") task.output = word;
-            if (word.starts_with("--output=")) task.output = word.substr(9);
-            if (word.starts_with("-o") && word.size() > 2 && !word.starts_with("-o="))
-                task.output = word.substr(2);
-        }
-        for (const std::string& word : task.arguments)
-            task.command += (task.command.empty() ? "" : " ") + printable_text(word);
-        return task;
-    }
-
     bool is_done(const BatchTask& task, const BatchManifest& manifest, const LongCall& call) const {
-        const BatchEntry* entry = manifest.find(key_of(task.input));
+        const BatchEntry* entry = manifest.find(task.key);
         if (entry == nullptr || entry->command != task.command) return false;
         if (entry->status != "ok" && retries_) return false;
         try {
@@ -243,8 +228,12 @@ private:
             if (error.code() == ErrorCode::cancelled) throw;
             return entry->digest.empty();
         }
-        const std::vector<std::string> found = outputs_of(task.output);
-        return std::ranges::all_of(entry->outputs, [&](const std::string& output) {
+        return has_outputs(task, *entry);
+    }
+
+    static bool has_outputs(const BatchTask& task, const BatchEntry& entry) {
+        const std::vector<std::string> found = task.found_outputs();
+        return std::ranges::all_of(entry.outputs, [&](const std::string& output) {
             return std::ranges::find(found, output) != found.end();
         });
     }
@@ -259,10 +248,10 @@ private:
                  const Context& context) {
         Progress progress(context, "running " + rest_.front());
         const LongCall call = progress.call();
-        const std::uint32_t processors = std::max(1u, std::thread::hardware_concurrency());
-        const std::uint32_t jobs = jobs_ > 0 ? jobs_ : processors;
-        BatchLimits limits{
-            .seconds = timeout_s_, .memory_bytes = {}, .threads = std::max(1u, processors / jobs)};
+        const std::uint32_t jobs = models_at_a_time();
+        BatchLimits limits{.seconds = timeout_s_,
+                           .memory_bytes = {},
+                           .threads = std::max(1u, allowed_threads() / jobs)};
         if (memory_mb_) limits.memory_bytes = std::uint64_t(*memory_mb_ * 1e6);
         std::vector<Running> running;
         std::size_t next = 0, done = 0;
@@ -287,6 +276,8 @@ private:
         }
     }
 
+    std::uint32_t models_at_a_time() const { return jobs_ > 0 ? jobs_ : allowed_threads(); }
+
     // A wrong option is wrong for all models: where all that were done first say so, the rest need not be tried.
     void check_usage(const BatchEnd& end, bool is_last) const {
         const auto usage = kinds_.find("usage");
@@ -304,7 +295,8 @@ private:
             if (error.code() == ErrorCode::cancelled) throw;
             // The subcommand says what is wrong with the file.
         }
-        if (!task.output.empty()) make_folder(fs::absolute(task.output).parent_path());
+        for (const std::string& output : task.outputs)
+            make_folder(fs::absolute(output).parent_path());
         std::vector<std::string> arguments = task.arguments;
         arguments.emplace_back("--json");
         if (std::ranges::find(arguments, "--threads") == arguments.end())
@@ -317,29 +309,16 @@ private:
         return error.starts_with(k_prefix) ? error.substr(k_prefix.size()) : error;
     }
 
-    // As the manifest names them, ascending.
-    static std::vector<std::string> outputs_of(const std::string& output) {
-        std::vector<std::string> files;
-        std::error_code error;
-        if (output.empty() || !fs::exists(output, error)) return files;
-        if (!fs::is_directory(output, error)) return {printable_text(output)};
-        for (const fs::directory_entry& entry : fs::directory_iterator(output, error))
-            if (entry.is_regular_file(error))
-                files.push_back(printable_text(entry.path().string()));
-        std::ranges::sort(files);
-        return files;
-    }
-
     void record(const BatchTask& task, const std::string& digest, const BatchEnd& end,
                 BatchManifest& manifest) {
         const bool is_ok = end.status == "ok";
         nlohmann::ordered_json entry{
-            {"input", key_of(task.input)},
+            {"input", task.key},
             {"digest", digest},
             {"command", task.command},
             {"status", end.status},
             {"ms", end.ms},
-            {"outputs", is_ok ? outputs_of(task.output) : std::vector<std::string>()},
+            {"outputs", is_ok ? task.found_outputs() : std::vector<std::string>()},
             {"error", nullptr},
             {"result", nullptr}};
         if (!is_ok) entry["error"] = words_of(end.error);
@@ -348,16 +327,20 @@ private:
         manifest.append(entry);
         ++done_;
         if (is_ok) return;
-        ++kinds_[end.status];
+        count_failure(task, end.status, words_of(end.error));
+    }
+
+    void count_failure(const BatchTask& task, const std::string& kind, const std::string& error) {
+        ++kinds_[kind];
         if (first_failures_.size() < k_named_failures)
-            first_failures_.push_back(task.input.model + ": " + words_of(end.error));
+            first_failures_.push_back(task.input.model + ": " + error);
     }
 
     // Of all that the manifest has of these models.
     void write_page(const std::vector<BatchTask>& tasks, const BatchManifest& manifest) const {
         std::vector<BatchPageItem> items;
         for (const BatchTask& task : tasks) {
-            const BatchEntry* entry = manifest.find(key_of(task.input));
+            const BatchEntry* entry = manifest.find(task.key);
             if (entry == nullptr) continue;
             items.push_back({task.input.model, entry->outputs,
                              entry->status == "ok" ? "" : entry->status + ": " + entry->error});
@@ -369,8 +352,7 @@ private:
 
     ExitStatus print_dry(const Context& context, const std::vector<BatchTask>& tasks,
                          const std::vector<const BatchTask*>& left, double mean_ms) const {
-        const double jobs = jobs_ > 0 ? jobs_ : std::max(1u, std::thread::hardware_concurrency());
-        const double estimate_s = 1e-3 * mean_ms * double(left.size()) / jobs;
+        const double estimate_s = 1e-3 * mean_ms * double(left.size()) / models_at_a_time();
         if (context.json) {
             nlohmann::ordered_json commands = nlohmann::ordered_json::array();
             for (const BatchTask* task : left) commands.push_back(task->command);
@@ -401,6 +383,7 @@ private:
                                  {"failed", failed},
                                  {"kinds", kinds_},
                                  {"failures", first_failures_},
+                                 {"left", left_},
                                  {"manifest", manifest_path().string()}});
         } else {
             std::printf("%s\n", manifest_path().c_str());
@@ -413,9 +396,15 @@ private:
                 std::printf("    %s\n", printable_text(failure).c_str());
             if (failed > first_failures_.size())
                 std::printf("    and %zu more, in the manifest\n", failed - first_failures_.size());
+            if (left_ > 0) std::printf("  left        %zu\n", left_);
             std::printf("  time        %s\n", context.times.sentence().c_str());
         }
-        if (failed + failed_before_ == 0) return ExitStatus::success;
+        if (failed + failed_before_ + left_ == 0) return ExitStatus::success;
+        if (left_ > 0) {
+            print_error(std::to_string(left_) + " of " + std::to_string(tasks.size()) +
+                        " models are left to do: the same command without --merge does them");
+            return ExitStatus::failed;
+        }
         print_error(std::to_string(failed + failed_before_) + " of " +
                     std::to_string(tasks.size()) + " models failed: " + manifest_path().string() +
                     " says why");
@@ -430,8 +419,8 @@ private:
     Shard shard_;
     std::uint32_t jobs_ = 0;  // 0: one a processor.
     std::optional<double> timeout_s_, memory_mb_;
-    bool is_dry_ = false, retries_ = false;
-    std::size_t skipped_ = 0, failed_before_ = 0, done_ = 0;
+    bool is_dry_ = false, retries_ = false, merges_ = false, waits_ = false;
+    std::size_t skipped_ = 0, failed_before_ = 0, done_ = 0, left_ = 0;
     std::map<std::string, std::size_t> kinds_;  // Of failures.
     std::vector<std::string> first_failures_;
 };

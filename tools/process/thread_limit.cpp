@@ -1,6 +1,7 @@
 #include "tools/process/thread_limit.h"
 
 #include <sys/resource.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -17,6 +18,12 @@ namespace rimline::tools {
 
 std::uint32_t usual_threads() {
     return static_cast<std::uint32_t>(std::max(tbb::this_task_arena::max_concurrency(), 1));
+}
+
+std::uint32_t allowed_threads() {
+    const std::size_t threads =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return static_cast<std::uint32_t>(std::max<std::size_t>(threads, 1));
 }
 
 std::uint32_t startable_threads(std::uint32_t wanted) {

@@ -13,6 +13,9 @@ namespace rimline::tools {
 /// The number of threads with which oneTBB works by itself.
 std::uint32_t usual_threads();
 
+/// As many threads as oneTBB may have at a time: those of --threads, else the processors that this process may use.
+std::uint32_t allowed_threads();
+
 /// At most `wanted`, at least 1, this thread among them: as many as the system starts now. Cost: some ten
 /// microseconds a thread.
 std::uint32_t startable_threads(std::uint32_t wanted);

@@ -263,6 +263,110 @@ def test_two_batches_do_not_write_one_manifest():
         assert entries(f"{out}/manifest.jsonl") == []
 
 
+def test_a_batch_can_wait_for_another():
+    with tempfile.TemporaryDirectory() as folder:
+        process = subprocess.Popen([PROGRAM, "batch", "shape:knot:3000000", "-o", folder, "--", "info"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not children_of(process.pid):
+            time.sleep(0.01)
+        assert succeed("shape:box", "-o", folder, "--wait", "--", "info")["done"] == 1
+        assert process.wait(10) == 0
+        assert len(entries(f"{folder}/manifest.jsonl")) == 2
+
+
+def children_of(process):
+    return pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()
+
+
+def test_shards_merge_to_the_manifest_of_one_machine():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder, 12), f"{folder}/out"
+        (root / "bad.obj").write_text("f 1 2 3\n")
+        command = ("--", "draw", "-o", "{out}/{path}.svg")
+        for shard in ("1/3", "2/3"):
+            batch(str(root), "-o", out, "--shard", shard, *command)
+        result, told = batch(str(root), "-o", out, "--merge", *command)
+        assert result.returncode == 1 and "models are left to do" in result.stderr and 0 < told["left"] < 13, told
+        assert told["done"] + told["failed"] + told["left"] == 13
+        batch(str(root), "-o", out, "--shard", "3/3", *command)
+        # A line of another command, and of content that the model had before.
+        succeed(f"{root}/m0.obj", "-o", out, "--", "info")
+        (root / "m2.obj").write_text(TRIANGLE.replace("1", "9", 1))
+        for shard in ("1/2", "2/2"):
+            batch(str(root), "-o", out, "--shard", shard, *command)
+        sizes = set()
+        for _ in range(2):  # Again it adds nothing.
+            result, told = batch(str(root), "-o", out, "--merge", "--page", f"{folder}/all.html", *command)
+            assert (result.returncode, told["done"], told["failed"], told["left"]) == (1, 12, 1, 0), told
+            assert result.stderr.startswith("rimline: error: 1 of 13 models failed: ")
+            lines = {line["input"]: line for line in entries(f"{out}/manifest.jsonl")}
+            sizes.add(os.path.getsize(f"{out}/manifest.jsonl"))
+        assert len(sizes) == 1
+        told = batch(str(root), "-o", out, *command)[1]
+        assert (told["done"], told["skipped"], told["failed_before"]) == (0, 12, 1), told
+        batch(str(root), "-o", f"{folder}/one", *command)
+        for line in entries(f"{folder}/one/manifest.jsonl"):
+            found = json.loads(json.dumps(lines[line["input"]]).replace(f"{folder}/out", f"{folder}/one"))
+            assert all(found[key] == line[key] for key in ("digest", "command", "status", "outputs", "error"))
+            assert (found["result"] is None) == (line["result"] is None)
+        assert "13 models, 1 failed" in pathlib.Path(f"{folder}/all.html").read_text()
+        # An output that is gone is left to do.
+        os.remove(f"{out}/m4.svg")
+        assert batch(str(root), "-o", out, "--merge", *command)[1]["left"] == 1
+        assert "--merge" in fail(2, "batch", str(root), "--merge", "--shard", "1/2", *command)
+        assert "--merge" in fail(2, "batch", str(root), "--merge", "--dry-run", *command)
+
+
+def test_a_shard_that_succeeds_takes_the_place_of_a_failure():
+    with tempfile.TemporaryDirectory() as folder:
+        out = f"{folder}/out"
+        command = ("--", "silhouette", "--from", "3,2,1", "--no-edges")
+        for shard in ("1/2", "2/2"):
+            batch("shape:knot:300000", "-o", out, "--shard", shard, "--timeout", "0.02", *command)
+        assert batch("shape:knot:300000", "-o", out, "--merge", *command)[1]["kinds"] == {"timeout": 1}
+        for shard in ("1/2", "2/2"):
+            succeed("shape:knot:300000", "-o", out, "--shard", shard, "--retry", *command)
+        assert succeed("shape:knot:300000", "-o", out, "--merge", *command)["done"] == 1
+        assert [line["status"] for line in entries(f"{out}/manifest.jsonl")] == ["timeout", "ok"]
+
+
+def test_threads_are_those_of_all_models_together():
+    with tempfile.TemporaryDirectory() as folder:
+        for options, models_at_a_time, threads in ((("--threads", "6", "--jobs", "2"), 2, "3"),
+                                                   (("--threads", "1"), 1, "1")):
+            process = subprocess.Popen([PROGRAM, "batch", "shape:knot:5000000", "shape:knot:5000001", "-o", folder,
+                                        *options, "--", "info"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while len(children := children_of(process.pid)) < models_at_a_time:
+                time.sleep(0.01)
+            time.sleep(0.1)
+            assert len(children_of(process.pid)) == models_at_a_time
+            words = pathlib.Path(f"/proc/{children[0]}/cmdline").read_text().split("\0")
+            assert words[words.index("--threads") + 1] == threads, words
+            process.send_signal(signal.SIGTERM)
+            process.wait()
+
+
+def test_memory_is_limited_from_the_first_moment():
+    with tempfile.TemporaryDirectory() as folder:
+        shapes = [f"shape:box:{faces}" for faces in range(12, 32)]
+        told = batch(*shapes, "-o", f"{folder}/few", "--memory", "1", "--", "info")[1]
+        assert told["kinds"] == {"crashed": 20}, told
+
+
+def test_all_files_that_are_asked_for_are_outputs():
+    with tempfile.TemporaryDirectory() as folder:
+        cloud, out = f"{folder}/cloud.xyz", f"{folder}/out"
+        pathlib.Path(cloud).write_text("".join(f"{x} {y} {0.1 * x * y}\n" for x in range(12) for y in range(12)))
+        arguments = (cloud, "-o", out, "--", "points", "--export={out}/more/{stem}.ply")
+        assert succeed(*arguments)["done"] == 1
+        assert entries(f"{out}/manifest.jsonl")[0]["outputs"] == [f"{out}/more/cloud.ply"]
+        assert succeed(*arguments)["skipped"] == 1
+        os.remove(f"{out}/more/cloud.ply")
+        assert succeed(*arguments)["done"] == 1
+        assert "would both write" in fail(2, "batch", cloud, "shape:box", "-o", out, "--", "render", "-o",
+                                          "{out}/{stem}.png", "--save-scene", "{out}/one.json")
+
+
 def test_pictures_of_several_models_are_drawn_at_a_time():
     have_device()
     with tempfile.TemporaryDirectory() as folder:

@@ -3,10 +3,18 @@
 #include <doctest/doctest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
+using rimline::tools::allowed_threads;
 using rimline::tools::startable_threads;
 using rimline::tools::usual_threads;
+
+TEST_CASE("threads are allowed up to a limit of oneTBB") {
+    CHECK(allowed_threads() >= 1);
+    const tbb::global_control at_most(tbb::global_control::max_allowed_parallelism, 1);
+    CHECK(allowed_threads() == 1);
+}
 
 TEST_CASE("as many threads are startable as are wanted where nothing limits them") {
     CHECK(startable_threads(0) == 1);

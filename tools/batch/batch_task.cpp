@@ -1,0 +1,98 @@
+#include "tools/batch/batch_task.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "silhouette/printable_text.h"
+
+namespace rimline::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> k_output_options{"-o", "--output", "--save-scene",
+                                                           "--export"};
+
+using BatchPlaces = std::vector<std::pair<std::string, std::string>>;
+
+// The text with each place that is named in it filled, from left to right: what is filled in is not looked at again.
+std::string filled(const std::string& text, const BatchPlaces& places) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto found = std::ranges::find_if(places, [&](const auto& place) {
+            return text.compare(at, place.first.size(), place.first) == 0;
+        });
+        if (found == places.end()) {
+            result += text[at++];
+        } else {
+            result += found->second;
+            at += found->first.size();
+        }
+    }
+    return result;
+}
+
+// The file that a word names, after the word before it. Empty if none.
+std::string output_in(const std::string& word, const std::string& before) {
+    if (std::ranges::find(k_output_options, before) != k_output_options.end()) return word;
+    for (const std::string_view option : k_output_options) {
+        if (!word.starts_with(option) || word.size() == option.size()) continue;
+        const bool has_sign = word[option.size()] == '=';
+        if (option.starts_with("--")) {
+            if (has_sign) return word.substr(option.size() + 1);
+        } else if (!has_sign) {
+            return word.substr(option.size());
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string>& subcommand,
+                          const std::string& folder) {
+    BatchTask task{.input = input,
+                   .key = printable_text(input.model),
+                   .arguments = {subcommand.front(), input.model},
+                   .command = {},
+                   .outputs = {}};
+    // A name is no option.
+    if (input.model.starts_with('-')) task.arguments.back() = "./" + input.model;
+    const BatchPlaces places{{"{stem}", input.stem()},
+                             {"{name}", input.file()},
+                             {"{path}", input.path()},
+                             {"{out}", folder}};
+    for (std::size_t i = 1; i < subcommand.size(); ++i) {
+        task.arguments.push_back(filled(subcommand[i], places));
+        std::string output = output_in(task.arguments.back(), subcommand[i - 1]);
+        if (!output.empty()) task.outputs.push_back(std::move(output));
+    }
+    for (const std::string& word : task.arguments)
+        task.command += (task.command.empty() ? "" : " ") + printable_text(word);
+    return task;
+}
+
+std::vector<std::string> BatchTask::found_outputs() const {
+    std::vector<std::string> files;
+    for (const std::string& output : outputs) {
+        std::error_code error;
+        if (!fs::exists(output, error)) continue;
+        if (!fs::is_directory(output, error)) {
+            files.push_back(printable_text(output));
+            continue;
+        }
+        for (const fs::directory_entry& entry : fs::directory_iterator(output, error))
+            if (entry.is_regular_file(error))
+                files.push_back(printable_text(entry.path().string()));
+    }
+    std::ranges::sort(files);
+    files.erase(std::ranges::unique(files).begin(), files.end());
+    return files;
+}
+
+}  // namespace rimline::tools

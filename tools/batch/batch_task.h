@@ -1,0 +1,30 @@
+#pragma once
+
+// A model of a batch, and what is done with it.
+
+#include <string>
+#include <vector>
+
+#include "tools/batch/batch_inputs.h"
+
+namespace rimline::tools {
+
+struct BatchTask {
+    BatchInput input;
+    std::string key;  ///< The model as the manifest names it: bytes that are no UTF-8 are escaped.
+    std::vector<std::string> arguments;  ///< Of a `rimline` that does it.
+    std::string command;                 ///< The arguments, as the manifest names them.
+    /// The files and folders that the subcommand is asked to write: values of -o, --save-scene and --export.
+    std::vector<std::string> outputs;
+
+    /// The files that are there, as the manifest names them, ascending: the outputs, and those in an output that is
+    /// a folder.
+    std::vector<std::string> found_outputs() const;
+};
+
+/// `subcommand` is its name and its options, in which {stem}, {name} and {path} stand for the model and {out} for
+/// `folder`.
+BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string>& subcommand,
+                          const std::string& folder);
+
+}  // namespace rimline::tools
