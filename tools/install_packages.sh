@@ -7,6 +7,7 @@
 #   tools/install_packages.sh demo        to build and run everything but the tests
 #   tools/install_packages.sh tests       to build and run everything
 #   tools/install_packages.sh fuzz        to build and run the fuzz targets
+#   tools/install_packages.sh cluster     to run the tests of Slurm and Dask too
 set -u
 source "$(dirname "$0")/steps.sh"
 
@@ -21,6 +22,7 @@ cpu_tests=(ccache doctest-dev libgmp-dev python3 librsvg2-bin poppler-utils pyth
 engine_tests=(dpkg-dev libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb "${python[@]}"
     python3-pytest python3-pip python3-setuptools python3-wheel mypy "${site[@]}")
 fuzz=(clang-16 libclang-rt-16-dev python3)
+cluster=(slurm-wlm munge procps util-linux python3 python3-distributed)
 
 case "${1:-}" in
     cpu) wanted=("${cpu[@]}") ;;
@@ -28,7 +30,8 @@ case "${1:-}" in
     demo) wanted=("${cpu[@]}" "${engine[@]}") ;;
     tests) wanted=("${cpu[@]}" "${engine[@]}" "${cpu_tests[@]}" "${engine_tests[@]}") ;;
     fuzz) wanted=("${cpu[@]}" "${fuzz[@]}") ;;
-    *) stop "usage: $script_name cpu|cpu-tests|demo|tests|fuzz" ;;
+    cluster) wanted=("${cluster[@]}") ;;
+    *) stop "usage: $script_name cpu|cpu-tests|demo|tests|fuzz|cluster" ;;
 esac
 
 command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||

@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# Runs `rimline batch` on a Slurm cluster: a job array with one task a shard, and a job that merges the manifests
+# when all tasks have ended. Prints the ids of both.
+#
+#   tools/cluster/slurm_batch.sh SHARDS [SBATCH OPTION...] -- MODELS... [BATCH OPTION...] -- SUBCOMMAND...
+#   tools/cluster/slurm_batch.sh 64 --time=2:00:00 --cpus-per-task=8 -- models -o out -- views -k 4 -o {out}/{path}
+#
+# SHARDS may limit the tasks at a time: 64%8. Nodes share this folder, the models, the outputs and the program, which
+# is $RIMLINE, else `rimline` of the PATH. Logs are in the folder of -o. Slurm starts a task again
+#
+#   - when its node failed, or another job took its place;
+#   - when its time ended, if it did models in that time;
+#   - when models failed, up to $RIMLINE_RETRIES times (2). Only these models are tried again.
+#
+# The same command again submits only what is not in the queue.
+set -u
+
+stop() {
+    echo "slurm_batch.sh: $1" >&2
+    exit "${2:-1}"
+}
+
+# The id of this user's job with this name that has not ended. Empty if there is none.
+queued() {
+    local ids
+    ids=$(squeue --noheader --user="$(id -un)" --name="$1" --format=%F) || stop "squeue failed"
+    echo "${ids%%$'\n'*}"
+}
+
+submit() {
+    local usage="usage: slurm_batch.sh SHARDS [SBATCH OPTION...] -- MODELS... [BATCH OPTION...] -- SUBCOMMAND..."
+    [[ "${1:-}" =~ ^([1-9][0-9]*)(%[1-9][0-9]*)?$ ]] || stop "$usage" 2
+    local shards=${BASH_REMATCH[1]} array=1-$1
+    shift
+    local options=()
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        options+=("$1")
+        shift
+    done
+    [ $# -gt 1 ] || stop "$usage" 2
+    shift
+
+    local program
+    program=$(command -v "${RIMLINE:-rimline}") ||
+        stop "there is no program ${RIMLINE:-rimline}: name it with RIMLINE="
+    program=$(readlink -f "$program")
+
+    local folder=batch has_threads= has_subcommand= before= word
+    for word in "$@"; do
+        case "$before" in -o | --output) folder=$word ;; esac
+        case "$word" in
+            --output=*) folder=${word#--output=} ;;
+            --threads*) has_threads=1 ;;
+            --) has_subcommand=1 && break ;;
+        esac
+        before=$word
+    done
+    [ -n "$has_subcommand" ] || stop "$usage" 2
+    mkdir -p "$folder" || stop "cannot make the folder $folder"
+
+    local name array_id merge_id
+    name=rimline-$(printf '%s\n' "$PWD" "$shards" "$@" | cksum | cut -d ' ' -f 1)
+    array_id=$(queued "$name") || exit
+    if [ -z "$array_id" ]; then
+        # A log holds all starts of its task. The signal comes a minute before the time ends.
+        array_id=$(sbatch --parsable --job-name="$name" --array="$array" --requeue --signal=B:TERM@60 \
+            --open-mode=append --output="$folder/slurm-%A_%a.log" "${options[@]}" "$0" \
+            run-shard "$program" "$folder" "$shards" "${RIMLINE_RETRIES:-2}" "$has_threads" "$@") ||
+            stop "sbatch failed"
+        array_id=${array_id%%;*}
+    fi
+    merge_id=$(queued "$name-$array_id") || exit
+    if [ -z "$merge_id" ]; then
+        merge_id=$(sbatch --parsable --job-name="$name-$array_id" --dependency="afterany:$array_id" --requeue \
+            --open-mode=append --output="$folder/slurm-%j.log" "${options[@]}" "$0" \
+            run-merge "$program" "$@") || stop "sbatch failed"
+    fi
+    echo "$array_id ${merge_id%%;*}"
+}
+
+# A task of the array.
+run_shard() {
+    local program=$1 folder=$2 shards=$3 retries=$4 threads=()
+    [ -n "$5" ] || threads=(--threads "${SLURM_CPUS_PER_TASK:-1}")
+    shift 5
+    local shard=$SLURM_ARRAY_TASK_ID/$shards manifest=$folder/manifest.$SLURM_ARRAY_TASK_ID-of-$shards.jsonl
+    local size batch status is_stopped=
+    size=$(stat -c %s "$manifest" 2>/dev/null)
+    trap 'is_stopped=1; kill -TERM "$batch"' TERM
+    RIMLINE_BATCH_PROCESS=$$ "$program" batch --retry --wait --shard "$shard" "${threads[@]}" "$@" &
+    batch=$!
+    wait "$batch"
+    status=$?
+    while kill -0 "$batch" 2>/dev/null; do  # A signal interrupts `wait`.
+        wait "$batch"
+        status=$?
+    done
+    if [ -n "$is_stopped" ]; then
+        [ "$(stat -c %s "$manifest" 2>/dev/null)" = "$size" ] || run_again
+    elif [ "$status" -eq 1 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt "$retries" ]; then
+        run_again
+    fi
+    exit "$status"
+}
+
+# Slurm ends this script and puts the task back into the queue. A task that was canceled has another state and
+# stays so.
+run_again() {
+    trap - TERM
+    [ "$(squeue --noheader --jobs="$SLURM_JOB_ID" --format=%T)" = RUNNING ] || return
+    scontrol requeue "$SLURM_JOB_ID" && sleep 600
+}
+
+case "${1:-}" in
+    run-shard)
+        shift
+        run_shard "$@"
+        ;;
+    run-merge)
+        shift
+        exec "$1" batch --merge --wait "${@:2}"
+        ;;
+    *) submit "$@" ;;
+esac
