@@ -45,18 +45,6 @@ nlohmann::ordered_json to_json(const OriginTrial& trial) {
 // One a set of origins that was tried.
 using LiteralTrials = std::vector<std::vector<LiteralTrial>>;
 
-nlohmann::ordered_json to_json(std::span<const LiteralTrial> trials) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const LiteralTrial& trial : trials)
-        list.push_back({{"culling", trial.culling},
-                        {"tree_edges", trial.tree_edges},
-                        {"listed_edges", trial.listed_edges},
-                        {"box_checks", trial.box_checks},
-                        {"edge_checks", trial.edge_checks},
-                        {"face_checks", trial.face_checks}});
-    return list;
-}
-
 // Microseconds of an extraction for each trial, with its first few `origins`, on one thread. The trials
 // alternate; the least time of all rounds counts.
 std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec3> origins,
@@ -103,8 +91,9 @@ public:
                    "Where the voting function ends, in radii of the model");
         add_count(app, "--viewpoints", viewpoints_, 1, 1'000'000,
                   "Extractions to count the work of, at 1, 2 and 3 radii");
-        app.add_flag("--literal", literal_,
-                     "Count also what the thesis's octrees cost, by both of their cullings");
+        app.add_flag(
+            "--literal", literal_,
+            "Count also what the thesis's octrees cost, by both cullings and lists of edges");
         app.add_flag("--time", time_, "Measure by the clock too what an extraction takes")
             ->excludes(count_option_);
         add_output(app, "-o,--output", output_, ".png", "A picture of the groups of faces");
@@ -170,18 +159,29 @@ private:
             write_picture(*file, draw_groups(octree, towards, up, 700));
         }
         // One a trial, or of the requested origins.
-        LiteralTrials literal;
-        for (const OriginTrial& t : chosen.trials)
-            if (literal_)
-                literal.push_back(count_literal_work(mesh, std::span(tried).first(t.count),
-                                                     viewpoints_, context));
+        const LiteralTrials literal = count_literal(mesh, chosen, tried, context);
         std::vector<double> times_us;
         if (time_) times_us = time_extractions(mesh, tried, chosen.trials, viewpoints_, context);
-        if (literal_ && literal.empty())
-            literal.push_back(count_literal_work(mesh, chosen.found.origins, viewpoints_, context));
         context.times.end("choosing origins");
         report(mesh, chosen, trial, literal, times_us, search_ms, context);
         return ExitStatus::success;
+    }
+
+    LiteralTrials count_literal(const Mesh& mesh, const ChosenOrigins& chosen,
+                                std::span<const glm::dvec3> tried, const Context& context) const {
+        LiteralTrials literal;
+        if (!literal_) return literal;
+        Progress progress(context, "counting the thesis's boxes");
+        const LongCall call = progress.call();
+        if (chosen.trials.empty())
+            literal.push_back(count_literal_work(mesh, chosen.found.origins, viewpoints_, call));
+        for (const OriginTrial& trial : chosen.trials) {
+            const double share = 1.0 / static_cast<double>(chosen.trials.size());
+            const double begin = share * static_cast<double>(literal.size());
+            literal.push_back(count_literal_work(mesh, tried.first(trial.count), viewpoints_,
+                                                 call.part(begin, begin + share)));
+        }
+        return literal;
     }
 
     static double milliseconds_since(Clock::time_point start) {
@@ -212,10 +212,14 @@ private:
                         static_cast<unsigned long long>(trial.mean.edge_checks));
             if (literal_)
                 for (const LiteralTrial& t : literal[chosen.best])
-                    std::printf("  thesis's octrees, %s: %u edges listed; %llu boxes, %llu edges\n",
-                                t.culling, t.listed_edges,
-                                static_cast<unsigned long long>(t.box_checks),
-                                static_cast<unsigned long long>(t.edge_checks));
+                    std::printf(
+                        "  thesis's octrees, %s, %s: %u edges listed; %llu PBVs, %llu EBVs, %llu "
+                        "edges; %.1f missed, %.1f twice\n",
+                        t.culling, t.listing, t.listed_edges,
+                        static_cast<unsigned long long>(t.pbv_checks),
+                        static_cast<unsigned long long>(t.ebv_checks),
+                        static_cast<unsigned long long>(t.edge_checks), t.missed_edges,
+                        t.repeated_edges);
             for (std::size_t i = 0; i < chosen.trials.size(); ++i) {
                 const OriginTrial& t = chosen.trials[i];
                 std::printf("  tried %u: %u SFO edges, %llu boxes, work %.0f", t.count,
@@ -255,7 +259,7 @@ private:
     ModelArgument model_;
     std::uint32_t count_ = 3;
     std::uint32_t max_ = 5;
-    double alpha_ = 1.72;
+    double alpha_ = OriginOptions{}.alpha;
     std::uint32_t viewpoints_ = 600;
     bool literal_ = false;
     bool time_ = false;

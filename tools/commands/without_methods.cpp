@@ -22,7 +22,7 @@ std::unique_ptr<SilhouetteMethod> make_method(const SilhouetteMethodInfo& info, 
 }
 
 std::vector<LiteralTrial> count_literal_work(const Mesh&, std::span<const glm::dvec3>,
-                                             std::uint32_t, const Context&) {
+                                             std::uint32_t, const LongCall&) {
     throw absent_part_error("origins --literal", BuildPart::methods);
 }
 

@@ -38,7 +38,7 @@ private:
 
     bool is_skipped(const Tree& tree, const VSphere& sphere, std::uint32_t number) {
         const Box& related = tree.edge_boxes[number];
-        if (forest_.culling_ == LiteralCulling::straddling) {
+        if (forest_.options_.culling == LiteralCulling::straddling) {
             if (related.box.is_empty()) return true;
             ++work_.ebv_checks;
             return sphere.side_of(related.box, related.reach) != VSphereSide::mixed;
@@ -54,11 +54,11 @@ private:
         const std::span<const TreeEdge> edges =
             std::span(tree.edges)
                 .subspan(tree.first_edge[i], tree.first_edge[i + 1] - tree.first_edge[i]);
-        // All edges of a face without a side are listed.
+        // No edge is below the leaf of a face without a side.
         if (tree.sides[i] == 0) return;
-        if (edges.empty() && forest_.culling_ == LiteralCulling::straddling) return;
+        if (edges.empty() && forest_.options_.culling == LiteralCulling::straddling) return;
         const bool is_inside = inside(tree.faces[i], tree.sides[i]);
-        if (!is_inside && forest_.culling_ == LiteralCulling::points_and_edges) return;
+        if (!is_inside && forest_.options_.culling == LiteralCulling::points_and_edges) return;
         for (const TreeEdge& edge : edges) {
             ++work_.edge_tests;
             if (inside(edge.other, edge.other_point.side) != is_inside) edges_.push_back(edge.edge);
@@ -87,22 +87,20 @@ private:
 };
 
 LiteralForest::LiteralForest(const Mesh& mesh, std::span<const glm::dvec3> origins,
-                             std::span<const std::uint32_t> face_groups, LiteralCulling culling,
-                             const PointOctreeOptions& octree)
-    : mesh_(&mesh), culling_(culling), trees_(origins.size()) {
+                             std::span<const std::uint32_t> face_groups,
+                             const LiteralForestOptions& options)
+    : mesh_(&mesh), options_(options), trees_(origins.size()) {
     RIMLINE_CHECK(face_groups.size() == mesh.face_count());
-    std::vector<FaceId> owners(mesh.edge_count(), k_no_face);
     const Mesh::EdgeRange border = mesh.edges_of_class(EdgeClass::border);
+    std::vector<std::uint8_t> leaves(mesh.edge_count(), 0);
     for (std::uint32_t e = 0; e < border.first; ++e) {
-        if (is_listed(EdgeId{e}, origins, face_groups, owners[e]))
+        leaves[e] = leaves_of(EdgeId{e}, origins, face_groups);
+        if (leaves[e] == 0)
             listed_edges_.push_back(EdgeId{e});
         else
             ++statistics_.tree_edges;
     }
     statistics_.listed_edges = static_cast<std::uint32_t>(listed_edges_.size());
-    std::vector<bool> is_in_tree(mesh.edge_count(), false);
-    for (std::uint32_t e = 0; e < border.first; ++e) is_in_tree[e] = true;
-    for (const EdgeId edge : listed_edges_) is_in_tree[index(edge)] = false;
 
     for (std::size_t g = 0; g < origins.size(); ++g) {
         Tree& tree = trees_[g];
@@ -114,7 +112,7 @@ LiteralForest::LiteralForest(const Mesh& mesh, std::span<const glm::dvec3> origi
             faces.push_back(FaceId{f});
             positions.push_back(hough_point(mesh.plane(FaceId{f}), tree.origin).position);
         }
-        tree.octree = build_point_octree(positions, octree);
+        tree.octree = build_point_octree(positions, options.octree);
         std::vector<HoughPoint> points;
         for (const std::uint32_t i : tree.octree.order) {
             const FaceId face = faces[i];
@@ -123,10 +121,11 @@ LiteralForest::LiteralForest(const Mesh& mesh, std::span<const glm::dvec3> origi
             tree.sides.push_back(static_cast<std::int8_t>(points.back().side));
             tree.first_edge.push_back(static_cast<std::uint32_t>(tree.edges.size()));
             for (const EdgeId edge : mesh.edges_of(face)) {
-                if (edge == k_no_edge || !is_in_tree[index(edge)]) continue;
-                if (culling == LiteralCulling::straddling && owners[index(edge)] != face) continue;
+                if (edge == k_no_edge) continue;
                 const std::array<FaceId, 2>& both = mesh.edge(edge).faces;
-                const FaceId other = both[0] == face ? both[1] : both[0];
+                const unsigned own = both[0] == face ? 0 : 1;
+                if ((leaves[index(edge)] >> own & 1u) == 0) continue;
+                const FaceId other = both[1 - own];
                 tree.edges.push_back({edge, other, hough_point(mesh.plane(other), tree.origin)});
             }
         }
@@ -135,14 +134,14 @@ LiteralForest::LiteralForest(const Mesh& mesh, std::span<const glm::dvec3> origi
     }
 }
 
-// `owner` receives the face that an edge belongs to, if there is one.
-bool LiteralForest::is_listed(EdgeId edge, std::span<const glm::dvec3> origins,
-                              std::span<const std::uint32_t> groups, FaceId& owner) const {
+// The leaves that an edge is below: bit i for that of its face i. An edge below none is listed.
+std::uint8_t LiteralForest::leaves_of(EdgeId edge, std::span<const glm::dvec3> origins,
+                                      std::span<const std::uint32_t> groups) const {
     const EdgeClass edge_class = mesh_->edge_class(edge);
-    if (edge_class == EdgeClass::nonmanifold) return true;
+    if (edge_class == EdgeClass::nonmanifold) return 0;
     const std::array<FaceId, 2>& faces = mesh_->edge(edge).faces;
     for (const FaceId face : faces)
-        if (!mesh_->plane(face).has_normal()) return true;
+        if (!mesh_->plane(face).has_normal()) return 0;
     int sides[2][2];  // [origin][face].
     bool is_apart[2];
     for (std::size_t g = 0; g < 2; ++g) {
@@ -152,11 +151,12 @@ bool LiteralForest::is_listed(EdgeId edge, std::span<const glm::dvec3> origins,
         is_apart[g] =
             is_seen_apart(sides[g][0], sides[g][1], edge_class == EdgeClass::inconsistent);
     }
-    if (culling_ == LiteralCulling::straddling) {
-        if (is_apart[0] || is_apart[1]) owner = faces[is_apart[0] ? 0 : 1];
-        return owner == k_no_face;
-    }
-    return !is_apart[0] || !is_apart[1] || sides[0][0] != sides[1][0] || sides[0][1] != sides[1][1];
+    if (options_.listing == LiteralListing::sfo_from_any && !(is_apart[0] && is_apart[1])) return 0;
+    if (options_.culling == LiteralCulling::straddling)
+        return is_apart[0] ? 1 : (is_apart[1] ? 2 : 0);
+    if (options_.listing == LiteralListing::sfo_from_all)
+        return static_cast<std::uint8_t>((is_apart[0] ? 1 : 0) | (is_apart[1] ? 2 : 0));
+    return sides[0][0] == sides[1][0] && sides[0][1] == sides[1][1] ? 3 : 0;
 }
 
 // From the leaves up: children are stored after their parents.
@@ -164,7 +164,7 @@ void LiteralForest::bound(Tree& tree, std::span<const HoughPoint> points) const 
     const std::vector<OctreeNode>& nodes = tree.octree.nodes;
     tree.point_boxes.resize(nodes.size());
     tree.edge_boxes.resize(nodes.size());
-    const bool holds_points = culling_ == LiteralCulling::points_and_edges;
+    const bool holds_points = options_.culling == LiteralCulling::points_and_edges;
     for (std::size_t n = nodes.size(); n-- > 0;) {
         const OctreeNode& node = nodes[n];
         HoughBox& point_box = tree.point_boxes[n].box;

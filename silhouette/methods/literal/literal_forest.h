@@ -2,18 +2,29 @@
 
 // The thesis's index with several origins (4.4.5): for each group of faces, an octree with one point a leaf
 // over the faces' Hough points relative to the group's origin. It has static extraction only, with two ways
-// to skip subtrees, to count the cost of each (Table 4.2, Figure 4.9).
+// to skip subtrees and two lists of edges, to count the cost of each (Table 4.2, Figure 4.9).
+//
+// LiteralCulling:
 //
 //   points_and_edges  The thesis's way. A node with its PBV outside or its EBV inside is skipped. An edge is
-//                     found from the one of its faces that is inside. That face must be the same from both
-//                     faces' origins, or the edge is found twice or never. So the trees contain an edge if
-//                     it is SFO from neither origin and each of its faces lies on the same side of both
-//                     origins. (The text does not have the second condition.)
-//   straddling        An edge belongs to the first of its faces from whose origin it is not SFO. A box
-//                     contains both points of all edges that belong to a subtree. A node whose box is
-//                     inside or outside is skipped.
+//                     found from the one of its faces that is inside, below that face's leaf.
+//   straddling        An edge is below the leaf of the first of its faces from whose origin it is in the
+//                     trees. A box contains both points of all edges that belong to a subtree. A node whose
+//                     box is inside or outside is skipped.
 //
-// All other edges are listed and tested at every extraction. Every result equals brute force.
+// LiteralListing, the edges that are tested at every extraction:
+//
+//   sfo_from_any      Those SFO from the origin of either of their faces. With points_and_edges also those
+//                     with a face that lies on different sides of the two origins.
+//   sfo_from_all      4.4.5: only those SFO from the origins of both faces.
+//
+// Every result equals brute force, except that of points_and_edges with sfo_from_all, which is the text to
+// the letter and loses edges:
+//
+//   - An edge that is SFO from one of its two origins is below one of its faces alone. It is missed when that
+//     face is outside and the other, a ghost, is inside: "ghost points do not contribute to PBVs".
+//   - An edge that is SFO from neither, with a face on different sides of the two origins, can have both of
+//     its faces inside, each relative to its own origin, or both outside. It is found twice or never.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -28,6 +39,18 @@
 namespace rimline {
 
 enum class LiteralCulling : std::uint8_t { points_and_edges, straddling };
+enum class LiteralListing : std::uint8_t { sfo_from_any, sfo_from_all };
+
+struct LiteralForestOptions {
+    LiteralCulling culling = LiteralCulling::points_and_edges;
+    LiteralListing listing = LiteralListing::sfo_from_any;
+    PointOctreeOptions octree;
+
+    /// Whether every result equals brute force.
+    bool is_complete() const noexcept {
+        return culling == LiteralCulling::straddling || listing == LiteralListing::sfo_from_any;
+    }
+};
 
 struct LiteralForestStatistics {
     std::uint32_t tree_edges = 0;
@@ -41,12 +64,13 @@ public:
     /// entries of faces without a plane have no meaning. `mesh` must outlive the forest and stay where it
     /// is. O(faces * depth).
     LiteralForest(const Mesh& mesh, std::span<const glm::dvec3> origins,
-                  std::span<const std::uint32_t> face_groups, LiteralCulling culling,
-                  const PointOctreeOptions& octree = {});
+                  std::span<const std::uint32_t> face_groups,
+                  const LiteralForestOptions& options = {});
     LiteralForest(Mesh&&, std::span<const glm::dvec3>, std::span<const std::uint32_t>,
-                  LiteralCulling, const PointOctreeOptions& = {}) = delete;  // It would dangle.
+                  const LiteralForestOptions& = {}) = delete;  // It would dangle.
 
-    /// The same as LiteralOctree::extract. With `straddling` a box counts as one EBV check.
+    /// The same as LiteralOctree::extract. With `straddling` a box counts as one EBV check. Unless the
+    /// options are complete, `edges` may lack edges of the silhouette and have others twice.
     void extract(const HomogeneousPoint& point, std::vector<EdgeId>& edges,
                  LiteralCounters& counters) const;
 
@@ -77,12 +101,12 @@ private:
         std::vector<TreeEdge> edges;
     };
 
-    bool is_listed(EdgeId edge, std::span<const glm::dvec3> origins,
-                   std::span<const std::uint32_t> groups, FaceId& owner) const;
+    std::uint8_t leaves_of(EdgeId edge, std::span<const glm::dvec3> origins,
+                           std::span<const std::uint32_t> groups) const;
     void bound(Tree& tree, std::span<const HoughPoint> points) const;
 
     const Mesh* mesh_;
-    LiteralCulling culling_;
+    LiteralForestOptions options_;
     LiteralForestStatistics statistics_;
     std::vector<Tree> trees_;
     std::vector<EdgeId> listed_edges_;

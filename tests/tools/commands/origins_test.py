@@ -2,7 +2,7 @@
 import os
 import tempfile
 
-from program import fail, is_count, is_vector, png_size, succeed
+from program import fail, have_methods, is_count, is_vector, png_size, run, succeed
 
 
 def test_origins_are_given_or_chosen():
@@ -18,3 +18,14 @@ def test_origins_are_given_or_chosen():
     assert chosen["work"] == min(t["work"] for t in chosen["trials"])
     fail(2, "origins", "shape:box", "-k", "2", "--most", "3")
     fail(2, "origins", "shape:box", "-k", "0")
+
+
+def test_origins_counts_both_lists_of_the_thesis():
+    have_methods()
+    arguments = ("origins", "shape:knot:2000", "-k", "2", "--literal", "--viewpoints", "12")
+    complete, letter, straddling = succeed(*arguments)["literal"]
+    assert (complete["listing"], letter["listing"]) == ("sfo_from_any", "sfo_from_all")
+    assert complete["listed_edges"] > letter["listed_edges"] == straddling["listed_edges"]
+    assert complete["missed_edges"] == straddling["missed_edges"] == 0 < letter["missed_edges"]
+    shown = run(*arguments).stdout
+    assert f"points_and_edges, sfo_from_all: {letter['listed_edges']} edges listed" in shown
