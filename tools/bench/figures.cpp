@@ -58,24 +58,6 @@ PointSpread spread_of(std::span<const glm::dvec3> points, std::span<const Octree
     return spread;
 }
 
-HomogeneousPoint viewpoint(const UnitSphere& unit, double radii, const glm::dvec3& direction) {
-    return HomogeneousPoint::viewpoint(glm::vec3(unit.center + radii * unit.radius * direction));
-}
-
-std::vector<HomogeneousPoint> points_on_sphere(const UnitSphere& unit, double radii,
-                                               std::uint32_t count) {
-    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    std::vector<HomogeneousPoint> points;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / count;
-        const double across = std::sqrt(1.0 - z * z);
-        const double angle = golden_angle * i;
-        points.push_back(
-            viewpoint(unit, radii, {across * std::cos(angle), across * std::sin(angle), z}));
-    }
-    return points;
-}
-
 // The same on every machine: std::mt19937 is defined exactly, the distributions are not.
 std::vector<HomogeneousPoint> random_points(const UnitSphere& unit, std::uint32_t count) {
     std::mt19937 engine(1);
@@ -87,7 +69,7 @@ std::vector<HomogeneousPoint> random_points(const UnitSphere& unit, std::uint32_
         const double radii = 1.0 + 2.0 * random();
         const double across = std::sqrt(1.0 - z * z);
         points.push_back(
-            viewpoint(unit, radii, {across * std::cos(angle), across * std::sin(angle), z}));
+            unit.viewpoint(radii, {across * std::cos(angle), across * std::sin(angle), z}));
     }
     return points;
 }
@@ -159,16 +141,9 @@ std::vector<ExtractionWork> work_on_spheres(const Extractors& extractors, const 
                                             std::uint32_t viewpoints, std::string& difference,
                                             const Context& context) {
     std::vector<ExtractionWork> spheres;
-    std::uint32_t area = 0;
-    std::uint32_t done = 0;
-    for (const std::uint32_t radius : {1u, 2u, 3u}) {
-        area += radius * radius;
-        const auto until =
-            static_cast<std::uint32_t>(std::uint64_t{viewpoints} * area / (1 + 4 + 9));
-        spheres.push_back(extractors.mean_work(points_on_sphere(unit, radius, until - done),
-                                               difference, context));
-        spheres.back().radius = radius;
-        done = until;
+    for (const std::vector<HomogeneousPoint>& points : viewpoints_on_spheres(unit, viewpoints)) {
+        spheres.push_back(extractors.mean_work(points, difference, context));
+        spheres.back().radius = static_cast<double>(spheres.size());
     }
     return spheres;
 }
@@ -275,15 +250,6 @@ ResolutionWork work_at_resolution(const Mesh& mesh, std::uint32_t points, std::s
 }
 
 }  // namespace
-
-UnitSphere unit_sphere(const Mesh& mesh) {
-    UnitSphere unit;
-    for (const glm::vec3& position : mesh.positions()) unit.center += glm::dvec3(position);
-    if (mesh.vertex_count() > 0) unit.center /= static_cast<double>(mesh.vertex_count());
-    for (const glm::vec3& position : mesh.positions())
-        unit.radius = std::max(unit.radius, glm::length(glm::dvec3(position) - unit.center));
-    return unit;
-}
 
 FigureData bench_figures(const std::string& model, const Mesh& mesh, const FigureOptions& options,
                          const Context& context) {

@@ -5,10 +5,9 @@
 // Work is counted and not timed, so the numbers are the same on every machine. Every result is compared with
 // brute force.
 //
-// The text does not define the following; we choose: the origin is the mean of the vertices; the unit is the
-// distance from there to the farthest vertex; the three spheres have viewpoints of the same density, 276,
-// 1,104 and 2,485 of them, distributed by the golden angle; the circle has two radii and half-degree steps;
-// random points lie between one and three radii.
+// The text does not define the following; we choose: the origin, the unit and the viewpoints on three spheres
+// are those of unit_sphere.h; the circle has two radii and half-degree steps; random points lie between one
+// and three radii. `bench hough --readings` measures other choices (readings.h).
 
 #include <array>
 #include <cstdint>
@@ -21,6 +20,7 @@
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/methods/literal/literal_counters.h"
 #include "tools/bench/layout_picture.h"
+#include "tools/bench/unit_sphere.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
@@ -36,13 +36,6 @@ struct FigureOptions {
     std::uint32_t max_faces = 0xffffffffu;
     std::uint32_t sample = 6000;  ///< Points of a scatter plot.
 };
-
-/// The origin and unit sphere of the thesis.
-struct UnitSphere {
-    glm::dvec3 center{0.0};
-    double radius = 0.0;
-};
-UnitSphere unit_sphere(const Mesh& mesh);
 
 /// Figures 3.1 and 3.11: one space.
 struct PointSpread {

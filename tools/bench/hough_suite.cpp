@@ -13,6 +13,7 @@
 #include "tools/bench/hough_report.h"
 #include "tools/bench/hough_targets.h"
 #include "tools/bench/methods.h"
+#include "tools/bench/readings.h"
 #include "tools/bench/suite_models.h"
 #include "tools/bench/suites.h"
 #include "tools/options/model_argument.h"
@@ -52,8 +53,8 @@ constexpr const char* k_hough_footer =
     "brute force.\n\n"
     "--json has the machine; for each model its sizes, bytes, worst update, ceiling and VTK's\n"
     "time; for each case the methods with times and counters; with --check the targets; with\n"
-    "--methods the tables; with --growth the sizes, and the number of faces where the octree\n"
-    "overtakes brute force.\n\n"
+    "--methods the tables; with --readings the counts; with --growth the sizes, and the number of\n"
+    "faces where the octree overtakes brute force.\n\n"
     "Examples:\n"
     "  rimline bench hough bunny.obj igea.ply --check\n"
     "  rimline bench hough igea.ply --subdivide 2 --json\n"
@@ -81,6 +82,7 @@ public:
         refuse_options_of_other_kinds();
         if (growth_) return run_growth(context);
         if (figures_) return run_figures(context);
+        if (readings_) return run_readings(context);
         if (methods_) return run_methods(context);
         return run_cases(context);
     }
@@ -98,8 +100,12 @@ private:
         figures_option_ = app.add_flag("--figures", figures_,
                                        "Count the work that the thesis's figures show, in place of "
                                        "the cases; without --json a summary");
+        readings_option_ = app.add_flag("--readings", readings_,
+                                        "Count for each way to read what the thesis leaves open, "
+                                        "in place of the cases");
         no_vtk_option_ = app.add_flag("--no-vtk", no_vtk_, "Leave VTK out where it is installed");
-        for (CLI::Option* option : {methods_option_, figures_option_, no_vtk_option_})
+        for (CLI::Option* option :
+             {methods_option_, figures_option_, readings_option_, no_vtk_option_})
             option->group(k_group);
     }
 
@@ -120,7 +126,8 @@ private:
                                 "The least size of --growth");
         max_option_ = add_count(app, "--most-faces", growth_options_.max_faces, 1, 1u << 28,
                                 "The greatest size of --growth, where 10 million take 4.4 GB of "
-                                "memory, and of --figures, there by default the model's own");
+                                "memory, and of --figures and --readings, there by default the "
+                                "model's own");
         for (CLI::Option* option : {viewpoints_option_, frames_option_, worst_frames_option_,
                                     rounds_option_, builds_option_, min_option_, max_option_})
             option->group("Amount");
@@ -133,19 +140,25 @@ private:
                 if (option->count() > 0) throw UsageError(option->get_name() + ": " + why);
         };
         if (!growth_) refuse({min_option_}, "belongs to --growth");
-        if (!growth_ && !figures_) refuse({max_option_}, "belongs to --growth and --figures");
+        if (!growth_ && !figures_ && !readings_)
+            refuse({max_option_}, "belongs to --growth, --figures and --readings");
         if (growth_)
-            refuse({methods_option_, figures_option_, check_option_, no_vtk_option_,
-                    worst_frames_option_, builds_option_, models_.subdivide_option()},
-                   "not together with --growth");
+            refuse(
+                {methods_option_, figures_option_, readings_option_, check_option_, no_vtk_option_,
+                 worst_frames_option_, builds_option_, models_.subdivide_option()},
+                "not together with --growth");
         if (methods_)
-            refuse({figures_option_, check_option_, no_vtk_option_, worst_frames_option_,
-                    builds_option_},
+            refuse({figures_option_, readings_option_, check_option_, no_vtk_option_,
+                    worst_frames_option_, builds_option_},
                    "not together with --methods");
         if (figures_)
-            refuse({check_option_, no_vtk_option_, viewpoints_option_, frames_option_,
-                    worst_frames_option_, rounds_option_, builds_option_},
+            refuse({readings_option_, check_option_, no_vtk_option_, viewpoints_option_,
+                    frames_option_, worst_frames_option_, rounds_option_, builds_option_},
                    "not together with --figures");
+        if (readings_)
+            refuse({check_option_, no_vtk_option_, frames_option_, worst_frames_option_,
+                    rounds_option_, builds_option_},
+                   "not together with --readings");
         if (growth_ && models_.named().size() > 1)
             throw UsageError("--growth: takes one model at a time");
     }
@@ -266,12 +279,34 @@ private:
         return report_difference(difference);
     }
 
+    ExitStatus run_readings(const Context& context) {
+        ReadingOptions options;
+        if (viewpoints_option_->count() > 0) options.viewpoints = amounts_.viewpoints;
+        if (max_option_->count() > 0) options.max_faces = growth_options_.max_faces;
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        std::string difference;
+        for (const std::string& model : models()) {
+            const Mesh mesh = load_mesh(model, models_.subdivide(), context);
+            const Readings readings =
+                about_model(model, [&] { return bench_readings(model, mesh, options, context); });
+            if (context.json)
+                list.push_back(to_json(readings));
+            else
+                print_result(readings);
+            if (difference.empty()) difference = readings.difference;
+        }
+        if (context.json) print_json({{"readings", std::move(list)}});
+        return report_difference(difference);
+    }
+
     SuiteModels models_;
-    bool check_ = false, methods_ = false, growth_ = false, figures_ = false, no_vtk_ = false;
+    bool check_ = false, methods_ = false, growth_ = false, figures_ = false, readings_ = false,
+         no_vtk_ = false;
     HoughBenchOptions amounts_;
     GrowthOptions growth_options_;
     CLI::Option *check_option_ = nullptr, *methods_option_ = nullptr, *figures_option_ = nullptr,
-                *no_vtk_option_ = nullptr, *viewpoints_option_ = nullptr, *frames_option_ = nullptr,
+                *readings_option_ = nullptr, *no_vtk_option_ = nullptr,
+                *viewpoints_option_ = nullptr, *frames_option_ = nullptr,
                 *worst_frames_option_ = nullptr, *rounds_option_ = nullptr,
                 *builds_option_ = nullptr, *min_option_ = nullptr, *max_option_ = nullptr;
 };

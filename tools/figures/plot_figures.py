@@ -38,6 +38,8 @@ PANELS = MODELS[:6]
 # Table 4.2 of the thesis: faces, silhouette, box checks with the centroid as the one origin.
 THESIS = {"bunny": (69452, 3498, 20376), "horse_40k": (39698, 2511, 16049),
           "igea": (268686, 7191, 36757)}
+# Of the counts by each reading.
+READ = [model for model in MODELS if model[0] in ("bunny", "igea", "rocker_arm", "fandisk")]
 METHODS = [("full", "Hough, full traversal"), ("dual", "dual, full traversal"),
            ("full_octants", "Hough, full traversal by octants"),
            ("dual_octants", "dual, full traversal by octants"),
@@ -67,6 +69,19 @@ def counts(program, folder, model):
     if not data["verified"]:
         sys.exit(f"plot_figures.py: {name} differs from brute force: {data['difference']}")
     return data
+
+
+def readings(program, folder, model):
+    name, _, file_name, options = model
+    kept = folder / f"{name}_readings.json"
+    if not kept.exists():
+        print(f"counting readings of {name}", flush=True)
+        command = [program, "bench", "hough", find_model(file_name), "--readings", "--viewpoints", "300", "--json", *options]
+        result = subprocess.run(command, stdout=subprocess.PIPE, check=False)
+        if result.returncode != 0:
+            sys.exit(f"plot_figures.py: {' '.join(map(str, command))} failed")
+        kept.write_bytes(result.stdout)
+    return json.loads(kept.read_text(encoding="utf-8"))["readings"][0]
 
 
 def write_rows(path, rows):
@@ -220,6 +235,31 @@ def depths(data):
                   "deepest", "nodes", "farthest point"], rows)
 
 
+def box_tests(data):
+    """Box checks by test, and over those of the thesis."""
+    tests = [("exact", "exact"), ("inside_sphere", "inside by a sphere"), ("spheres", "both by a sphere"),
+             ("intervals", "intervals"), ("sphere_box", "outside by the v-sphere's box"),
+             ("ebv_first", "exact, EBV first")]
+    rows = []
+    for name, title, *_ in READ:
+        counted, thesis = data[name]["box_tests"], THESIS.get(name)
+        rows.append([title.replace("_", " "), number(thesis[2]) if thesis else ""]
+                    + [number(counted[test]) + (f" ({counted[test] / thesis[2]:.2f})" if thesis else "")
+                       for test, _ in tests])
+    return table(["", "thesis"] + [title for _, title in tests], rows)
+
+
+def orbits(data):
+    """Box checks in dual space over those in Hough space."""
+    names = [(m[0], m[1].replace("_", " ")) for m in READ]
+    keys = [(o["radii"], o["step_degrees"]) for o in data[names[0][0]]["orbits"]]
+    rows = []
+    for i, (radii, step) in enumerate(keys):
+        rows.append([f"{radii:g}", f"{step:g}°"]
+                    + [f"{data[n]['orbits'][i]['dual'] / data[n]['orbits'][i]['hough']:.2f}" for n, _ in names])
+    return table(["radii", "step"] + [title for _, title in names], rows)
+
+
 def walk(data):
     layout = data["horse"]["layout"]
     return (f"In all of the tree, not the slice alone: {number(layout['boxes_tested'])} boxes are tested, "
@@ -227,9 +267,9 @@ def walk(data):
             f"{number(layout['blocks_looked_at'])} to look at.")
 
 
-def write_page(data):
+def write_page(data, read):
     tables = {"walk": walk(data), "table_4_2": table_4_2(data), "growth": growth(data), "boxes": orbit(data, "boxes"),
-              "faces": orbit(data, "faces"), "depths": depths(data)}
+              "faces": orbit(data, "faces"), "depths": depths(data), "box_tests": box_tests(read), "orbits": orbits(read)}
     page = PAGE.read_text(encoding="utf-8")
     for name, text in tables.items():
         block = re.compile(rf"(<!-- figures: {name} -->\n).*?(<!-- end -->)", re.DOTALL)
@@ -249,11 +289,12 @@ def main():
         kept = options.keep or folder
         kept.mkdir(parents=True, exist_ok=True)
         data = {model[0]: counts(options.program, kept, model) for model in MODELS}
+        read = {model[0]: readings(options.program, kept, model) for model in READ}
         pictures = PAGE.with_suffix("")
         pictures.mkdir(exist_ok=True)
         write_data(folder, data)
         draw_all(folder, pictures, data)
-    write_page(data)
+    write_page(data, read)
 
 
 main()

@@ -3,7 +3,7 @@ import json
 import os
 import tempfile
 
-from program import have_methods, run, succeed
+from program import fail, have_methods, run, succeed
 
 
 BENCH_FEW = ("--rounds", "1", "--viewpoints", "10", "--frames", "10")
@@ -97,3 +97,16 @@ def test_bench_follows_the_growth_of_a_shape_and_of_a_file():
         sizes = succeed("bench", "hough", tetrahedron, "--growth", *BENCH_FEW, "--least-faces", "60",
                         "--most-faces", "1024")["growth"]["sizes"]
         assert [size["faces"] for size in sizes] == [64, 256, 1024]
+
+
+def test_bench_counts_by_each_way_to_read_the_thesis():
+    have_methods()
+    result = succeed("bench", "hough", "shape:knot:3000", "--readings", "--viewpoints", "14",
+                     "--most-faces", "1000")["readings"][0]
+    assert result["verified"] is True and result["faces"] <= 1000
+    boxes = result["box_tests"]
+    assert all(count >= boxes["exact"] for test, count in boxes.items() if test != "ebv_first")
+    assert {(o["radii"], o["step_degrees"]) for o in result["orbits"]} >= {(1.05, 0.5), (10, 5)}
+    assert all(o["hough"] > 0 and o["dual"] > 0 for o in result["orbits"])
+    for arguments in (("--readings", "--figures"), ("--readings", "--frames", "5"), ("--most-faces", "50")):
+        fail(2, "bench", "hough", "shape:box:12", *arguments)

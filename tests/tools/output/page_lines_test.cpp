@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
 
