@@ -41,7 +41,7 @@ TangentialFunction large_viewing_angle(double reach);     ///< 0 at reach/2, 1 f
 
 /// For origins of Hough spaces (4.4, Figure 4.8), in a ball of radius 3: 0 on the plane, 1 at |s| =
 /// alpha/2, 0 for |s| >= alpha.
-TangentialFunction origin_function(double alpha = 1.72);
+TangentialFunction origin_function(double alpha = 1.0);
 /// For viewpoints (4.5, Figure 4.10), in the shell from √3 to 2: 1 on the plane, 0 at |s| = alpha/2. In
 /// front 1 from `plateau` on, behind a quarter of that. alpha/2 < plateau.
 TangentialFunction view_function(double alpha, double plateau);

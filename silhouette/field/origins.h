@@ -12,10 +12,10 @@
 // (4.4.6). The trial with the least work wins. Work counts 1 per box and 2 per edge tested in HoughOctree,
 // about proportional to their times. It is the same on every machine.
 //
-// The thesis reports half to a third of the box checks with origins. In octrees built as it says we measure 14%
-// fewer on one mesh, 9% on another, and 11% more on a third; in HoughOctree, whose boxes hold both ends of an
-// edge, up to a seventh less work (docs/results/field.md). Where origins save nothing the center is chosen, and
-// ChosenOrigins::best is 0.
+// The thesis reports half to a third of the box checks with origins and alpha = 1.72. In octrees built as it says
+// we measure with that alpha 14% fewer on one mesh, 9% on another, and 11% more on a third. HoughOctree, whose
+// boxes hold both ends of an edge, needs the least work at an alpha of about 1, where origins save 6 to 19% on
+// five meshes (docs/results/field.md). Where they save nothing the center is chosen, and ChosenOrigins::best is 0.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -28,7 +28,7 @@
 namespace rimline {
 
 struct OriginOptions {
-    double alpha = 1.72;            ///< Argument of origin_function. Positive.
+    double alpha = 1.0;             ///< Argument of origin_function. Positive.
     double field_tolerance = 1e-2;  ///< FieldOptions::tolerance.
     double tolerance = 1e-3;        ///< Tolerance of positions, in radii of the mesh.
 };

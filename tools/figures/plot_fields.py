@@ -2,11 +2,13 @@
 """Makes the figures and tables of docs/results/field.md from what the program says. Draws curves with gnuplot.
 
     tools/figures/plot_fields.py [PROGRAM]        models from the folders of $RIMLINE_MODELS
+    tools/figures/plot_fields.py --alphas FILE    only what α does, from the counts that FILE has, or will have
 
-Counts and slices are the same on every machine, but for rounding; a run takes some minutes. What the page
-says between <!-- figures: NAME --> and <!-- end --> is replaced.
+Counts and slices are the same on every machine, but for rounding; a run takes some minutes, the counts over α
+half an hour. What the page says between <!-- figures: NAME --> and <!-- end --> is replaced.
 """
 
+import argparse
 import json
 import math
 import os
@@ -19,7 +21,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "results" / "field.md"
 OUT = ROOT / "docs" / "results" / "field"
-PROGRAM = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "build" / "release" / "rimline")
+PROGRAM = str(ROOT / "build" / "release" / "rimline")
 
 FUNCTIONS = ["facing", "far", "near", "silhouette", "off-silhouette", "far-front", "near-front",
              "angle-small", "angle-moderate", "angle-large", "origins", "views", "views-far", "light"]
@@ -32,7 +34,9 @@ MODELS = [("Horse", "horse.ply", 39698, 16049, 3, 6884, 532),
           ("Igea", "igea.ply", 268686, 36757, 4, 20268, 4592)]
 OTHERS = [("Nefertiti", "nefertiti.obj"), ("Rocker arm", "rocker-arm.obj"),
           ("Fandisk", "fandisk.obj")]
-ALPHAS = [0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.72, 1.8, 2.0, 2.2, 2.4, 2.6, 2.8, 3.0]
+# Of the counts over alpha; models with more faces are clustered to as many as the thesis's horse has.
+ALPHA_MODELS = [("Fandisk", "fandisk.obj"), ("Rocker arm", "rocker-arm.obj"), ("Horse, clustered", "horse.ply")]
+ALPHA_COUNTS = ("--viewpoints", 60, "--most-faces", 39698)
 
 # One face in the plane z = 0: the field around it is the function itself.
 ONE_FACE = "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
@@ -104,29 +108,83 @@ def draw_discounts(plane):
         256, "--discount", peak)
 
 
-def plot_alpha(folder):
-    """Figure 4.9: work over alpha, of an extraction with two origins."""
-    rows = []
-    for alpha in ALPHAS:
-        row = [alpha]
-        for model in ("horse.ply", "rocker-arm.obj"):
-            found = ask("origins", find_model(model), "-k", 2, "--alpha", alpha, "--literal")
-            row += [found["box_checks"], found["sfo_edges"], found["edge_checks"]]
-            row += [literal["box_checks"] for literal in found["literal"]]
-        rows.append(" ".join(map(str, row)) + "\n")
-    (folder / "alpha.dat").write_text("".join(rows), encoding="utf-8")
-    # Boxes, SFO edges, edges; the thesis's boxes by its own culling and by straddling.
-    kinds = (("red", "boxes, HoughOctree"), ("green", "SFO edges"), ("blue", "edges, HoughOctree"),
-             ("dark-red", "boxes, the thesis\'\'s: PBV and EBV"), ("orange", "boxes, the thesis\'\'s: straddling"))
+def count_alphas(kept):
+    """What `rimline bench fields --alphas` counts, by title of the model, and the means over models."""
+    if not kept.exists():
+        files = [find_model(file_name) for _, file_name in ALPHA_MODELS]
+        kept.write_text(json.dumps(ask("bench", "fields", "--alphas", *ALPHA_COUNTS, *files)), encoding="utf-8")
+    found = json.loads(kept.read_text(encoding="utf-8"))
+    return dict(zip([title for title, _ in ALPHA_MODELS], found["alphas"])), found["means"]
+
+
+def row_of(model, origins, alpha):
+    rows = [row for row in model["rows"] if (row["origins"], row["alpha"]) == (origins, alpha)]
+    return rows[0] if rows else None
+
+
+def plot_alphas(models, folder):
+    """Figure 4.9, in its colors, with two origins, each model over its own center's boxes."""
     panels = []
-    for first, title in ((2, "Horse, two origins"), (7, "Rocker arm, two origins")):
-        curves = ", ".join(
-            f"'alpha.dat' using 1:{first + i} with linespoints lc rgb '{color}' pt 7 title '{what}'"
-            for i, (color, what) in enumerate(kinds))
-        panels.append(f"set title '{title}'; plot {curves}")
-    gnuplot(style(OUT / "alpha.png", 2000, 800)
-            + "set xlabel 'alpha'; set yrange [0:*]; set key at graph 0.95, 0.41; set multiplot layout 1,2; "
-            + "; ".join(panels), folder)
+    for title, model in models.items():
+        center = model["center"]["literal"][0]["box_checks"]
+        index = model["center"]["box_checks"]
+        rows = [row for row in model["rows"] if row["origins"] == 2 and row["alpha"] <= 3.44]
+        name = title.replace(" ", "_").replace(",", "") + ".dat"
+        (folder / name).write_text("".join(
+            f"{row['alpha']} {row['literal'][0]['pbv_checks'] / center} {row['literal'][0]['ebv_checks'] / center} "
+            f"{row['literal'][0]['box_checks'] / center} {row['box_checks'] / index}\n" for row in rows),
+            encoding="utf-8")
+        curves = ", ".join(f"'{name}' using 1:{column} with linespoints lc rgb {color} pt 7 ps 0.5 title '{what}'"
+                           for column, color, what in ((2, "green", "PBV"), (3, "blue", "EBV"), (4, "red", "total"),
+                                                       (5, "amber", "HoughOctree")))
+        panels.append(f"set title '{title}'; plot {curves}, 1 lc rgb gray dt 2 notitle")
+    gnuplot(style(OUT / "alpha.svg", 1800, 640)
+            + "set xlabel 'alpha'; set xrange [0.3:3.5]; set yrange [0:1.8]; set format y '%.1f'; "
+            + "set key top right; set multiplot layout 1,3; " + "; ".join(panels), folder)
+
+
+def alphas_table(means):
+    """Geometric means over the models, of boxes and work over those of the center."""
+    alphas = sorted({mean["alpha"] for mean in means})
+    counts = sorted({mean["origins"] for mean in means})
+    lines = ["| α | " + " | ".join(f"boxes, {k}" for k in counts) + " | "
+             + " | ".join(f"work, {k}" for k in counts) + " |", "|---" * (1 + 2 * len(counts)) + "|"]
+    for alpha in alphas:
+        cells = [next((f"{m[key]:.2f}" for m in means if (m["alpha"], m["origins"]) == (alpha, k)), "")
+                 for key in ("literal_boxes", "work") for k in counts]
+        lines.append(f"| {alpha:.2f} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def least_table(models):
+    """By model: the least boxes and work over α, and those of three values of α, with two origins."""
+    shown = (1.0, 1.72, 3.44)
+    lines = ["| model | boxes: center | " + " | ".join(f"α = {a}" for a in shown) + " | least, at α | work: center | "
+             + " | ".join(f"α = {a}" for a in shown) + " | least, at α |", "|---" * 11 + "|"]
+    for title, model in models.items():
+        rows = [row for row in model["rows"] if row["origins"] == 2]
+        cells = [title]
+        for value in (lambda row: row["literal"][0]["box_checks"], lambda row: row["work"]):
+            cells.append(number(value(model["center"])))
+            cells += [number(value(row)) if row else "" for row in (row_of(model, 2, a) for a in shown)]
+            least = min(rows, key=value, default=None)
+            cells.append(f"{number(value(least))}, {least['alpha']:g}" if least else "")
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def lists_table(models):
+    """Edges SFO from any and from all of their origins, at the thesis's α."""
+    lines = ["| model | origins | listed: SFO from any | from all | PBV and EBV: from any | from all | edge tests: from "
+             "any | from all | missed, from all | twice |", "|---" * 10 + "|"]
+    for title, model in models.items():
+        for row in (row_of(model, origins, 1.72) for origins in (2, 3)):
+            complete, letter = row["literal"][0], row["literal"][1]
+            lines.append(f"| {title} | {row['origins']} | " + " | ".join(
+                f"{number(complete[key])} | {number(letter[key])}"
+                for key in ("listed_edges", "box_checks", "edge_checks"))
+                + f" | {letter['missed_edges']:.1f} | {letter['repeated_edges']:.1f} |")
+    return "\n".join(lines)
 
 
 def number(value):
@@ -134,18 +192,18 @@ def number(value):
 
 
 def origins_table():
-    lines = ["| model | faces | origins | SFO edges | boxes | edges | work | µs |",
-             "|---|---|---|---|---|---|---|---|"]
+    lines = ["| model | faces | origins | SFO edges | boxes | edges | work |",
+             "|---|---|---|---|---|---|---|"]
     for title, file_name in [m[:2] for m in MODELS] + OTHERS:
         path = find_model(file_name)
         faces = ask("info", path)["faces"]
-        found = ask("origins", path, "--most", 5, "--time")
+        found = ask("origins", path, "--most", 5)
         for trial in found["trials"]:
             count = str(trial["origins"]) if trial["origins"] else "center"
             best = "**" if trial["work"] == found["work"] else ""
             lines.append(f"| {title} | {number(faces)} | {count} | {number(trial['sfo_edges'])} | "
                          f"{number(trial['box_checks'])} | {number(trial['edge_checks'])} | "
-                         f"{best}{number(trial['work'])}{best} | {trial['us']:.0f} |")
+                         f"{best}{number(trial['work'])}{best} |")
             title, faces = "", math.nan
             lines[-1] = lines[-1].replace("nan", "")
     return "\n".join(lines)
@@ -156,12 +214,13 @@ def thesis_table():
              "boxes, thesis: centroid | optimized | its octrees, here: center | optimized | "
              "straddling: center | optimized | HoughOctree: center | optimized |",
              "|---" * 14 + "|"]
+    alpha = ("--alpha", 1.72)  # The thesis's.
     for title, file_name, faces, center, count, optimized, seconds in MODELS:
         path = find_model(file_name)
-        trials = ask("origins", path, "--most", count, "--literal")["trials"]
-        found = ask("origins", path, "-k", count, "--literal")
-        boxes = [number(tried["literal"][culling]["box_checks"])
-                 for culling in (0, 1) for tried in (trials[0], found)]
+        trials = ask("origins", path, "--most", count, "--literal", *alpha)["trials"]
+        found = ask("origins", path, "-k", count, "--literal", *alpha)
+        boxes = [number(tried["literal"][way]["box_checks"])
+                 for way in (0, 2) for tried in (trials[0], found)]
         lines.append(f"| {title} | {number(faces)} | {number(ask('info', path)['faces'])} | {count} | "
                      f"{seconds // 60}m{seconds % 60:02}s | {found['ms'] / 1000:.2f} s | "
                      f"{number(center)} | {number(optimized)} | {' | '.join(boxes)} | "
@@ -169,23 +228,43 @@ def thesis_table():
     return "\n".join(lines)
 
 
+def fill(tables):
+    page = PAGE.read_text(encoding="utf-8")
+    for name, table in tables.items():
+        page, count = re.subn(rf"(<!-- figures: {name} -->\n).*?(<!-- end -->)",
+                              lambda m, text=table: m[1] + text + "\n" + m[2], page, flags=re.DOTALL)
+        if count != 1:
+            sys.exit(f"plot_fields.py: {PAGE.name} has {count} places for {name}")
+    PAGE.write_text(page, encoding="utf-8")
+
+
+def draw_alphas(kept, folder):
+    models, means = count_alphas(kept)
+    plot_alphas(models, folder)
+    fill({"alphas": alphas_table(means), "least": least_table(models), "lists": lists_table(models)})
+
+
 def main():
+    global PROGRAM
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("program", nargs="?", default=PROGRAM)
+    parser.add_argument("--alphas", type=pathlib.Path, metavar="FILE", help="counts over alpha, and nothing else")
+    options = parser.parse_args()
+    PROGRAM = options.program
     OUT.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        draw_alphas(options.alphas or folder / "alphas.json", folder)
+        if options.alphas:
+            return
         plane = folder / "plane.off"
         plane.write_text(ONE_FACE, encoding="utf-8")
         plot_functions(plane, folder)
         draw_slices(plane)
         draw_discounts(plane)
-        plot_alpha(folder)
     ask("origins", find_model("horse.ply"), "-k", 3, "--up", "0,0,1", "--direction", "0.9,0.6,0.4",
         "-o", OUT / "groups.png")
-    page = PAGE.read_text(encoding="utf-8")
-    for table_name, table in (("origins", origins_table()), ("thesis", thesis_table())):
-        page = re.sub(rf"(<!-- figures: {table_name} -->\n).*?(<!-- end -->)",
-                      lambda m, text=table: m[1] + text + "\n" + m[2], page, flags=re.DOTALL)
-    PAGE.write_text(page, encoding="utf-8")
+    fill({"origins": origins_table(), "thesis": thesis_table()})
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 # What all figures share. `out` is set by plot_figures.py; `wide` and `high` by the figure, in pixels of
 # a page that is shown at half that size.
-set terminal pngcairo size wide, high font "DejaVu Sans,20" linewidth 1.6 rounded background "#ffffff"
+is_svg = strstrt(out, ".svg") > 0
+if (is_svg) set terminal svg size wide / 2, high / 2 font "DejaVu Sans,10" linewidth 0.9 rounded background "#ffffff"
+if (!is_svg) set terminal pngcairo size wide, high font "DejaVu Sans,20" linewidth 1.6 rounded background "#ffffff"
 set output out
 ink = "#2b2f36"
 gray = "#9aa1ab"
