@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/tools/bench/quiet_context.h"
 
 using namespace rimline;
 using tools::AlphaMean;
@@ -17,13 +18,11 @@ using tools::means_of;
 
 namespace {
 
-const tools::Context k_context{true, {}};
-
 AlphaResult result_of(const char* shape, std::uint32_t faces) {
     AlphaOptions options;
     options.max_origins = 2;
     options.viewpoints = 12;
-    return bench_alphas(shape, Mesh(make_built_in_shape(shape, faces)), options, k_context);
+    return bench_alphas(shape, Mesh(make_built_in_shape(shape, faces)), options, tools::k_quiet);
 }
 
 }  // namespace

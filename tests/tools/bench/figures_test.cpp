@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/tools/bench/quiet_context.h"
 
 using namespace rimline;
 using tools::bench_figures;
@@ -16,8 +17,6 @@ using tools::OrbitWork;
 using tools::PointSpread;
 
 namespace {
-
-const tools::Context k_context{true, {}};
 
 FigureOptions few() {
     FigureOptions options;
@@ -37,7 +36,7 @@ std::uint32_t total(const std::vector<std::uint32_t>& counts) {
 
 TEST_CASE("figures count every requested point, frame and viewpoint") {
     const Mesh mesh(make_built_in_shape("knot", 3000));
-    const FigureData data = bench_figures("knot", mesh, few(), k_context);
+    const FigureData data = bench_figures("knot", mesh, few(), tools::k_quiet);
     CHECK(data.difference == "");
     CHECK(data.faces == mesh.face_count());
     for (const PointSpread* spread : {&data.hough, &data.dual}) {
@@ -67,7 +66,7 @@ TEST_CASE("figures count every requested point, frame and viewpoint") {
 
 TEST_CASE("counts keep the order that their meanings give them") {
     const Mesh mesh(make_built_in_shape("knot", 3000));
-    const FigureData data = bench_figures("knot", mesh, few(), k_context);
+    const FigureData data = bench_figures("knot", mesh, few(), tools::k_quiet);
     for (const ExtractionWork& work : data.extraction) {
         CHECK(work.silhouette > 0.0);
         // An EBV is tested only where the PBV does not exclude the node. Boxes of leaves are added.
@@ -85,7 +84,7 @@ TEST_CASE("counts keep the order that their meanings give them") {
 
 TEST_CASE("planes that touch a sphere have Hough and dual points at distance one") {
     const Mesh mesh(make_built_in_shape("sphere", 5000));
-    const FigureData data = bench_figures("sphere", mesh, few(), k_context);
+    const FigureData data = bench_figures("sphere", mesh, few(), tools::k_quiet);
     CHECK(data.unit.radius == doctest::Approx(mesh.radius()).epsilon(1e-3));
     CHECK(data.hough.farthest == doctest::Approx(1.0).epsilon(1e-2));
     CHECK(data.dual.farthest == doctest::Approx(1.0).epsilon(1e-2));
@@ -96,19 +95,20 @@ TEST_CASE("a mesh of more faces than requested is clustered first") {
     const Mesh mesh(make_built_in_shape("knot", 3000));
     FigureOptions options = few();
     options.max_faces = 800;
-    const FigureData data = bench_figures("knot", mesh, options, k_context);
+    const FigureData data = bench_figures("knot", mesh, options, tools::k_quiet);
     CHECK(data.faces <= 800);
     CHECK(data.resolutions.size() == 2);
 }
 
 TEST_CASE("a mesh without faces has figures of nothing, and figures are JSON") {
-    const FigureData nothing = bench_figures("none", Mesh(MeshSource{}), few(), k_context);
+    const FigureData nothing = bench_figures("none", Mesh(MeshSource{}), few(), tools::k_quiet);
     CHECK(nothing.difference == "");
     CHECK(nothing.hough.points == 0);
     CHECK(total(nothing.orbit.full.boxes) == 0);
 
     const Mesh mesh(make_built_in_shape("torus", 800));
-    const nlohmann::ordered_json json = to_json(bench_figures("torus", mesh, few(), k_context));
+    const nlohmann::ordered_json json =
+        to_json(bench_figures("torus", mesh, few(), tools::k_quiet));
     CHECK(json["verified"] == true);
     CHECK(json["extraction"].size() == 3);
     CHECK(json["orbit"]["dual"]["boxes"].size() == 12);

@@ -2,15 +2,12 @@
 
 #include <doctest/doctest.h>
 
-#include <stop_token>
-
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/tools/bench/quiet_context.h"
 #include "tools/bench/piece_rays.h"
 
 namespace rimline::tools {
 namespace {
-
-const Context k_quiet{false, std::stop_token{}};
 
 TEST_CASE("drawings of a shape are checked and then timed") {
     const Mesh mesh(make_built_in_shape("knot", 2000));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/tools/bench/quiet_context.h"
 #include "tools/bench/figures.h"
 
 using namespace rimline;
@@ -13,19 +14,13 @@ using tools::FigureData;
 using tools::ReadingOptions;
 using tools::Readings;
 
-namespace {
-
-const tools::Context k_context{true, {}};
-
-}  // namespace
-
 TEST_CASE("readings at two radii and half a degree are those of the figures") {
     const Mesh mesh(make_built_in_shape("knot", 2000));
     ReadingOptions options;
     options.viewpoints = 29;
     options.radii = {1.05, 2.0};
     options.steps_degrees = {30.0};
-    const Readings readings = bench_readings("knot", mesh, options, k_context);
+    const Readings readings = bench_readings("knot", mesh, options, tools::k_quiet);
     CHECK(readings.difference == "");
     CHECK(readings.faces == mesh.face_count());
     REQUIRE(readings.orbits.size() == 2);
@@ -34,7 +29,7 @@ TEST_CASE("readings at two radii and half a degree are those of the figures") {
     few.viewpoints = 29;
     few.frames = 12;
     few.resolutions = {};
-    const FigureData figures = tools::bench_figures("knot", mesh, few, k_context);
+    const FigureData figures = tools::bench_figures("knot", mesh, few, tools::k_quiet);
     const auto mean = [](const std::vector<std::uint32_t>& counts) {
         double sum = 0.0;
         for (const std::uint32_t count : counts) sum += count;
@@ -59,13 +54,13 @@ TEST_CASE(
     options.steps_degrees = {90.0, 120.0};
     options.max_faces = 500;
     const Mesh mesh(make_built_in_shape("torus", 3000));
-    const Readings readings = bench_readings("torus", mesh, options, k_context);
+    const Readings readings = bench_readings("torus", mesh, options, tools::k_quiet);
     CHECK(readings.faces <= 500);
     const nlohmann::ordered_json json = to_json(readings);
     CHECK(json["verified"] == true);
     CHECK(json["box_tests"]["exact"] == readings.boxes[0]);
     CHECK(json["orbits"].size() == 2);
-    const Readings nothing = bench_readings("none", Mesh(MeshSource{}), options, k_context);
+    const Readings nothing = bench_readings("none", Mesh(MeshSource{}), options, tools::k_quiet);
     CHECK(nothing.difference == "");
     CHECK(nothing.boxes[0] == 0.0);
 }
