@@ -84,7 +84,7 @@ def test_wrong_usage_is_told_in_plain_words():
     assert "--origin: belongs to --method octree, literal or dual" in fail(2, *view, "--method", "brute", "--origin", "0,0,0")
     assert "several belong to --method octree" in fail(2, *view, "--method", "literal", "--origin", "0,0,0", "--origin", "1,0,0")
     assert "--seed: belongs to --method randomised" in fail(2, *view, "--seed", "3")
-    assert "SUITE: expected one of {hough,service,engine,frames,fields,views,points,lines}, not 'foo'" in fail(2, "bench", "foo")
+    assert "SUITE: expected one of {hough,service,engine,frames,fields,views,points,lines,edges}, not 'foo'" in fail(2, "bench", "foo")
     assert "MODEL: expected a file or shape:NAME" in fail(2, "info", "")
     apart = succeed("silhouette", "shape:box", "--from", " 1, 2 ,+3")
     assert apart["edges"] == succeed(*view)["edges"]

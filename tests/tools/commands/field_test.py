@@ -15,7 +15,7 @@ def test_field_tells_what_one_plane_votes():
             file.write(ONE_FACE)
         found = succeed("field", path, "--function", "origins", "--at", "0,0,0")
         assert found["planes"] == 1 and abs(found["values"][0]) < 1e-5
-        peak = 0.86 * found["radius"]
+        peak = 0.5 * found["radius"]
         found = succeed("field", path, "--function", "origins", "--at", f"0,0,{peak}",
                         "--at", f"5,0,{-peak}", "--at", f"0,0,{2 * peak}")
         assert [round(v, 4) for v in found["values"]] == [1, 1, 0]
