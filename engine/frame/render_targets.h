@@ -62,8 +62,8 @@ public:
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
     const Image& coverage() const noexcept { return coverage_; }
-    /// Normals and depth of what each pixel of the passes shows, one sample each (passes/shape_pass.h). Only with
-    /// `has_shapes`.
+    /// Normals and depth of what each pixel of the passes shows, one sample each (engine/passes/shape_pass.h). Only
+    /// with `has_shapes`.
     const Image& shapes() const noexcept { return shapes_; }
 
     /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area, to which a
