@@ -313,9 +313,13 @@ def test_render_draws_outlines_of_pixels_for_comparison():
 
         def ink(*options):
             """The number of pixels in the color of lines."""
-            said = succeed("render", "shape:box:12", "-o", output, "--size", "128x96", "--eye", "4,3,5", "--shadows", "off",
-                           "--line-color", "#f0f", "--validate", *options)
-            assert said["validation_messages"] == 0
+            # Not succeed(): under the leak sanitizer the layer's leaks are named on standard error.
+            result = run("render", "shape:box:12", "-o", output, "--size", "128x96", "--eye", "4,3,5", "--shadows", "off",
+                         "--line-color", "#f0f", "--validate", "--json", *options)
+            if result.returncode == 1 and "vulkan-validationlayers" in result.stderr:
+                skip(result.stderr.strip())
+            assert result.returncode == 0, result.stderr
+            assert json.loads(result.stdout)["validation_messages"] == 0
             return sum(tuple(pixel[:3]) == (255, 0, 255) for row in png_rows(output) for pixel in row)
 
         lines, sobel, backs = (ink("--outline", name) for name in ("lines", "sobel", "backs"))
