@@ -100,7 +100,7 @@ def halves_table(program, everything, files):
             scores[value] = {half: score([r for r in results if r["half"] == half]) for half in "ab"}
         best = {half: min(values, key=lambda value, half=half: scores[value][half]) for half in "ab"}
         default = DEFAULTS[option]
-        lines.append(f"| `{option}` | " + ", ".join(f"{v:g}: {s['a']}, {s['b']}" for v, s in scores.items()) +
+        lines.append(f"| `{option}` | " + "; ".join(f"{v:g}: {s['a']}, {s['b']}" for v, s in scores.items()) +
                      f" | {best['a']:g}: {scores[best['a']]['b']} | {best['b']:g}: {scores[best['b']]['a']} | "
                      f"{default:g}: {scores[default]['a']}, {scores[default]['b']} |")
     return "\n".join(lines)
