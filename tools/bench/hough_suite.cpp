@@ -260,43 +260,43 @@ private:
         return report_difference(difference);
     }
 
-    ExitStatus run_figures(const Context& context) {
-        FigureOptions options;
-        if (max_option_->count() > 0) options.max_faces = growth_options_.max_faces;
-        nlohmann::ordered_json figures = nlohmann::ordered_json::array();
+    // Counts each model by count(name, mesh), and prints the results, or a list of them under `key`.
+    template <typename Count, typename Print>
+    ExitStatus run_counts(const char* key, const Context& context, Count&& count, Print&& print) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
         std::string difference;
         for (const std::string& model : models()) {
             const Mesh mesh = load_mesh(model, models_.subdivide(), context);
-            const FigureData data =
-                about_model(model, [&] { return bench_figures(model, mesh, options, context); });
+            const auto result = about_model(model, [&] { return count(model, mesh); });
             if (context.json)
-                figures.push_back(to_json(data));
+                list.push_back(to_json(result));
             else
-                print_summary(data);
-            if (difference.empty()) difference = data.difference;
+                print(result);
+            if (difference.empty()) difference = result.difference;
         }
-        if (context.json) print_json({{"figures", std::move(figures)}});
+        if (context.json) print_json({{key, std::move(list)}});
         return report_difference(difference);
+    }
+
+    ExitStatus run_figures(const Context& context) {
+        FigureOptions options;
+        if (max_option_->count() > 0) options.max_faces = growth_options_.max_faces;
+        const auto count = [&](const std::string& model, const Mesh& mesh) {
+            return bench_figures(model, mesh, options, context);
+        };
+        return run_counts("figures", context, count,
+                          [](const FigureData& data) { print_summary(data); });
     }
 
     ExitStatus run_readings(const Context& context) {
         ReadingOptions options;
         if (viewpoints_option_->count() > 0) options.viewpoints = amounts_.viewpoints;
         if (max_option_->count() > 0) options.max_faces = growth_options_.max_faces;
-        nlohmann::ordered_json list = nlohmann::ordered_json::array();
-        std::string difference;
-        for (const std::string& model : models()) {
-            const Mesh mesh = load_mesh(model, models_.subdivide(), context);
-            const Readings readings =
-                about_model(model, [&] { return bench_readings(model, mesh, options, context); });
-            if (context.json)
-                list.push_back(to_json(readings));
-            else
-                print_result(readings);
-            if (difference.empty()) difference = readings.difference;
-        }
-        if (context.json) print_json({{"readings", std::move(list)}});
-        return report_difference(difference);
+        const auto count = [&](const std::string& model, const Mesh& mesh) {
+            return bench_readings(model, mesh, options, context);
+        };
+        return run_counts("readings", context, count,
+                          [](const Readings& readings) { print_result(readings); });
     }
 
     SuiteModels models_;
