@@ -41,14 +41,23 @@ def fail(status, *arguments):
     return lines[0]
 
 
+def limit_memory(size):
+    """For `preexec_fn`: the process gets `size` bytes of address space."""
+    return lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size))
+
+
+def starts_within(size):
+    """Whether the program starts with `size` bytes of address space: sanitizers reserve more before it begins."""
+    return run("--version", preexec_fn=limit_memory(size)).returncode == 0
+
+
 def fail_for_memory(*arguments):
     """Runs with 3 GiB of address space, which pictures of 16384x16384 exceed, and checks the error. Does nothing
-    with a sanitizer, which reserves more before the program begins."""
+    where the program does not start with as much."""
     limit = 3 << 30
-    limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))}
-    if run("--help", **limited).returncode != 0:
+    if not starts_within(limit):
         return
-    result = run(*arguments, "--size", "16384x16384", **limited)
+    result = run(*arguments, "--size", "16384x16384", preexec_fn=limit_memory(limit))
     assert result.returncode == 1, (arguments, result.returncode, result.stderr)
     assert result.stderr.startswith("rimline: error: ") and "picture" in result.stderr, result.stderr
 
