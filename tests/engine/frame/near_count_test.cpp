@@ -66,7 +66,8 @@ std::vector<MeshSource> sources() {
             boxes_on_an_edge()};
 }
 
-TEST_CASE("what is counted before the near plane is what lies between the eye and the light") {
+TEST_CASE("what is counted before the near plane is what lies between the eye and the light" *
+          doctest::test_suite("plain")) {
     constexpr std::uint64_t k_seed = 11;
     CAPTURE(k_seed);
     Random random(k_seed);

@@ -17,7 +17,8 @@ MemoryBlocks& blocks_of(const DeviceContext& context) {
     return dynamic_cast<MemoryBlocks&>(*context.allocator);
 }
 
-TEST_CASE("ten thousand silhouettes at once take fewer than a hundred allocations") {
+TEST_CASE("ten thousand silhouettes at once take fewer than a hundred allocations" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("box", 12));
     Scene scene{.camera = {.eye = {0, 0, 400}}};

@@ -98,7 +98,10 @@ TEST_CASE("numbers are rounded as floats and doubles are") {
     CHECK(rounded_root(mpq_class(0x1p-300)) == mpq_class(0x1p-150));
 }
 
-TEST_CASE("bits and silhouettes of hard meshes are those of exact arithmetic") { check_round(0); }
+TEST_CASE("bits and silhouettes of hard meshes are those of exact arithmetic" *
+          doctest::test_suite("plain")) {
+    check_round(0);
+}
 
 TEST_SUITE("long") {
     TEST_CASE("bits and silhouettes of many hard meshes are those of exact arithmetic") {

@@ -170,7 +170,8 @@ void report(const LineTotals& totals) {
     CHECK(totals.short_pieces < totals.pieces / 10);
 }
 
-TEST_CASE("lines of hard meshes have the faces in front of them that exact arithmetic counts") {
+TEST_CASE("lines of hard meshes have the faces in front of them that exact arithmetic counts" *
+          doctest::test_suite("plain")) {
     LineTotals totals;
     check_lines_of_classes(0, {3, 200}, totals);  // 3: each of the four states in turn.
     report(totals);

@@ -131,7 +131,8 @@ void check_shadows(const NamedSource& named, std::uint64_t seed, ShadowTotals& t
 }
 
 TEST_CASE(
-    "shadow volumes by silhouettes have the points in them that faces shade, in exact arithmetic") {
+    "shadow volumes by silhouettes have the points in them that faces shade in exact arithmetic" *
+    doctest::test_suite("plain")) {
     const std::vector<NamedSource> classes = hard_classes();
     REQUIRE(classes.size() > 100);
     ShadowTotals totals;

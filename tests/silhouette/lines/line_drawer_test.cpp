@@ -79,7 +79,8 @@ TEST_CASE("lines of built-in shapes are hidden where a count of faces says" *
     }
 }
 
-TEST_CASE("lines of soups on a grid are hidden where a count of faces says") {
+TEST_CASE("lines of soups on a grid are hidden where a count of faces says" *
+          doctest::test_suite("plain")) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         const Mesh mesh(grid_soup(seed));
         tests::check_views(mesh, Cameras::around, 1, seed, 100.0);
