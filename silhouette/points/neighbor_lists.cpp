@@ -6,10 +6,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
-#include <nanoflann.hpp>
 #include <numeric>
 
 #include "silhouette/points/each_point.h"
+#include "silhouette/points/point_tree.h"
 
 namespace rimline {
 
@@ -17,23 +17,6 @@ namespace {
 
 // Limit of minors / trace² (is_row). At it, directions spread 1.8 times as far along a line as across it.
 constexpr double k_row = 0.18;
-
-// The interface through which nanoflann reads points.
-struct TreePoints {
-    std::span<const glm::dvec3> points;
-    std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-        return points[i][static_cast<glm::length_t>(axis)];
-    }
-    template <typename Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, TreePoints, double, std::uint32_t>, TreePoints, 3,
-    std::uint32_t>;
 
 struct Near {
     double square;
@@ -43,18 +26,13 @@ struct Near {
     }
 };
 
-// The search radius, squared, that surely includes all points no farther than `square`. The tree skips
-// branches by sums of squares that are rounded differently from those of points: by some units in the last
-// place for each level.
-double reach(double square) { return square * (1.0 + 0x1p-30); }
-
 // The nearest so far, ascending. Nanoflann has a set of its own, but that resolves ties by the order of the
 // search.
 class NearestSet {
 public:
     // It is known that k others lie no farther than the square root of `known`.
     NearestSet(std::uint32_t self, std::uint32_t k, double known)
-        : self_(self), k_(k), reach_(reach(known)) {}
+        : self_(self), k_(k), reach_(search_radius(known)) {}
     bool full() const { return count_ == k_; }
     // Nanoflann offers no points beyond it.
     double worstDist() const { return reach_; }
@@ -64,7 +42,7 @@ public:
         std::uint32_t i = full() ? k_ - 1 : count_++;
         for (; i > 0 && near < near_[i - 1]; --i) near_[i] = near_[i - 1];
         near_[i] = near;
-        if (full()) reach_ = reach(near_[k_ - 1].square);
+        if (full()) reach_ = search_radius(near_[k_ - 1].square);
         return true;
     }
     // All k. The set must be full.
@@ -102,7 +80,7 @@ public:
         : points_(points),
           k_(k),
           source_{points},
-          tree_(3, source_, nanoflann::KDTreeSingleIndexAdaptorParams(12)),
+          tree_(3, source_, point_tree_leaves()),
           nearest_(points.size() * k),
           farthest_(points.size()) {}
 
@@ -158,7 +136,7 @@ private:
     std::span<const glm::dvec3> points_;
     std::uint32_t k_;
     TreePoints source_;
-    Tree tree_;
+    PointTree tree_;
     std::vector<std::uint32_t> nearest_;
     std::vector<Near> farthest_;
 };

@@ -8,6 +8,7 @@
 
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/neighbor_lists.h"
+#include "silhouette/points/outliers.h"
 #include "silhouette/points/point_order.h"
 #include "silhouette/points/robust_umbrellas.h"
 #include "silhouette/points/thesis_umbrellas.h"
@@ -39,26 +40,55 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     check(options);
     if (positions.size() >= std::size_t{1} << 31)
         throw Error(ErrorCode::too_large, "2^31 points or more");
+    if (!options.drops_outliers) {
+        find_umbrellas(options, {}, call);
+        return;
+    }
+    find_umbrellas(options, {}, call.part(0.0, 0.48));
+    const std::vector<std::uint8_t> outliers = find_outliers(*this, call.part(0.48, 0.52));
+    if (std::ranges::count(outliers, std::uint8_t{1}) > 0)
+        find_umbrellas(options, outliers, call.part(0.52, 1.0));
+}
+
+void PointSurface::find_umbrellas(const PointSurfaceOptions& options,
+                                  std::span<const std::uint8_t> dropped, const LongCall& call) {
     call.checkpoint(0.0);
-    const OrderedPoints ordered = order_points(positions);
+    std::vector<glm::dvec3> kept;
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < dropped.size(); ++i) {
+        if (dropped[i] != 0) continue;
+        kept.push_back(positions_[i]);
+        numbers.push_back(i);
+    }
+    const OrderedPoints ordered = order_points(dropped.empty() ? std::span(positions_) : kept);
     call.checkpoint(0.05);
     const NeighborLists neighbors(ordered.positions, options.k, call.part(0.1, 0.5));
     const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas
                                                                             : find_robust_umbrellas;
     const UmbrellaSet found = find(ordered.positions, neighbors, options, call.part(0.5, 0.95));
-    std::vector<std::uint32_t> place(positions.size(), k_not_ordered);
-    for (std::uint32_t i = 0; i < ordered.numbers.size(); ++i) place[ordered.numbers[i]] = i;
+    // Of each point of the order its number, and of each point its place in the order.
+    std::vector<std::uint32_t> place(positions_.size(), k_not_ordered);
+    const auto number = [&](std::uint32_t i) {
+        return numbers.empty() ? ordered.numbers[i] : numbers[ordered.numbers[i]];
+    };
+    for (std::uint32_t i = 0; i < ordered.numbers.size(); ++i) place[number(i)] = i;
     labels_.assign(size(), PointLabel::undecided);
     reasons_.assign(size(), UndecidedReason::coincident);
+    for (std::uint32_t i = 0; i < dropped.size(); ++i)
+        if (dropped[i] != 0) reasons_[i] = UndecidedReason::outlier;
     scales_.assign(size(), 0.0);
-    umbrella_begin_.push_back(0);
-    ring_begin_.push_back(0);
+    counts_ = {};
+    umbrella_begin_.assign(1, 0);
+    ring_begin_.assign(1, 0);
+    gaps_.clear();
+    normals_.clear();
+    rings_.clear();
     const auto add = [&](std::uint32_t i, const Fan& fan, const glm::dvec3& normal) {
         const auto list = neighbors.of(i);
         if (rings_.size() > k_max_ring_points - fan.size)
             throw Error(ErrorCode::too_large, "2^32 points of rings or more");
         for (std::size_t j = 0; j < fan.size; ++j)
-            rings_.push_back(PointId{ordered.numbers[list[fan.ring[j]]]});
+            rings_.push_back(PointId{number(list[fan.ring[j]])});
         gaps_.push_back(fan.gaps);
         normals_.push_back(normal);
         ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));

@@ -10,6 +10,7 @@ const char* describe(UndecidedReason reason) noexcept {
         case UndecidedReason::isolated: return "none of its neighbors counts it among their own";
         case UndecidedReason::collinear: return "all its neighbors lie on one line with it";
         case UndecidedReason::no_normal: return "no plane through it has neighbors around it";
+        case UndecidedReason::outlier: return "it lies on no surface";
         case UndecidedReason::unconfirmed_border:
             return "it sees a border that does not go on through its neighbors";
     }

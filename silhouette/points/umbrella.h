@@ -31,6 +31,7 @@ enum class UndecidedReason : std::uint8_t {
     isolated,    ///< None of its nearest neighbors counts it among their own.
     collinear,   ///< All its neighbors lie on one line with it.
     no_normal,   ///< No plane was found about which its neighbors form a triangle of the surface.
+    outlier,     ///< It lies on no surface (PointSurfaceOptions::drops_outliers).
     /// It has a gap, but the chain of its gap, through the points that name each other, is no border: the
     /// chain is too short, or broken. Only with this reason an undecided point has an umbrella, and so a
     /// normal and a scale.
@@ -54,6 +55,11 @@ struct PointSurfaceOptions {
     /// the maximum of its corners' scales. The limit is lower where its triangle turns away from the normal
     /// (Stars::excess in star_choice.h). Robust only.
     double gap_ratio = 2.75;
+
+    /// Finds the umbrellas again without the points that lie on no surface (outliers.h): these are undecided. For scans;
+    /// takes twice the time where there are any. A mesh's vertices have none, and in coarse meshes some are taken for
+    /// such.
+    bool drops_outliers = false;
 
     // Thesis only, angles in radians.
     double omega = std::numbers::pi / 6;  ///< Of a neighbor with the plane; in (0, π/2).

@@ -3,7 +3,7 @@
 wide = 1900; high = 1150
 load style
 set multiplot layout 2,3 margins 0.065,0.99,0.16,0.94 spacing 0.06,0.13
-array colors[3] = [green, amber, gray]
+array colors[4] = [green, blue, amber, gray]
 set key off
 set yrange [0:*]
 set xtics format "%g"

@@ -19,14 +19,15 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "results" / "points.md"
 PICTURE = ROOT / "docs" / "results" / "points" / "perturbed.png"
-WITH_LIBRARIES = {("noise", 0.1)}  # They take minutes for each.
 AMOUNTS = {"noise": [0, 0.05, 0.1, 0.2], "outliers": [0.01, 0.05],
            "uneven": [0.5, 0.75]}
-SHOWN = [("robust", "ours"), ("thesis", "thesis"), ("gap 120", "gap rule, 120\u00b0"), ("Open3D 16 120", "Open3D, 120\u00b0"),
+DROPPED = "ours without outliers"
+SHOWN = [("robust", "ours"), (DROPPED, "ours, `--drop-outliers`"), ("thesis", "thesis"), ("gap 120", "gap rule, 120\u00b0"), ("Open3D 16 120", "Open3D, 120\u00b0"),
          ("PCL 16 120", "PCL, 120\u00b0")]
-DEFAULTS = {"--gap-ratio": 2.75}
-DRAWN = SHOWN[:3]
-CONSTANTS = {"--gap-ratio": [2.25, 2.5, 2.75, 3, 3.5]}
+DEFAULTS = {"--gap-ratio": 2.75, "-k": 16}
+DRAWN = [("robust", "ours"), (DROPPED, "ours, --drop-outliers"), ("thesis", "thesis"),
+         ("gap 120", "gap rule, 120\u00b0")]
+CONSTANTS = {"--gap-ratio": [2.25, 2.5, 2.75, 3, 3.5], "-k": [12, 14, 16, 18, 20]}
 
 
 def bench(program, *options):
@@ -35,6 +36,15 @@ def bench(program, *options):
     if result.returncode != 0:
         sys.exit(f"plot_points.py: {' '.join(map(str, command))} failed")
     return [r for r in json.loads(result.stdout)["points"] if r["kind"] in ("wide", "smooth")]
+
+
+def measure(program, *options):
+    """A run with the libraries, and beside `robust` what it gives without outliers."""
+    results = bench(program, *options)
+    for result, dropped in zip(results, bench(program, "--drop-outliers", "--no-libraries", *options)):
+        count = next(c for c in dropped["borders"] if c["method"] == "robust")
+        result["borders"].append({**count, "method": DROPPED})
+    return results
 
 
 def totals(results, method):
@@ -115,7 +125,7 @@ def put(page, name, text):
 
 def main():
     program = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "release" / "rimline"
-    everything = bench(program, "--no-libraries")
+    everything = measure(program)
     if not everything:
         sys.exit("plot_points.py: no wide or smooth model is in the folders of RIMLINE_MODELS")
     files = [r["model"] for r in everything]
@@ -123,8 +133,7 @@ def main():
     for kind, amounts in AMOUNTS.items():
         for amount in amounts:
             if amount:
-                libraries = [] if (kind, amount) in WITH_LIBRARIES else ["--no-libraries"]
-                runs[kind, amount] = bench(program, f"--{kind}", amount, *libraries, *files)
+                runs[kind, amount] = measure(program, f"--{kind}", amount, *files)
     draw(runs)
     page = PAGE.read_text(encoding="utf8")
     page = put(page, "perturbed", perturbed_table(runs))

@@ -31,6 +31,10 @@ void SurfaceOptions::add_to(CLI::App& app) {
     add_number(app, "--gap-ratio", gap_ratio_, 1.001, 1000.0,
                "robust: smallest circumradius of a gap, in scales of its corners (default: 2.75)")
         ->group(group);
+    app.add_flag("--drop-outliers", drops_outliers_,
+                 "Find the points that lie on no surface, and the umbrellas of the others without "
+                 "them")
+        ->group(group);
     add_number(app, "--omega", omega_, 0.001, 89.999,
                "thesis: largest angle between a neighbor and the plane, in degrees (default: 30)")
         ->group(group);
@@ -55,6 +59,7 @@ PointSurfaceOptions SurfaceOptions::options() const {
         throw UsageError("--gap-ratio belongs to --method robust");
     PointSurfaceOptions options;
     options.k = k_;
+    options.drops_outliers = drops_outliers_;
     if (gap_ratio_) options.gap_ratio = *gap_ratio_;
     if (method_ != "thesis" && !is_of_thesis) return options;
     options.method = PointSurfaceOptions::Method::thesis;

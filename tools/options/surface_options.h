@@ -20,6 +20,7 @@ public:
 private:
     std::uint32_t k_ = PointSurfaceOptions{}.k;
     std::string method_;  // Empty: the method that the given options belong to.
+    bool drops_outliers_ = false;
     std::optional<double> gap_ratio_;
     std::optional<double> omega_, omega_t_, phi_;  // Degrees.
     std::optional<double> gamma_;

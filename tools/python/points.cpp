@@ -24,7 +24,8 @@ constexpr std::array<const char*, 4> k_label_names{"border", "interior", "featur
 // Points are numbered as the input numbers them. Of equal positions all have what the first has.
 class PythonPoints {
 public:
-    PythonPoints(const py::object& points, std::uint32_t k, const py::object& progress) {
+    PythonPoints(const py::object& points, std::uint32_t k, bool drop_outliers,
+                 const py::object& progress) {
         if (k < 4 || k > 32) throw py::value_error("k: expected 4 to 32 neighbors");
         std::vector<glm::dvec3> positions = positions_of(points, "points");
         if (positions.empty()) throw py::value_error("points: expected at least one");
@@ -36,7 +37,8 @@ public:
                                        .triangles = {}});
             call.checkpoint(0.02);
             number_rows(positions);
-            surface_.emplace(cloud_->positions(), PointSurfaceOptions{.k = k},
+            surface_.emplace(cloud_->positions(),
+                             PointSurfaceOptions{.k = k, .drops_outliers = drop_outliers},
                              call.part(0.02, 0.8));
             weights_ = feature_weights(*surface_, call.part(0.8, 0.9));
             index_ = std::make_unique<UmbrellaIndex>(*surface_, call.part(0.9, 1.0));
@@ -116,10 +118,12 @@ void bind_points(py::module_& module) {
                              "The surface that points were sampled from, point by point: normals, "
                              "borders, features, silhouettes. Immutable; any number of threads may "
                              "use one.")
-        .def(py::init<const py::object&, std::uint32_t, const py::object&>(), py::arg("points"),
-             py::kw_only(), py::arg("k") = 16, py::arg("progress") = py::none(),
+        .def(py::init<const py::object&, std::uint32_t, bool, const py::object&>(),
+             py::arg("points"), py::kw_only(), py::arg("k") = 16, py::arg("drop_outliers") = false,
+             py::arg("progress") = py::none(),
              "Finds the umbrella of each of N x 3 points, about five microseconds a point.\n\n"
-             "k: how many nearest neighbors are looked at, 4 to 32.")
+             "k: how many nearest neighbors are looked at, 4 to 32. drop_outliers: leave out the "
+             "points that lie on no surface, as scans have them; they are undecided.")
         .def("__len__", &PythonPoints::row_count)
         .def_property_readonly(
             "labels",

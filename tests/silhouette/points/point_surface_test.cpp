@@ -295,9 +295,10 @@ TEST_CASE("too few points to have a surface are undecided, each with its reason"
     std::vector<glm::dvec3> line;
     for (int i = 0; i < 40; ++i) line.push_back(glm::dvec3(1, 2, 3) * (i * i * 0.1));
     CHECK(reason_of_all(line) == UndecidedReason::collinear);
-    for (const auto reason : {UndecidedReason::alone, UndecidedReason::coincident,
-                              UndecidedReason::isolated, UndecidedReason::collinear,
-                              UndecidedReason::no_normal, UndecidedReason::unconfirmed_border})
+    for (const auto reason :
+         {UndecidedReason::alone, UndecidedReason::coincident, UndecidedReason::isolated,
+          UndecidedReason::collinear, UndecidedReason::no_normal, UndecidedReason::outlier,
+          UndecidedReason::unconfirmed_border})
         CHECK(std::string(describe(reason)).size() > 10);
 }
 
