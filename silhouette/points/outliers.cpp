@@ -22,23 +22,42 @@ constexpr double k_max_share = 0.1;
 
 constexpr std::uint32_t k_batch = 1u << 16;  // Points between two checkpoints.
 
-bool names(const PointSurface& surface, PointId point, PointId other) {
-    const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
-    for (std::uint32_t u = range.first; u < range.last; ++u) {
-        const std::span<const PointId> ring = surface.umbrella(UmbrellaId{u}).ring;
-        if (std::ranges::find(ring, other) != ring.end()) return true;
-    }
-    return false;
-}
+// The points of rings, by number. An undecided point has a ring only where its border is not confirmed.
+class Rings {
+public:
+    Rings(const NeighborLists& neighbors, const UmbrellaSet& umbrellas)
+        : neighbors_(neighbors), umbrellas_(umbrellas) {}
 
-// Calls body(ring point, whether it names the point) for each point of the rings of `point`.
-template <typename Body>
-void each_of_rings(const PointSurface& surface, PointId point, Body&& body) {
-    const PointSurface::UmbrellaRange range = surface.umbrellas_of(point);
-    for (std::uint32_t u = range.first; u < range.last; ++u)
-        for (const PointId other : surface.umbrella(UmbrellaId{u}).ring)
-            body(other, names(surface, other, point));
-}
+    // Calls body(ring point) for each point of the rings of `point`, until it returns true. Returns whether it did.
+    template <typename Body>
+    bool find(std::uint32_t point, Body&& body) const {
+        const std::span<const std::uint32_t> list = neighbors_.of(point);
+        const auto find_in = [&](const Fan& fan) {
+            return std::any_of(fan.ring.begin(), fan.ring.begin() + fan.size,
+                               [&](std::uint8_t place) { return body(list[place]); });
+        };
+        if (find_in(umbrellas_.fans[point])) return true;
+        const auto further = std::ranges::equal_range(umbrellas_.supplements, point, {},
+                                                      &UmbrellaSet::Supplement::point);
+        return std::ranges::any_of(
+            further, [&](const UmbrellaSet::Supplement& s) { return find_in(s.fan); });
+    }
+    bool names(std::uint32_t point, std::uint32_t other) const {
+        return find(point, [&](std::uint32_t named) { return named == other; });
+    }
+    // Calls body(ring point, whether it names the point) for each.
+    template <typename Body>
+    void each(std::uint32_t point, Body&& body) const {
+        find(point, [&](std::uint32_t other) {
+            body(other, names(other, point));
+            return false;
+        });
+    }
+
+private:
+    const NeighborLists& neighbors_;
+    const UmbrellaSet& umbrellas_;
+};
 
 // The connected sets of points: each has a root, which finds its set's size.
 class Sets {
@@ -88,60 +107,64 @@ private:
     double scale_ = 0.0;
 };
 
-std::vector<std::uint8_t> points_on_surfaces(const PointSurface& surface, const LongCall& call) {
-    std::vector<std::uint8_t> is_named(surface.size(), 0);
-    each_point(surface.size(), {call, 0.0, 0.4}, [&](std::uint32_t first, std::uint32_t last) {
+std::vector<std::uint8_t> points_on_surfaces(const Rings& rings, std::span<const double> scales,
+                                             const LongCall& call) {
+    const auto count = static_cast<std::uint32_t>(scales.size());
+    std::vector<std::uint8_t> is_named(count, 0);
+    each_point(count, {call, 0.0, 0.4}, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i) {
-            std::uint32_t count = 0, naming = 0;
-            each_of_rings(surface, PointId{i}, [&](PointId, bool is_returned) {
-                ++count;
+            std::uint32_t all = 0, naming = 0;
+            rings.each(i, [&](std::uint32_t, bool is_returned) {
+                ++all;
                 naming += is_returned;
             });
-            is_named[i] = naming > k_min_naming * count;
+            is_named[i] = naming > k_min_naming * all;
         }
     });
-    Sets sets(surface.size());
-    for (std::uint32_t i = 0; i < surface.size(); ++i) {
-        if (i % k_batch == 0) call.checkpoint(0.4 + 0.3 * i / surface.size());
+    Sets sets(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i % k_batch == 0) call.checkpoint(0.4 + 0.3 * i / count);
         if (is_named[i] == 0) continue;
-        const double scale = surface.scale(PointId{i});
-        each_of_rings(surface, PointId{i}, [&](PointId other, bool is_returned) {
-            const double others = surface.scale(other);
-            if (is_returned && is_named[index(other)] != 0 && scale <= k_max_scale_step * others &&
-                others <= k_max_scale_step * scale)
-                sets.join(i, index(other));
+        rings.each(i, [&](std::uint32_t other, bool is_returned) {
+            if (is_returned && is_named[other] != 0 &&
+                scales[i] <= k_max_scale_step * scales[other] &&
+                scales[other] <= k_max_scale_step * scales[i])
+                sets.join(i, other);
         });
     }
-    for (std::uint32_t i = 0; i < surface.size(); ++i)
-        is_named[i] = sets.size_of(i) >= k_min_surface;
+    for (std::uint32_t i = 0; i < count; ++i) is_named[i] = sets.size_of(i) >= k_min_surface;
     return is_named;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> find_outliers(const PointSurface& surface, const LongCall& call) {
-    const std::vector<std::uint8_t> is_on_surface = points_on_surfaces(surface, call);
-    std::vector<std::uint8_t> outliers(surface.size(), 0);
+std::vector<std::uint8_t> find_outliers(std::span<const glm::dvec3> points,
+                                        const NeighborLists& neighbors,
+                                        const UmbrellaSet& umbrellas, const LongCall& call) {
+    const auto count = static_cast<std::uint32_t>(points.size());
+    const std::vector<std::uint8_t> is_on_surface =
+        points_on_surfaces(Rings(neighbors, umbrellas), umbrellas.scales, call);
+    std::vector<std::uint8_t> outliers(count, 0);
     std::vector<glm::dvec3> positions;
     std::vector<double> scales;
-    for (std::uint32_t i = 0; i < surface.size(); ++i) {
+    for (std::uint32_t i = 0; i < count; ++i) {
         if (is_on_surface[i] == 0) continue;
-        positions.push_back(surface.positions()[i]);
-        scales.push_back(surface.scale(PointId{i}));
+        positions.push_back(points[i]);
+        scales.push_back(umbrellas.scales[i]);
     }
     if (positions.empty()) return outliers;
     const TreePoints source{positions};
     const PointTree tree(3, source, point_tree_leaves());
-    each_point(surface.size(), {call, 0.7, 1.0}, [&](std::uint32_t first, std::uint32_t last) {
+    each_point(count, {call, 0.7, 1.0}, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i) {
             if (is_on_surface[i] != 0) continue;
             Nearest nearest(scales);
-            tree.findNeighbors(nearest, &surface.positions()[i].x, nanoflann::SearchParams());
+            tree.findNeighbors(nearest, &points[i].x, nanoflann::SearchParams());
             outliers[i] = nearest.is_farther_than(k_max_scales_away);
         }
     });
-    const auto count = std::ranges::count(outliers, std::uint8_t{1});
-    if (static_cast<double>(count) > k_max_share * surface.size())
+    const auto found = std::ranges::count(outliers, std::uint8_t{1});
+    if (static_cast<double>(found) > k_max_share * count)
         std::ranges::fill(outliers, std::uint8_t{0});
     return outliers;
 }

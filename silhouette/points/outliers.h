@@ -12,14 +12,21 @@
 // point's scale, is an outlier.
 
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
-#include "silhouette/points/point_surface.h"
+#include "silhouette/error.h"
+#include "silhouette/points/fan.h"
+#include "silhouette/points/neighbor_lists.h"
 
 namespace rimline {
 
 /// One byte for each point, 1 for outliers. None where they would be more than a tenth of all points: then the points are
-/// too few for their surface. O(n log n) on all threads. Throws Error{cancelled}.
-std::vector<std::uint8_t> find_outliers(const PointSurface& surface, const LongCall& call = {});
+/// too few for their surface. `points` and `neighbors` in the order of OrderedPoints. O(n log n) on all threads. Throws
+/// Error{cancelled}.
+std::vector<std::uint8_t> find_outliers(std::span<const glm::dvec3> points,
+                                        const NeighborLists& neighbors,
+                                        const UmbrellaSet& umbrellas, const LongCall& call);
 
 }  // namespace rimline

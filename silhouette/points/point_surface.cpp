@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/neighbor_lists.h"
@@ -32,6 +33,24 @@ void check(const PointSurfaceOptions& options) {
     RIMLINE_CHECK(options.gamma > 1.0);
 }
 
+struct Found {
+    OrderedPoints ordered;
+    NeighborLists neighbors;
+    UmbrellaSet umbrellas;
+};
+
+Found find_umbrellas(std::span<const glm::dvec3> positions, const PointSurfaceOptions& options,
+                     const LongCall& call) {
+    call.checkpoint(0.0);
+    OrderedPoints ordered = order_points(positions);
+    call.checkpoint(0.05);
+    NeighborLists neighbors(ordered.positions, options.k, call.part(0.1, 0.55));
+    const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas
+                                                                            : find_robust_umbrellas;
+    UmbrellaSet umbrellas = find(ordered.positions, neighbors, options, call.part(0.55, 1.0));
+    return {std::move(ordered), std::move(neighbors), std::move(umbrellas)};
+}
+
 }  // namespace
 
 PointSurface::PointSurface(std::span<const glm::dvec3> positions,
@@ -40,55 +59,43 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     check(options);
     if (positions.size() >= std::size_t{1} << 31)
         throw Error(ErrorCode::too_large, "2^31 points or more");
-    if (!options.drops_outliers) {
-        find_umbrellas(options, {}, call);
-        return;
-    }
-    find_umbrellas(options, {}, call.part(0.0, 0.48));
-    const std::vector<std::uint8_t> outliers = find_outliers(*this, call.part(0.48, 0.52));
-    if (std::ranges::count(outliers, std::uint8_t{1}) > 0)
-        find_umbrellas(options, outliers, call.part(0.52, 1.0));
-}
-
-void PointSurface::find_umbrellas(const PointSurfaceOptions& options,
-                                  std::span<const std::uint8_t> dropped, const LongCall& call) {
-    call.checkpoint(0.0);
-    std::vector<glm::dvec3> kept;
-    std::vector<std::uint32_t> numbers;
-    for (std::uint32_t i = 0; i < dropped.size(); ++i) {
-        if (dropped[i] != 0) continue;
-        kept.push_back(positions_[i]);
-        numbers.push_back(i);
-    }
-    const OrderedPoints ordered = order_points(dropped.empty() ? std::span(positions_) : kept);
-    call.checkpoint(0.05);
-    const NeighborLists neighbors(ordered.positions, options.k, call.part(0.1, 0.5));
-    const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas
-                                                                            : find_robust_umbrellas;
-    const UmbrellaSet found = find(ordered.positions, neighbors, options, call.part(0.5, 0.95));
-    // Of each point of the order its number, and of each point its place in the order.
-    std::vector<std::uint32_t> place(positions_.size(), k_not_ordered);
-    const auto number = [&](std::uint32_t i) {
-        return numbers.empty() ? ordered.numbers[i] : numbers[ordered.numbers[i]];
-    };
-    for (std::uint32_t i = 0; i < ordered.numbers.size(); ++i) place[number(i)] = i;
     labels_.assign(size(), PointLabel::undecided);
     reasons_.assign(size(), UndecidedReason::coincident);
-    for (std::uint32_t i = 0; i < dropped.size(); ++i)
-        if (dropped[i] != 0) reasons_[i] = UndecidedReason::outlier;
     scales_.assign(size(), 0.0);
-    counts_ = {};
-    umbrella_begin_.assign(1, 0);
-    ring_begin_.assign(1, 0);
-    gaps_.clear();
-    normals_.clear();
-    rings_.clear();
+    const double share = options.drops_outliers ? 0.45 : 0.95;
+    Found found = find_umbrellas(positions_, options, call.part(0.0, share));
+    // Of each point in the order its number; of each point its place in the order.
+    std::vector<std::uint32_t> numbers = found.ordered.numbers;
+    if (options.drops_outliers) {
+        const std::vector<std::uint8_t> outliers = find_outliers(
+            found.ordered.positions, found.neighbors, found.umbrellas, call.part(share, 0.5));
+        if (std::ranges::count(outliers, std::uint8_t{1}) > 0) {
+            std::vector<glm::dvec3> kept;
+            std::vector<std::uint32_t> kept_numbers;
+            for (std::uint32_t i = 0; i < outliers.size(); ++i) {
+                if (outliers[i] != 0) {
+                    reasons_[numbers[i]] = UndecidedReason::outlier;
+                } else {
+                    kept.push_back(positions_[numbers[i]]);
+                    kept_numbers.push_back(numbers[i]);
+                }
+            }
+            found = find_umbrellas(kept, options, call.part(0.5, 0.95));
+            numbers.clear();
+            for (const std::uint32_t i : found.ordered.numbers) numbers.push_back(kept_numbers[i]);
+        }
+    }
+    std::vector<std::uint32_t> place(positions.size(), k_not_ordered);
+    for (std::uint32_t i = 0; i < numbers.size(); ++i) place[numbers[i]] = i;
+    const UmbrellaSet& umbrellas = found.umbrellas;
+    umbrella_begin_.push_back(0);
+    ring_begin_.push_back(0);
     const auto add = [&](std::uint32_t i, const Fan& fan, const glm::dvec3& normal) {
-        const auto list = neighbors.of(i);
+        const auto list = found.neighbors.of(i);
         if (rings_.size() > k_max_ring_points - fan.size)
             throw Error(ErrorCode::too_large, "2^32 points of rings or more");
         for (std::size_t j = 0; j < fan.size; ++j)
-            rings_.push_back(PointId{number(list[fan.ring[j]])});
+            rings_.push_back(PointId{numbers[list[fan.ring[j]]]});
         gaps_.push_back(fan.gaps);
         normals_.push_back(normal);
         ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
@@ -96,14 +103,14 @@ void PointSurface::find_umbrellas(const PointSurfaceOptions& options,
     for (std::uint32_t point = 0; point < size(); ++point) {
         if (point % k_batch == 0) call.checkpoint(0.95 + 0.03 * point / size());
         if (const std::uint32_t i = place[point]; i != k_not_ordered) {
-            labels_[point] = found.labels[i];
-            reasons_[point] = found.reasons[i];
-            if (found.fans[i].size > 0) {
-                scales_[point] = found.scales[i] * ordered.unit;
-                add(i, found.fans[i], found.normals[i]);
+            labels_[point] = umbrellas.labels[i];
+            reasons_[point] = umbrellas.reasons[i];
+            if (umbrellas.fans[i].size > 0) {
+                scales_[point] = umbrellas.scales[i] * found.ordered.unit;
+                add(i, umbrellas.fans[i], umbrellas.normals[i]);
             }
-            const auto further =
-                std::ranges::equal_range(found.supplements, i, {}, &UmbrellaSet::Supplement::point);
+            const auto further = std::ranges::equal_range(umbrellas.supplements, i, {},
+                                                          &UmbrellaSet::Supplement::point);
             for (const auto& supplement : further) add(i, supplement.fan, supplement.normal);
         }
         ++counts_[static_cast<std::size_t>(labels_[point])];

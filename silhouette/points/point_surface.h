@@ -76,9 +76,6 @@ public:
     double scale(PointId point) const noexcept { return scales_[index(point)]; }
 
 private:
-    // Of all points but those marked in `dropped`; an empty one marks none.
-    void find_umbrellas(const PointSurfaceOptions& options, std::span<const std::uint8_t> dropped,
-                        const LongCall& call);
     void count_inconsistent_edges(const LongCall& call);
 
     std::vector<glm::dvec3> positions_;
