@@ -26,6 +26,7 @@ constexpr double k_bright_cosine = 0.54;
 constexpr std::uint32_t k_picture_rays = 2400;
 constexpr std::uint32_t k_key_rays = 800;
 constexpr int k_sun_azimuths = 24;
+constexpr std::size_t k_suns_at_a_time = 8;
 constexpr std::array<double, 4> k_high_deg{12.0, 25.0, 40.0, 55.0};
 constexpr std::array<double, 3> k_low_deg{0.0, -25.0, -50.0};
 constexpr double k_below_horizon =
@@ -105,11 +106,6 @@ double usual_light_preference(const glm::dvec3& sun, const PictureFrame& frame) 
     return glm::mix(k_least_usual, 1.0, std::max({0.0, left, k_right_share * right}));
 }
 
-double score_of(const SunTones& tones, const glm::dvec3& sun, const PictureFrame& frame) {
-    return lit_share_preference(tones.lit) * std::max(tones.spread, k_least_spread) * tones.detail *
-           usual_light_preference(sun, frame);
-}
-
 std::vector<glm::dvec3> candidate_suns(std::span<const PictureFrame> frames,
                                        const PictureSunOptions& options) {
     const glm::dvec3 up = glm::normalize(options.up);
@@ -146,6 +142,50 @@ std::vector<SunTones> tones_of(const SunSurvey& survey, std::span<const SeenPlac
     tbb::parallel_for(std::size_t{0}, suns.size(),
                       [&](std::size_t i) { tones[i] = survey.tones(places, suns[i]); });
     return tones;
+}
+
+double entropy_term(double share) {
+    return share > 0.0 ? -share * std::log(share) / std::log(3.0) : 0.0;
+}
+
+// What a sun does at places where is_blocked(place) says which of those that face it lie in a cast shadow.
+template <typename IsBlocked>
+SunTones measure_tones(std::span<const SeenPlace> places, const glm::dvec3& sun,
+                       IsBlocked&& is_blocked) {
+    SunTones tones;
+    double all_detail = 0.0;
+    for (const SeenPlace& place : places) {
+        all_detail += place.detail;
+        const double cosine = glm::dot(place.normal, sun);
+        if (cosine < k_lit_cosine || glm::dot(place.face_normal, sun) <= 0.0 || is_blocked(place))
+            continue;
+        tones.lit += 1.0;
+        tones.detail += place.detail;
+        if (cosine >= k_bright_cosine) tones.bright += 1.0;
+    }
+    const double count = std::max(1.0, double(places.size()));
+    tones.lit /= count;
+    tones.bright /= count;
+    // Without any detail, as on one flat face, the lit share.
+    tones.detail = all_detail > 1e-9 * count ? tones.detail / all_detail : tones.lit;
+    for (const double share : {1.0 - tones.lit, tones.lit - tones.bright, tones.bright})
+        tones.spread += entropy_term(share);
+    return tones;
+}
+
+// No less than the score with cast shadows, which only take: of lit and bright places and of detail there are at most as
+// many as without. Dark places are then at least, and bright ones at most, what they are without, which limits the
+// entropy where that is on the far side of a third.
+double most_score_of(const SunTones& without_shadows, const glm::dvec3& sun,
+                     const PictureFrame& frame) {
+    const auto most_spread = [](double share) {
+        return entropy_term(share) + 2.0 * entropy_term((1.0 - share) / 2.0);
+    };
+    SunTones most = without_shadows;
+    most.spread = std::min(most_spread(std::max(1.0 - most.lit, 1.0 / 3.0)),
+                           most_spread(std::min(most.bright, 1.0 / 3.0)));
+    most.lit = std::min(most.lit, 0.5);
+    return picture_sun_score(most, sun, frame) * (1.0 + 1e-9);
 }
 
 double angle_of(const glm::dvec3& a, const glm::dvec3& b) {
@@ -247,6 +287,16 @@ std::vector<glm::dvec3> smoothed(const std::vector<glm::dvec3>& suns, std::ptrdi
 
 }  // namespace
 
+std::vector<glm::dvec3> picture_sun_candidates(const PictureFrame& frame,
+                                               const PictureSunOptions& options) {
+    return candidate_suns({&frame, 1}, options);
+}
+
+double picture_sun_score(const SunTones& tones, const glm::dvec3& sun, const PictureFrame& frame) {
+    return lit_share_preference(tones.lit) * std::max(tones.spread, k_least_spread) * tones.detail *
+           usual_light_preference(sun, frame);
+}
+
 SunSurvey::SunSurvey(const Mesh& mesh, float crease_angle_rad, const LongCall& call)
     : mesh_(mesh), tree_(mesh, call), normals_(corner_normals(mesh, crease_angle_rad)) {}
 
@@ -328,26 +378,8 @@ bool SunSurvey::is_blocked(const SeenPlace& place, const glm::dvec3& sun) const 
 }
 
 SunTones SunSurvey::tones(std::span<const SeenPlace> places, const glm::dvec3& sun) const {
-    SunTones tones;
-    double all_detail = 0.0;
-    for (const SeenPlace& place : places) {
-        all_detail += place.detail;
-        const double cosine = glm::dot(place.normal, sun);
-        if (cosine < k_lit_cosine || glm::dot(place.face_normal, sun) <= 0.0 ||
-            is_blocked(place, sun))
-            continue;
-        tones.lit += 1.0;
-        tones.detail += place.detail;
-        if (cosine >= k_bright_cosine) tones.bright += 1.0;
-    }
-    const double count = std::max(1.0, double(places.size()));
-    tones.lit /= count;
-    tones.bright /= count;
-    // Without any detail, as on one flat face, the lit share.
-    tones.detail = all_detail > 1e-9 * count ? tones.detail / all_detail : tones.lit;
-    for (const double share : {1.0 - tones.lit, tones.lit - tones.bright, tones.bright})
-        if (share > 0.0) tones.spread -= share * std::log(share) / std::log(3.0);
-    return tones;
+    return measure_tones(places, sun,
+                         [&](const SeenPlace& place) { return is_blocked(place, sun); });
 }
 
 std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const PictureFrame& frame,
@@ -356,18 +388,40 @@ std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const Pict
     const std::vector<SeenPlace> places = survey.places(frame, k_picture_rays);
     if (places.empty()) return std::nullopt;
     call.checkpoint(0.2);
-    const std::vector<glm::dvec3> suns = candidate_suns({&frame, 1}, options);
-    const std::vector<SunTones> tones = tones_of(survey, places, suns);
-    call.checkpoint(1.0);
-    std::size_t best = 0;
-    double best_score = -1.0;
-    for (std::size_t i = 0; i < suns.size(); ++i) {
-        const double score = score_of(tones[i], suns[i], frame);
-        if (score <= best_score) continue;
-        best = i;
-        best_score = score;
+    struct Candidate {
+        double most;
+        std::size_t number;
+        glm::dvec3 sun;
+    };
+    std::vector<Candidate> candidates;
+    for (const glm::dvec3& sun : picture_sun_candidates(frame, options)) {
+        const SunTones tones = measure_tones(places, sun, [](const SeenPlace&) { return false; });
+        candidates.push_back({most_score_of(tones, sun, frame), candidates.size(), sun});
     }
-    return PictureSun{suns[best], tones[best], best_score};
+    std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
+        return a.most != b.most ? a.most > b.most : a.number < b.number;
+    });
+    // Some at a time for all threads, until no other can be better.
+    std::vector<glm::dvec3> suns;
+    PictureSun best{{}, {}, -1.0};
+    std::size_t best_number = 0;
+    for (std::size_t first = 0; first < candidates.size(); first += suns.size()) {
+        if (candidates[first].most < best.score) break;
+        call.checkpoint(0.2 + 0.8 * double(first) / double(candidates.size()));
+        suns.clear();
+        for (std::size_t i = first; i < std::min(first + k_suns_at_a_time, candidates.size()); ++i)
+            suns.push_back(candidates[i].sun);
+        const std::vector<SunTones> tones = tones_of(survey, places, suns);
+        for (std::size_t i = 0; i < suns.size(); ++i) {
+            const double score = picture_sun_score(tones[i], suns[i], frame);
+            const std::size_t number = candidates[first + i].number;
+            if (score < best.score || (score == best.score && number > best_number)) continue;
+            best = {suns[i], tones[i], score};
+            best_number = number;
+        }
+    }
+    call.checkpoint(1.0);
+    return best;
 }
 
 std::vector<glm::dvec3> choose_moving_sun(const SunSurvey& survey,
@@ -382,7 +436,7 @@ std::vector<glm::dvec3> choose_moving_sun(const SunSurvey& survey,
         if (places.empty()) return scores;
         const std::vector<SunTones> tones = tones_of(survey, places, suns);
         for (std::size_t i = 0; i < suns.size(); ++i)
-            scores[i] = score_of(tones[i], suns[i], frame);
+            scores[i] = picture_sun_score(tones[i], suns[i], frame);
         return scores;
     };
     const std::vector<double> first_scores = scores_at(frames.front());

@@ -100,7 +100,14 @@ struct PictureSunOptions {
     bool has_ground = false;  ///< Then no sun is below the horizon.
 };
 
-/// Nothing if no ray meets the mesh. Does not depend on the number of threads. Throws Error{cancelled}.
+/// The candidates for one camera.
+std::vector<glm::dvec3> picture_sun_candidates(const PictureFrame& frame,
+                                               const PictureSunOptions& options);
+/// The product above for a sun with these tones.
+double picture_sun_score(const SunTones& tones, const glm::dvec3& sun, const PictureFrame& frame);
+
+/// The candidate with the best score, the first of equals. Candidates that cannot have it are not measured: mostly three of
+/// four. Nothing if no ray meets the mesh. Does not depend on the number of threads. Throws Error{cancelled}.
 std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const PictureFrame& frame,
                                              const PictureSunOptions& options,
                                              const LongCall& call = {});

@@ -139,6 +139,33 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("the chosen sun is the best of all candidates") {
+    for (const char* shape : {"sphere", "box", "knot", "spring", "terrain", "scene"}) {
+        const Mesh mesh(make_built_in_shape(shape, 3000));
+        const SunSurvey survey(mesh);
+        for (const glm::dvec3 direction :
+             {glm::dvec3(1, 0.8, 2), glm::dvec3(-2, -1.5, 1), glm::dvec3(0, 0.1, -1)})
+            for (const bool has_ground : {false, true}) {
+                INFO(shape);
+                const PictureFrame frame = frame_towards(mesh, direction);
+                const std::vector<SeenPlace> places = survey.places(frame, 2400);
+                double best = -1.0;
+                glm::dvec3 best_sun(0.0);
+                for (const glm::dvec3& sun :
+                     picture_sun_candidates(frame, {.has_ground = has_ground})) {
+                    const double score = picture_sun_score(survey.tones(places, sun), sun, frame);
+                    if (score <= best) continue;
+                    best = score;
+                    best_sun = sun;
+                }
+                const auto sun = choose_picture_sun(survey, frame, {.has_ground = has_ground});
+                REQUIRE(sun);
+                CHECK(sun->score == best);
+                CHECK(sun->direction == best_sun);
+            }
+    }
+}
+
 TEST_CASE("a sun turns with camera and mesh, and stands above a ground") {
     const auto turned = [](const glm::dvec3& v) { return glm::dvec3(v.z, v.y, -v.x); };
     MeshSource source = make_built_in_shape("knot", 4000);
