@@ -12,6 +12,9 @@
 
 namespace rimline {
 
+/// In loops on one thread: the points between two checkpoints.
+constexpr std::uint32_t k_checkpoint_points = 1u << 16;
+
 /// The part [begin, end] of a long call's progress.
 struct CallPart {
     const LongCall& call;

@@ -20,8 +20,6 @@ constexpr double k_max_scale_step = 2.0;
 constexpr double k_max_scales_away = 2.75;
 constexpr double k_max_share = 0.1;
 
-constexpr std::uint32_t k_batch = 1u << 16;  // Points between two checkpoints.
-
 // The points of rings, by number. An undecided point has a ring only where its border is not confirmed.
 class Rings {
 public:
@@ -123,7 +121,7 @@ std::vector<std::uint8_t> points_on_surfaces(const Rings& rings, std::span<const
     });
     Sets sets(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        if (i % k_batch == 0) call.checkpoint(0.4 + 0.3 * i / count);
+        if (i % k_checkpoint_points == 0) call.checkpoint(0.4 + 0.3 * i / count);
         if (is_named[i] == 0) continue;
         rings.each(i, [&](std::uint32_t other, bool is_returned) {
             if (is_returned && is_named[other] != 0 &&

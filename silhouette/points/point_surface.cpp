@@ -21,7 +21,6 @@ namespace {
 // Marks a point that coincides with another.
 constexpr std::uint32_t k_not_ordered = std::numeric_limits<std::uint32_t>::max();
 
-constexpr std::uint32_t k_batch = 1u << 16;  // Points between two checkpoints.
 constexpr std::size_t k_max_ring_points = std::numeric_limits<std::uint32_t>::max();
 
 void check(const PointSurfaceOptions& options) {
@@ -101,7 +100,7 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
         ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
     };
     for (std::uint32_t point = 0; point < size(); ++point) {
-        if (point % k_batch == 0) call.checkpoint(0.95 + 0.03 * point / size());
+        if (point % k_checkpoint_points == 0) call.checkpoint(0.95 + 0.03 * point / size());
         if (const std::uint32_t i = place[point]; i != k_not_ordered) {
             labels_[point] = umbrellas.labels[i];
             reasons_[point] = umbrellas.reasons[i];
