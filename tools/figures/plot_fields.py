@@ -168,6 +168,8 @@ def least_table(models):
              + " | ".join(f"α = {a}" for a in shown) + " | least, at α |", "|---" * 11 + "|"]
     for title, model in models.items():
         rows = [row for row in model["rows"] if row["origins"] == 2]
+        if not rows:
+            continue  # Alligator is flat: one origin.
         cells = [title]
         for value in (lambda row: row["literal"][0]["box_checks"], lambda row: row["work"]):
             cells.append(number(value(model["center"])))
@@ -183,7 +185,7 @@ def lists_table(models):
     lines = ["| model | origins | listed: SFO from any | from all | PBV and EBV: from any | from all | edge tests: from "
              "any | from all | missed, from all | twice |", "|---" * 10 + "|"]
     for title, model in models.items():
-        for row in (row_of(model, origins, 1.72) for origins in (2, 3)):
+        for row in filter(None, (row_of(model, origins, 1.72) for origins in (2, 3))):
             complete, letter = row["literal"][0], row["literal"][1]
             lines.append(f"| {title} | {row['origins']} | " + " | ".join(
                 f"{number(complete[key])} | {number(letter[key])}"
