@@ -10,9 +10,9 @@
 namespace rimline::tools {
 
 std::vector<LibraryBorders> library_borders(std::span<const glm::dvec3> positions,
-                                            const Context& context) {
+                                            bool has_all_settings, const Context& context) {
     ScriptInput input;
-    input.add(std::array<std::uint64_t, 1>{positions.size()});
+    input.add(std::array<std::uint64_t, 2>{positions.size(), has_all_settings});
     input.add(std::vector<glm::vec3>(positions.begin(), positions.end()));
     if (!input.is_complete()) return {};
     Progress progress(context, "running Open3D and PCL");

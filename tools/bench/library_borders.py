@@ -3,6 +3,7 @@
 Reads points from standard input, as little-endian numbers:
 
     uint64  points
+    uint64  1 for all settings, 0 for 16 neighbors and 120 degrees alone
     float32 x, y, z      for each
 
 and prints one JSON object: for each library, number of neighbors and threshold in degrees ("Open3D 16 90"),
@@ -29,7 +30,8 @@ except ImportError:
         sys.exit(77)  # Debian's Python may have it and is tried next.
     open3d = None
 
-SETTINGS = ((16, 90), (16, 120), (16, 150), (30, 90))  # 30 and 90 are Open3D's defaults.
+SETTINGS = ((16, 120), (16, 90), (16, 150), (30, 90))  # 30 and 90 are Open3D's defaults.
+MAX_RADIUS = 10  # In medians over the points. Open3D's time grows with the square.
 
 
 def read(type_code, count):
@@ -49,10 +51,13 @@ def by_open3d(positions):
     search = open3d.core.nns.NearestNeighborSearch(tensor)
     search.knn_index()
     borders = {}
-    for neighbors, threshold in SETTINGS:
+    for neighbors, threshold in settings:
         cloud.estimate_normals(max_nn=neighbors)
         # The time grows with the radius, so it is the least radius that contains the neighbors.
-        radius = 1.001 * float(search.knn_search(tensor, neighbors)[1].numpy().max()) ** 0.5
+        reaches = search.knn_search(tensor, neighbors)[1].numpy().max(axis=1) ** 0.5
+        radius = 1.001 * float(reaches.max())
+        if radius > MAX_RADIUS * float(numpy.median(reaches)):
+            raise ValueError("a radius that contains the neighbors of every point takes too long")
         _, mask = cloud.compute_boundary_points(radius, neighbors, threshold)
         borders[f"Open3D {neighbors} {threshold}"] = numpy.flatnonzero(mask.numpy()).tolist()
     return borders
@@ -70,7 +75,7 @@ def by_pcl(positions):
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "points.pcd"), "wb") as file:
             file.write(header.encode() + positions.tobytes())
-        for neighbors, threshold in SETTINGS:
+        for neighbors, threshold in settings:
             run("pcl_normal_estimation", "points.pcd", "normals.pcd", "-k", neighbors)
             run("pcl_boundary_estimation", "normals.pcd", "borders.pcd", "-k", neighbors,
                 "-thresh", math.radians(threshold))
@@ -93,7 +98,8 @@ signal.signal(signal.SIGTERM, stop)
 # The libraries' own output must not mix with the JSON.
 answer = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
-(point_count,) = read("Q", 1)
+point_count, has_all_settings = read("Q", 2)
+settings = sorted(SETTINGS) if has_all_settings else SETTINGS[:1]
 positions = read("f", 3 * point_count)
 borders = {}
 if open3d:

@@ -20,6 +20,7 @@ struct Perturbation {
     /// Vertices are left out with a probability that grows along the longest axis of the bounding box from 0 to this.
     double uneven = 0.0;
 
+    bool is_none() const noexcept { return noise == 0.0 && keeps_vertices(); }
     bool keeps_vertices() const noexcept { return outliers == 0.0 && uneven == 0.0; }
 };
 

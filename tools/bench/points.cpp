@@ -212,7 +212,8 @@ PointsBenchResult bench_points(const std::string& model, const Mesh& mesh,
             return widest[i] > threshold * k_degree - 1e-9;
         });
     if (!options.without_libraries)
-        for (const LibraryBorders& library : library_borders(points.positions, context))
+        for (const LibraryBorders& library :
+             library_borders(points.positions, options.perturbation.is_none(), context))
             add(library.method, [&](std::uint32_t i) { return library.is_border[i] != 0; });
 
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

@@ -8,6 +8,7 @@ The counts are the same on every machine. What the page says between <!-- figure
 replaced.
 """
 
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -129,11 +130,10 @@ def main():
     if not everything:
         sys.exit("plot_points.py: no wide or smooth model is in the folders of RIMLINE_MODELS")
     files = [r["model"] for r in everything]
-    runs = {("noise", 0): everything}
-    for kind, amounts in AMOUNTS.items():
-        for amount in amounts:
-            if amount:
-                runs[kind, amount] = measure(program, f"--{kind}", amount, *files)
+    settings = [(kind, amount) for kind, amounts in AMOUNTS.items() for amount in amounts if amount]
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:  # The libraries have mostly one thread.
+        found = pool.map(lambda one: measure(program, f"--{one[0]}", one[1], *files), settings)
+        runs = {("noise", 0): everything, **dict(zip(settings, found))}
     draw(runs)
     page = PAGE.read_text(encoding="utf8")
     page = put(page, "perturbed", perturbed_table(runs))
