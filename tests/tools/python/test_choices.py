@@ -119,6 +119,20 @@ def test_points_of_a_sphere_have_radial_normals_and_a_round_silhouette():
     assert np.abs(on[:, 2] - 0.25).max() < 0.08
 
 
+def test_stray_points_can_be_left_out():
+    random = np.random.default_rng(3)
+    lattice = np.stack(np.meshgrid(*2 * [np.arange(40.0)]), axis=-1).reshape(-1, 2)
+    sheet = np.column_stack([lattice + random.uniform(-0.2, 0.2, lattice.shape), np.zeros(len(lattice))])
+    stray = random.uniform((-10, -10, 5), (50, 50, 30), (40, 3))
+    points = np.concatenate([sheet, stray])
+    undecided = rimline.POINT_LABELS.index("undecided")
+    labels = rimline.PointSurface(points, drop_outliers=True).labels
+    assert (labels[len(sheet):] == undecided).all()
+    alone = rimline.PointSurface(sheet).labels
+    assert (labels[:len(sheet)] == alone).all()
+    assert (rimline.PointSurface(points).labels[:len(sheet)] != alone).sum() > 10
+
+
 def test_equal_points_have_what_the_first_has():
     sphere = rimline.load("shape:sphere:2000").vertices
     twice = np.concatenate([sphere, sphere[::-1]])
