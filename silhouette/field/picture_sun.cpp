@@ -26,7 +26,8 @@ constexpr double k_bright_cosine = 0.54;
 constexpr std::uint32_t k_picture_rays = 2400;
 constexpr std::uint32_t k_key_rays = 800;
 constexpr int k_sun_azimuths = 24;
-constexpr std::size_t k_suns_at_a_time = 8;
+constexpr std::size_t k_first_suns = 2;
+constexpr std::size_t k_suns_at_a_time = 16;  // For as many threads.
 constexpr std::array<double, 4> k_high_deg{12.0, 25.0, 40.0, 55.0};
 constexpr std::array<double, 3> k_low_deg{0.0, -25.0, -50.0};
 constexpr double k_below_horizon =
@@ -148,6 +149,10 @@ double entropy_term(double share) {
     return share > 0.0 ? -share * std::log(share) / std::log(3.0) : 0.0;
 }
 
+bool faces_sun(const SeenPlace& place, const glm::dvec3& sun) {
+    return glm::dot(place.normal, sun) >= k_lit_cosine && glm::dot(place.face_normal, sun) > 0.0;
+}
+
 // What a sun does at places where is_blocked(place) says which of those that face it lie in a cast shadow.
 template <typename IsBlocked>
 SunTones measure_tones(std::span<const SeenPlace> places, const glm::dvec3& sun,
@@ -156,12 +161,10 @@ SunTones measure_tones(std::span<const SeenPlace> places, const glm::dvec3& sun,
     double all_detail = 0.0;
     for (const SeenPlace& place : places) {
         all_detail += place.detail;
-        const double cosine = glm::dot(place.normal, sun);
-        if (cosine < k_lit_cosine || glm::dot(place.face_normal, sun) <= 0.0 || is_blocked(place))
-            continue;
+        if (!faces_sun(place, sun) || is_blocked(place)) continue;
         tones.lit += 1.0;
         tones.detail += place.detail;
-        if (cosine >= k_bright_cosine) tones.bright += 1.0;
+        if (glm::dot(place.normal, sun) >= k_bright_cosine) tones.bright += 1.0;
     }
     const double count = std::max(1.0, double(places.size()));
     tones.lit /= count;
@@ -382,6 +385,35 @@ SunTones SunSurvey::tones(std::span<const SeenPlace> places, const glm::dvec3& s
                          [&](const SeenPlace& place) { return is_blocked(place, sun); });
 }
 
+std::optional<SunTones> SunSurvey::tones(
+    std::span<const SeenPlace> places, const glm::dvec3& sun,
+    const std::function<bool(const SunTones&)>& is_enough) const {
+    SunTones most = measure_tones(places, sun, [](const SeenPlace&) { return false; });
+    double all_detail = 0.0;
+    for (const SeenPlace& place : places) all_detail += place.detail;
+    const double share = 1.0 / double(places.size());
+    const bool has_detail = all_detail * share > 1e-9;
+    std::vector<std::uint8_t> blocked(places.size(), 0);
+    // Places far apart first: what they say of the rest comes sooner.
+    constexpr std::size_t k_stride = 8, k_between_questions = 32;
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < k_stride; ++first)
+        for (std::size_t i = first; i < places.size(); i += k_stride) {
+            const SeenPlace& place = places[i];
+            if (!faces_sun(place, sun)) continue;
+            if (is_blocked(place, sun)) {
+                blocked[i] = 1;
+                most.lit -= share;
+                most.detail -= has_detail ? place.detail / all_detail : share;
+                if (glm::dot(place.normal, sun) >= k_bright_cosine) most.bright -= share;
+            }
+            if (++count % k_between_questions == 0 && is_enough(most)) return std::nullopt;
+        }
+    return measure_tones(places, sun, [&](const SeenPlace& place) {
+        return blocked[static_cast<std::size_t>(&place - places.data())] != 0;
+    });
+}
+
 std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const PictureFrame& frame,
                                              const PictureSunOptions& options,
                                              const LongCall& call) {
@@ -401,24 +433,30 @@ std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const Pict
     std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
         return a.most != b.most ? a.most > b.most : a.number < b.number;
     });
-    // Some at a time for all threads, until no other can be better.
-    std::vector<glm::dvec3> suns;
+    // Some at a time for all threads, until no other can be better. The first few find what the others have to reach.
+    std::vector<std::optional<SunTones>> tones;
     PictureSun best{{}, {}, -1.0};
     std::size_t best_number = 0;
-    for (std::size_t first = 0; first < candidates.size(); first += suns.size()) {
+    for (std::size_t first = 0, count = k_first_suns; first < candidates.size();
+         first += tones.size()) {
         if (candidates[first].most < best.score) break;
         call.checkpoint(0.2 + 0.8 * double(first) / double(candidates.size()));
-        suns.clear();
-        for (std::size_t i = first; i < std::min(first + k_suns_at_a_time, candidates.size()); ++i)
-            suns.push_back(candidates[i].sun);
-        const std::vector<SunTones> tones = tones_of(survey, places, suns);
-        for (std::size_t i = 0; i < suns.size(); ++i) {
-            const double score = picture_sun_score(tones[i], suns[i], frame);
-            const std::size_t number = candidates[first + i].number;
+        tones.assign(std::min(count, candidates.size() - first), std::nullopt);
+        tbb::parallel_for(std::size_t{0}, tones.size(), [&](std::size_t i) {
+            const glm::dvec3& sun = candidates[first + i].sun;
+            tones[i] = survey.tones(places, sun, [&](const SunTones& most) {
+                return most_score_of(most, sun, frame) < best.score;
+            });
+        });
+        for (std::size_t i = 0; i < tones.size(); ++i) {
+            if (!tones[i]) continue;
+            const auto& [most, number, sun] = candidates[first + i];
+            const double score = picture_sun_score(*tones[i], sun, frame);
             if (score < best.score || (score == best.score && number > best_number)) continue;
-            best = {suns[i], tones[i], score};
+            best = {sun, *tones[i], score};
             best_number = number;
         }
+        count = std::min(2 * count, k_suns_at_a_time);
     }
     call.checkpoint(1.0);
     return best;

@@ -27,6 +27,7 @@
 // keys it moves smoothly.
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -84,6 +85,10 @@ public:
     /// The places that a grid of at most `rays` rays through the picture of the mesh meets.
     std::vector<SeenPlace> places(const PictureFrame& frame, std::uint32_t rays) const;
     SunTones tones(std::span<const SeenPlace> places, const glm::dvec3& sun) const;
+    /// The same, or nothing once is_enough(tones) holds of what lit, bright and detail still can be at most: as if no place
+    /// that is not looked at yet lay in a cast shadow. Of these `spread` is not set.
+    std::optional<SunTones> tones(std::span<const SeenPlace> places, const glm::dvec3& sun,
+                                  const std::function<bool(const SunTones&)>& is_enough) const;
 
     const Mesh& mesh() const noexcept { return mesh_; }
 
