@@ -101,7 +101,7 @@ def test_time_is_limited():
     with tempfile.TemporaryDirectory() as folder:
         out = f"{folder}/out"
         result, told = batch("shape:knot:1000000", "shape:box", "-o", out, "--timeout", "2", "--jobs", "1",
-                             "--", "origins")
+                             "--threads", "1", "--", "origins")
         assert result.returncode == 1 and told["kinds"] == {"timeout": 1}
         status = {line["input"]: line["status"] for line in entries(f"{out}/manifest.jsonl")}
         assert status == {"shape:knot:1000000": "timeout", "shape:box": "ok"}
