@@ -111,8 +111,8 @@ std::vector<glm::dvec3> picture_sun_candidates(const PictureFrame& frame,
 /// The product above for a sun with these tones.
 double picture_sun_score(const SunTones& tones, const glm::dvec3& sun, const PictureFrame& frame);
 
-/// The candidate with the best score, the first of equals. Candidates that cannot have it are not measured: mostly three of
-/// four. Nothing if no ray meets the mesh. Does not depend on the number of threads. Throws Error{cancelled}.
+/// The candidate with the best score, the first of equals. Candidates that cannot have it are not measured: mostly more
+/// than half. Nothing if no ray meets the mesh. Does not depend on the number of threads. Throws Error{cancelled}.
 std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const PictureFrame& frame,
                                              const PictureSunOptions& options,
                                              const LongCall& call = {});
@@ -120,7 +120,7 @@ std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const Pict
 /// One direction for each frame, of length 1. Between two key cameras the sun turns by at most twice the angle
 /// by which the camera turns, or by one step of the candidates where that is more. If the camera ends about
 /// where it began, so does the sun. Empty if no ray meets the mesh in the first frame. 48 key cameras at most,
-/// each as costly as a third of choose_picture_sun(). Throws Error{cancelled}.
+/// each with a third of the places of choose_picture_sun(), and with all candidates. Throws Error{cancelled}.
 std::vector<glm::dvec3> choose_moving_sun(const SunSurvey& survey,
                                           std::span<const PictureFrame> frames,
                                           const PictureSunOptions& options,

@@ -27,7 +27,6 @@ using PointTree = nanoflann::KDTreeSingleIndexAdaptor<
     nanoflann::L2_Simple_Adaptor<double, TreePoints, double, std::uint32_t>, TreePoints, 3,
     std::uint32_t>;
 
-/// As many points in a leaf as searches are fastest with, on igea's.
 inline nanoflann::KDTreeSingleIndexAdaptorParams point_tree_leaves() {
     return nanoflann::KDTreeSingleIndexAdaptorParams(12);
 }
