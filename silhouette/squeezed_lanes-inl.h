@@ -48,7 +48,9 @@ template <class D, class M>
 HWY_INLINE std::uint32_t lanes_of(D d, M mask) {
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, mask, bits);
-    return bits[0];
+    std::uint32_t lanes = bits[0];
+    if constexpr (hn::MaxLanes(D()) > 8) lanes |= std::uint32_t{bits[1]} << 8;
+    return lanes;
 }
 
 // The numbers of the lanes in `lanes`, ascending: the table for squeezed().

@@ -15,36 +15,46 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, k_node_width>;
 using Ints = hn::RebindToSigned<Floats>;
 using Unsigneds = hn::RebindToUnsigned<Floats>;
+// Of tests of a block's planes: at most sixteen lanes.
+using Wides = hn::CappedTag<std::int32_t, k_block_size>;
 
-constexpr std::uint32_t k_prefetch_ahead = 5;
-constexpr std::uint32_t k_prefetch_far = 8;  // Where a step is short.
+// Distances of prefetches in steps. Measured on 70,000 to 4.3 million faces: half of them are up to a fifth slower
+// where the index does not fit into the caches, twice of them nowhere faster.
+constexpr std::uint32_t k_nodes_ahead = 12;
+constexpr std::uint32_t k_blocks_ahead = 32;
 
 HWY_INLINE void prefetch(const void* data, std::size_t size) {
     for (std::size_t offset = 0; offset < size; offset += 64)
         hwy::Prefetch(static_cast<const std::uint8_t*>(data) + offset);
 }
 
-// V and R of eight boxes, from `lane` on (box_tree.h).
-struct Interval {
-    hn::Vec<Floats> value;
-    hn::Vec<Floats> reach;
-};
-HWY_INLINE Interval test_boxes(const BoxNode& node, std::size_t lane, const BoxQuery& query) {
-    const Floats d;
-    const auto w = hn::Set(d, query.w);
-    auto value = hn::Zero(d);
-    auto spread = hn::Add(hn::Mul(hn::Load(d, node.reach + lane), hn::Set(d, query.margin)),
-                          hn::Set(d, query.min_margin));
-    for (int i = 0; i < 3; ++i) {
-        const auto center = hn::Load(d, node.center[i] + lane);
-        const auto extent = hn::Load(d, node.extent[i] + lane);
-        const auto scaled = hn::Mul(w, center);
-        const auto offset = hn::Sub(scaled, hn::Set(d, query.q[i]));
-        const auto slope = hn::Abs(hn::Add(offset, scaled));
-        value = hn::Add(value, hn::Mul(center, offset));
-        spread = hn::Add(spread, hn::Mul(extent, hn::Add(slope, hn::Mul(w, extent))));
+// The silhouette points that boxes are tested against, in registers.
+struct BoxPoint {
+    explicit BoxPoint(const BlockPoint& point) : spread(hn::Set(Floats(), point.spread)) {
+        for (std::size_t i = 0; i < 4; ++i) scaled[i] = hn::Set(Floats(), point.scaled[i]);
     }
-    return {value, spread};
+    hn::Vec<Floats> scaled[4];
+    hn::Vec<Floats> spread;
+};
+
+// V of the boxes from `lane` on (block_tree.h).
+HWY_INLINE hn::Vec<Floats> value_of(const BlockNode& node, std::size_t lane,
+                                    const BoxPoint& point) {
+    const Floats d;
+    auto value = hn::Mul(hn::Load(d, node.center[0] + lane), point.scaled[0]);
+    for (std::size_t i = 1; i < 4; ++i)
+        value = hn::Add(value, hn::Mul(hn::Load(d, node.center[i] + lane), point.scaled[i]));
+    return value;
+}
+
+// R + spread of the boxes from `lane` on. `reach` holds |s_i|.
+HWY_INLINE hn::Vec<Floats> range_of(const BlockNode& node, std::size_t lane,
+                                    const hn::Vec<Floats>* reach, hn::Vec<Floats> spread) {
+    const Floats d;
+    auto range = spread;
+    for (std::size_t i = 0; i < 4; ++i)
+        range = hn::Add(range, hn::Mul(hn::Load(d, node.extent[i] + lane), reach[i]));
+    return range;
 }
 
 struct Thresholds {
@@ -52,31 +62,16 @@ struct Thresholds {
     hn::Vec<Ints> margin;
 };
 
-// Of eight blocks from `lane` on, those that their thresholds do not decide. |T| - limit lies between -1.05e9
-// and 1.09e9, so nothing overflows.
-HWY_INLINE std::uint32_t near_lanes(const NodeFrames& frames, std::size_t lane,
-                                    const Thresholds& t) {
+// `value` is V of the blocks from `lane` on.
+HWY_INLINE Thresholds make_thresholds(const NodeSteps& steps, std::size_t lane,
+                                      hn::Vec<Floats> value, hn::Vec<Floats> spread) {
     const Floats d;
     const Ints di;
-    const auto limit = hn::ConvertTo(
-        di, hn::Mul(hn::Load(d, frames.longest + lane), hn::Set(d, k_block_weight_length)));
-    return lanes_of(di, hn::Lt(hn::Sub(hn::Abs(t.threshold), limit), t.margin));
-}
-
-HWY_INLINE Thresholds make_thresholds(const NodeFrames& frames, std::size_t lane,
-                                      const BlockPoint& point) {
-    const Floats d;
-    const Ints di;
-    const auto inverse = hn::Load(d, frames.step_inverse + lane);
-    auto value = hn::Zero(d);
-    for (int i = 0; i < 4; ++i)
-        value = hn::Add(value, hn::Mul(hn::Load(d, frames.center[i] + lane),
-                                       hn::Set(d, point.scaled[static_cast<std::size_t>(i)])));
+    const auto inverse = hn::Load(d, steps.inverse + lane);
     const auto limit = hn::Set(d, k_block_threshold_limit);
     const auto threshold = hn::Min(hn::Max(hn::Mul(value, inverse), hn::Neg(limit)), limit);
-    const auto margin =
-        hn::Min(hn::Add(hn::Mul(inverse, hn::Set(d, point.spread)), hn::Set(d, k_block_margin)),
-                hn::Set(d, k_block_max_margin));
+    const auto margin = hn::Min(hn::Add(hn::Mul(inverse, spread), hn::Set(d, k_block_margin)),
+                                hn::Set(d, k_block_max_margin));
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 
@@ -100,116 +95,98 @@ HWY_INLINE std::uint32_t append_blocks(std::uint32_t n, std::size_t lane, std::u
     return append_children(n, lane, lanes, scratch.block.data(), end);
 }
 
-std::uint32_t FindMixed(const BoxTree& tree, std::span<const NodeFrames> frames,
-                        const BoxQuery& query, const BlockPoint& point, SettledBy settled_by,
-                        BlockScratch& scratch, std::uint64_t& nodes) {
+// Visits the nodes of the tree, level by level: visit(node, number, lane, is_last, out, end) appends those
+// children from `lane` on that are to be entered, and returns the new end. Returns the number of blocks.
+template <typename Visit>
+HWY_INLINE std::uint32_t walk(const BlockTree& tree, BlockScratch& scratch, std::uint64_t& nodes,
+                              const Visit& visit) {
     if (tree.block_count() == 0) return 0;
-    const Floats d;
     const std::uint32_t levels = tree.level_count();
     std::uint32_t count = 1;
     scratch.frontier[0][0] = 0;
     for (std::uint32_t l = 0; l < levels; ++l) {
-        const std::span<const BoxNode> level = tree.level(l);
+        const std::span<const BlockNode> level = tree.level(l);
         const std::uint32_t* const from = scratch.frontier[l % 2].data();
         const bool is_last = l + 1 == levels;
-        std::uint32_t* const to =
-            is_last ? scratch.block.data() : scratch.frontier[(l + 1) % 2].data();
+        std::uint32_t* const to = scratch.frontier[(l + 1) % 2].data();
         std::uint32_t end = 0;
         nodes += count;
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (i + k_prefetch_ahead < count) {
-                const std::uint32_t ahead = from[i + k_prefetch_ahead];
-                prefetch(&level[ahead], sizeof(BoxNode));
-                if (is_last) prefetch(&frames[ahead], sizeof(NodeFrames));
+            if (i + k_nodes_ahead < count) {
+                const std::uint32_t ahead = from[i + k_nodes_ahead];
+                prefetch(&level[ahead], sizeof(BlockNode));
+                if (is_last) prefetch(&tree.steps()[ahead], sizeof(NodeSteps));
             }
-            const std::uint32_t n = from[i];
-            for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(d)) {
-                const Interval g = test_boxes(level[n], lane, query);
-                std::uint32_t mixed = lanes_of(d, hn::Le(hn::Abs(g.value), g.reach));
-                if (!is_last) {
-                    end = append_children(n, lane, mixed, to, end);
-                    continue;
-                }
-                const Thresholds t = make_thresholds(frames[n], lane, point);
-                if (settled_by == SettledBy::box_and_threshold)
-                    mixed &= near_lanes(frames[n], lane, t);
-                end = append_blocks(n, lane, mixed, t, end, scratch);
-            }
+            for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(Floats()))
+                end = visit(level[from[i]], from[i], lane, is_last ? nullptr : to, l, end);
         }
         count = end;
     }
     return count;
 }
 
-std::uint32_t FindChanging(const BoxTree& tree, std::span<const NodeFrames> frames,
-                           const BoxQuery& from_query, const BoxQuery& to_query,
-                           const BlockPoint& point, BlockScratch& scratch,
-                           std::uint32_t& certain_count, std::uint64_t& nodes) {
-    certain_count = 0;
-    if (tree.block_count() == 0) return 0;
+std::uint32_t FindMixed(const BlockTree& tree, const BlockPoint& point, BlockScratch& scratch,
+                        std::uint64_t& nodes) {
     const Floats d;
+    const BoxPoint p(point);
+    hn::Vec<Floats> reach[4];
+    for (std::size_t i = 0; i < 4; ++i) reach[i] = hn::Abs(p.scaled[i]);
+    const NodeSteps* const steps = tree.steps().data();
+    return walk(tree, scratch, nodes,
+                [&](const BlockNode& node, std::uint32_t n, std::size_t lane, std::uint32_t* to,
+                    std::uint32_t, std::uint32_t end) HWY_ATTR {
+                    const auto value = value_of(node, lane, p);
+                    const std::uint32_t mixed =
+                        lanes_of(d, hn::Le(hn::Abs(value), range_of(node, lane, reach, p.spread)));
+                    if (to != nullptr) return append_children(n, lane, mixed, to, end);
+                    return append_blocks(n, lane, mixed,
+                                         make_thresholds(steps[n], lane, value, p.spread), end,
+                                         scratch);
+                });
+}
+
+std::uint32_t FindChanging(const BlockTree& tree, const BlockPoint& from_point,
+                           const BlockPoint& to_point, BlockScratch& scratch,
+                           std::uint32_t& certain_count, std::uint64_t& nodes) {
+    const Floats d;
+    const hn::RebindToSigned<Floats> di;
+    const BoxPoint from(from_point);
+    const BoxPoint to(to_point);
+    hn::Vec<Floats> reach[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        reach[i] = hn::Max(hn::Abs(from.scaled[i]), hn::Abs(to.scaled[i]));
+    const auto spread = hn::Max(from.spread, to.spread);
+    const NodeSteps* const steps = tree.steps().data();
     const std::uint32_t levels = tree.level_count();
-    std::uint32_t span = 1;  // Blocks below a child of the level.
-    for (std::uint32_t l = 1; l < levels; ++l) span *= k_node_width;
-    std::uint32_t count = 1;
-    scratch.frontier[0][0] = 0;
-    for (std::uint32_t l = 0; l < levels; ++l, span /= k_node_width) {
-        const std::span<const BoxNode> level = tree.level(l);
-        const std::uint32_t* const from = scratch.frontier[l % 2].data();
-        const bool is_last = l + 1 == levels;
-        std::uint32_t* const to =
-            is_last ? scratch.block.data() : scratch.frontier[(l + 1) % 2].data();
-        std::uint32_t end = 0;
-        nodes += 2 * std::uint64_t{count};
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (i + k_prefetch_ahead < count) {
-                const std::uint32_t ahead = from[i + k_prefetch_ahead];
-                prefetch(&level[ahead], sizeof(BoxNode));
-                if (is_last) prefetch(&frames[ahead], sizeof(NodeFrames));
-            }
-            const std::uint32_t n = from[i];
-            for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(d)) {
-                const Interval g = test_boxes(level[n], lane, from_query);
-                const Interval h = test_boxes(level[n], lane, to_query);
-                // NaN lanes are neither mixed nor different.
-                const auto mixed =
-                    hn::Or(hn::Le(hn::Abs(g.value), g.reach), hn::Le(hn::Abs(h.value), h.reach));
-                const auto differ = hn::AndNot(
-                    mixed,
-                    hn::Or(hn::And(hn::Gt(g.value, hn::Zero(d)), hn::Lt(h.value, hn::Zero(d))),
-                           hn::And(hn::Lt(g.value, hn::Zero(d)), hn::Gt(h.value, hn::Zero(d)))));
-                end = is_last ? append_blocks(n, lane, lanes_of(d, mixed),
-                                              make_thresholds(frames[n], lane, point), end, scratch)
-                              : append_children(n, lane, lanes_of(d, mixed), to, end);
-                const auto base = static_cast<std::uint32_t>(n * k_node_width + lane);
-                for (std::uint32_t lanes = lanes_of(d, differ); lanes != 0; lanes &= lanes - 1) {
-                    const std::uint32_t child =
-                        base +
-                        static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+    certain_count = 0;
+    return walk(
+        tree, scratch, nodes,
+        [&](const BlockNode& node, std::uint32_t n, std::size_t lane, std::uint32_t* next,
+            std::uint32_t level, std::uint32_t end) HWY_ATTR {
+            const auto a = value_of(node, lane, from);
+            const auto b = value_of(node, lane, to);
+            const auto range = range_of(node, lane, reach, spread);
+            const auto nearest = hn::Min(hn::Abs(a), hn::Abs(b));
+            const auto differ =
+                hn::RebindMask(d, hn::Lt(hn::BitCast(di, hn::Xor(a, b)), hn::Zero(di)));
+            // All comparisons with NaN lanes are false.
+            const std::uint32_t mixed = lanes_of(d, hn::Le(nearest, range));
+            std::uint32_t certain = lanes_of(d, hn::And(hn::Gt(nearest, range), differ));
+            if (HWY_UNLIKELY(certain != 0)) {
+                // Blocks below a child.
+                std::uint32_t span = 1;
+                for (std::uint32_t l = level + 1; l < levels; ++l) span *= k_node_width;
+                for (; certain != 0; certain &= certain - 1) {
+                    const auto child = static_cast<std::uint32_t>(
+                        n * k_node_width + lane + hwy::Num0BitsBelowLS1Bit_Nonzero32(certain));
                     scratch.certain[certain_count++] = {
                         child * span, HWY_MIN((child + 1) * span, tree.block_count())};
                 }
             }
-        }
-        count = end;
-    }
-    return count;
-}
-
-std::uint32_t FindNear(std::span<const NodeFrames> frames, std::uint32_t block_count,
-                       const BlockPoint& point, BlockScratch& scratch) {
-    const Ints di;
-    std::uint32_t end = 0;
-    for (std::uint32_t n = 0; n < frames.size(); ++n) {
-        const std::uint32_t left = block_count - n * k_node_width;
-        const std::uint32_t in_use = left < k_node_width ? (1u << left) - 1 : 0xffu;
-        for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(di)) {
-            const Thresholds t = make_thresholds(frames[n], lane, point);
-            const std::uint32_t lanes = near_lanes(frames[n], lane, t) & in_use >> lane;
-            end = append_blocks(n, lane, lanes, t, end, scratch);
-        }
-    }
-    return end;
+            if (next != nullptr) return append_children(n, lane, mixed, next, end);
+            return append_blocks(n, lane, mixed, make_thresholds(steps[n], lane, b, to.spread), end,
+                                 scratch);
+        });
 }
 
 // k·W of the planes from `lane` on.
@@ -217,10 +194,10 @@ std::uint32_t FindNear(std::span<const NodeFrames> frames, std::uint32_t block_c
 class Weights {
 public:
     explicit Weights(const BlockPoint& point) : w_(point.weights) {}
-    HWY_INLINE hn::Vec<Ints> times(const PlaneBlock& block, std::size_t lane) const {
+    HWY_INLINE hn::Vec<Wides> times(const PlaneBlock& block, std::size_t lane) const {
         const std::int16_t* const xy = block.normal_xy.data() + 2 * lane;
         const std::int16_t* const zd = block.normal_z_distance.data() + 2 * lane;
-        return hn::Set(Ints(), xy[0] * w_[0] + xy[1] * w_[1] + zd[0] * w_[2] + zd[1] * w_[3]);
+        return hn::Set(Wides(), xy[0] * w_[0] + xy[1] * w_[1] + zd[0] * w_[2] + zd[1] * w_[3]);
     }
 
 private:
@@ -230,17 +207,17 @@ private:
 class Weights {
 public:
     explicit Weights(const BlockPoint& point) {
-        HWY_ALIGN std::int16_t xy[2 * k_node_width];
-        HWY_ALIGN std::int16_t zd[2 * k_node_width];
-        for (std::size_t i = 0; i < 2 * k_node_width; ++i) {
+        HWY_ALIGN std::int16_t xy[2 * k_block_size];
+        HWY_ALIGN std::int16_t zd[2 * k_block_size];
+        for (std::size_t i = 0; i < 2 * k_block_size; ++i) {
             xy[i] = point.weights[i % 2];
             zd[i] = point.weights[2 + i % 2];
         }
         xy_ = hn::Load(Shorts(), xy);
         zd_ = hn::Load(Shorts(), zd);
     }
-    HWY_INLINE hn::Vec<Ints> times(const PlaneBlock& block, std::size_t lane) const {
-        const Ints di;
+    HWY_INLINE hn::Vec<Wides> times(const PlaneBlock& block, std::size_t lane) const {
+        const Wides di;
         const Shorts ds;
         auto odd = hn::Zero(di);
         auto even = hn::ReorderWidenMulAccumulate(
@@ -251,20 +228,20 @@ public:
     }
 
 private:
-    using Shorts = hn::Repartition<std::int16_t, Ints>;
+    using Shorts = hn::Repartition<std::int16_t, Wides>;
     hn::Vec<Shorts> xy_, zd_;
 };
 #endif
 
 TestedEdges TestEdges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
                       BlockScratch& scratch) {
-    const Ints di;
+    const Wides di;
     const Weights weights(point);
     const auto last = static_cast<std::uint32_t>(blocks.planes.size()) - 1;
     TestedEdges tested{};
     for (std::uint32_t j = 0; j < count; ++j) {
-        if (j + k_prefetch_far < count)
-            prefetch(&blocks.planes[scratch.block[j + k_prefetch_far]], sizeof(EdgePlanes));
+        if (j + k_blocks_ahead < count)
+            prefetch(&blocks.planes[scratch.block[j + k_blocks_ahead]], sizeof(EdgePlanes));
         const std::uint32_t b = scratch.block[j];
         const EdgePlanes& planes = blocks.planes[b];
         const auto threshold = hn::Set(di, scratch.threshold[j]);
@@ -295,8 +272,8 @@ EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
                    const BlockScratch& scratch, EdgeId* edges) {
     const Unsigneds du;
     for (std::uint32_t j = 0; j < count; ++j) {
-        if (j + k_prefetch_ahead < count)
-            hwy::Prefetch(&edges_of_blocks[std::size_t{scratch.found_block[j + k_prefetch_ahead]} *
+        if (j + k_blocks_ahead < count)
+            hwy::Prefetch(&edges_of_blocks[std::size_t{scratch.found_block[j + k_blocks_ahead]} *
                                            k_block_size]);
         const EdgeId* const from =
             edges_of_blocks.data() + std::size_t{scratch.found_block[j]} * k_block_size;
@@ -314,13 +291,13 @@ EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
 
 std::uint32_t TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
                         std::span<const std::uint16_t> bits, BlockScratch& scratch) {
-    const Ints di;
+    const Wides di;
     const Weights weights(point);
     const auto last = static_cast<std::uint32_t>(blocks.planes.size()) - 1;
     std::uint32_t found = 0;
     for (std::uint32_t j = 0; j < count; ++j) {
-        if (j + k_prefetch_ahead < count)
-            prefetch(&blocks.planes[scratch.block[j + k_prefetch_ahead]], sizeof(PlaneBlock));
+        if (j + k_blocks_ahead < count)
+            prefetch(&blocks.planes[scratch.block[j + k_blocks_ahead]], sizeof(PlaneBlock));
         const std::uint32_t b = scratch.block[j];
         const PlaneBlock& planes = blocks.planes[b];
         const auto threshold = hn::Set(di, scratch.threshold[j]);
@@ -345,16 +322,20 @@ std::uint32_t TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::
 
 std::uint32_t FrontBits(const FaceBlocks& blocks, const BlockPoint& point,
                         std::span<std::uint16_t> bits, BlockScratch& scratch) {
-    const Ints di;
+    const Wides di;
     const Weights weights(point);
     const auto block_count = static_cast<std::uint32_t>(blocks.planes.size());
     HWY_ALIGN std::int32_t thresholds[k_node_width], margins[k_node_width];
     std::uint32_t found = 0;
-    for (std::uint32_t n = 0; n < blocks.frames.size(); ++n) {
-        for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(di)) {
-            const Thresholds t = make_thresholds(blocks.frames[n], lane, point);
-            hn::Store(t.threshold, di, thresholds + lane);
-            hn::Store(t.margin, di, margins + lane);
+    const std::span<const BlockNode> nodes = blocks.tree.last_level();
+    const BoxPoint seen_from(point);
+    for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+        for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(Ints())) {
+            const Thresholds t =
+                make_thresholds(blocks.tree.steps()[n], lane, value_of(nodes[n], lane, seen_from),
+                                seen_from.spread);
+            hn::Store(t.threshold, Ints(), thresholds + lane);
+            hn::Store(t.margin, Ints(), margins + lane);
         }
         const std::uint32_t first = n * k_node_width;
         const std::uint32_t count = std::min<std::uint32_t>(k_node_width, block_count - first);
@@ -399,30 +380,21 @@ namespace rimline::kernels {
 
 HWY_EXPORT(FindMixed);
 HWY_EXPORT(FindChanging);
-HWY_EXPORT(FindNear);
 HWY_EXPORT(TestEdges);
 HWY_EXPORT(WriteEdges);
 HWY_EXPORT(TestFaces);
 HWY_EXPORT(FrontBits);
 HWY_EXPORT(TargetName);
 
-std::uint32_t find_mixed(const BoxTree& tree, std::span<const NodeFrames> frames,
-                         const BoxQuery& query, const BlockPoint& point, SettledBy settled_by,
-                         BlockScratch& scratch, std::uint64_t& nodes) {
-    return HWY_DYNAMIC_DISPATCH(FindMixed)(tree, frames, query, point, settled_by, scratch, nodes);
+std::uint32_t find_mixed(const BlockTree& tree, const BlockPoint& point, BlockScratch& scratch,
+                         std::uint64_t& nodes) {
+    return HWY_DYNAMIC_DISPATCH(FindMixed)(tree, point, scratch, nodes);
 }
 
-std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> frames,
-                            const BoxQuery& from, const BoxQuery& to, const BlockPoint& point,
+std::uint32_t find_changing(const BlockTree& tree, const BlockPoint& from, const BlockPoint& to,
                             BlockScratch& scratch, std::uint32_t& certain_count,
                             std::uint64_t& nodes) {
-    return HWY_DYNAMIC_DISPATCH(FindChanging)(tree, frames, from, to, point, scratch, certain_count,
-                                              nodes);
-}
-
-std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_count,
-                        const BlockPoint& point, BlockScratch& scratch) {
-    return HWY_DYNAMIC_DISPATCH(FindNear)(frames, block_count, point, scratch);
+    return HWY_DYNAMIC_DISPATCH(FindChanging)(tree, from, to, scratch, certain_count, nodes);
 }
 
 TestedEdges test_edges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,

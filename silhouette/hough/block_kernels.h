@@ -12,26 +12,17 @@
 
 namespace rimline::kernels {
 
-/// What decides all planes of a block at once: its box against the query, or also its threshold
-/// (plane_block.h). A threshold is valid for one point only.
-enum class SettledBy { box, box_and_threshold };
+/// Fills `scratch` with the blocks of `tree` whose boxes do not decide all their planes (block_tree.h), and
+/// their thresholds seen from `point`. Returns their number. Adds the number of tested nodes to `nodes`.
+std::uint32_t find_mixed(const BlockTree& tree, const BlockPoint& point, BlockScratch& scratch,
+                         std::uint64_t& nodes);
 
-/// Fills `scratch` with the blocks of `tree` that `query` does not decide, and their thresholds seen
-/// from `point`. Returns their number. Adds the number of tested nodes to `nodes`.
-std::uint32_t find_mixed(const BoxTree& tree, std::span<const NodeFrames> frames,
-                         const BoxQuery& query, const BlockPoint& point, SettledBy settled_by,
-                         BlockScratch& scratch, std::uint64_t& nodes);
-
-/// The same for blocks that may lie on different sides of two v-spheres. The first `certain_count` of
-/// scratch.certain become the runs of blocks that certainly do: all their faces flip.
-std::uint32_t find_changing(const BoxTree& tree, std::span<const NodeFrames> frames,
-                            const BoxQuery& from, const BoxQuery& to, const BlockPoint& point,
+/// The same for the blocks with planes that two points may see from different sides; thresholds are seen from
+/// `to`. The first `certain_count` of scratch.certain become the runs of blocks that certainly lie on
+/// different sides: all their faces flip.
+std::uint32_t find_changing(const BlockTree& tree, const BlockPoint& from, const BlockPoint& to,
                             BlockScratch& scratch, std::uint32_t& certain_count,
                             std::uint64_t& nodes);
-
-/// Fills `scratch` with the blocks that their thresholds do not decide. Returns their number.
-std::uint32_t find_near(std::span<const NodeFrames> frames, std::uint32_t block_count,
-                        const BlockPoint& point, BlockScratch& scratch);
 
 struct TestedEdges {
     std::uint32_t found;     ///< Blocks.

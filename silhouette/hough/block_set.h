@@ -11,19 +11,12 @@
 #include <span>
 #include <vector>
 
-#include "silhouette/hough/box_tree.h"
+#include "silhouette/hough/block_tree.h"
 #include "silhouette/hough/plane_block.h"
 #include "silhouette/mesh/ids.h"
 #include "silhouette/mesh/plane.h"
 
 namespace rimline {
-
-/// The frames (BlockFrame) of the eight blocks below a node of the lowest level.
-struct alignas(64) NodeFrames {
-    float center[4][k_node_width];
-    float step_inverse[k_node_width];
-    float longest[k_node_width];  ///< Upper bound of |k| of a block's planes.
-};
 
 /// The origin and the unit of length of the planes of one set of blocks.
 struct BlockSpace {
@@ -33,7 +26,9 @@ struct BlockSpace {
     BlockPoint seen_from(const HomogeneousPoint& point) const noexcept {
         return {point, origin, length};
     }
+    /// All zero for a plane without a normal.
     PlaneVector vector_of(const Plane& plane) const noexcept {
+        if (!plane.has_normal()) return {};
         const glm::dvec3 n = plane.normal();
         return {n.x, n.y, n.z, (double{plane.d} - glm::dot(n, origin)) / length};
     }
@@ -51,16 +46,16 @@ constexpr std::uint32_t lanes_of_last_block(std::size_t lanes) noexcept {
 /// Blocks of faces. All lanes are in use, except in the last block.
 struct FaceBlocks {
     BlockSpace space;
-    BoxTree tree;
-    std::vector<NodeFrames> frames;
+    BlockTree tree;
     std::vector<PlaneBlock> planes;
     std::uint32_t first_block = 0;  ///< The number of the first among the blocks of all origins.
     std::uint32_t last_lanes = 0;   ///< Of the last block, the lanes in use.
 
     /// Makes room for all blocks.
     void resize(std::size_t faces);
-    /// Writes the planes of a block, at most sixteen. Blocks can be written at the same time.
-    void set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
+    /// Writes the planes of a block, at most sixteen, and returns their box, for the tree. Blocks can be
+    /// written at the same time.
+    BlockBounds set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
 };
 
 /// The planes of both faces of an edge. The second is negated where both faces traverse the edge in the same
@@ -69,16 +64,15 @@ using EdgePlanes = std::array<PlaneBlock, 2>;
 
 struct EdgeBlocks {
     BlockSpace space;
-    BoxTree tree;  ///< Empty where every block is always tested.
-    std::vector<NodeFrames> frames;
+    BlockTree tree;
     std::vector<EdgePlanes> planes;
     std::vector<EdgeId> edges;  ///< Sixteen for each block; k_no_edge after the last edge.
     std::uint32_t last_lanes = 0;
 
     /// Makes room for all blocks. All edges are k_no_edge.
     void resize(std::size_t edge_count);
-    /// Writes the planes of a block, two for each edge, at most 32. Blocks can be written at the same time.
-    void set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
+    /// The same for two planes of each edge, at most 32.
+    BlockBounds set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
 };
 
 }  // namespace rimline

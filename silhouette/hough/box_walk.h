@@ -1,18 +1,20 @@
 #pragma once
 
-// A list of the boxes of the index that are tested for a silhouette point, for pictures and tests.
+// The boxes of Hough points that a traversal of the octree tests for a silhouette point, for pictures and tests.
 //
-// The index itself tests eight boxes at a time and keeps no list (block_kernels.h). This traversal tests the
-// same boxes by the same inequality (box_tree.h), from the root down. A box that lies certainly on one side
-// of the v-sphere decides all faces below it. Any other box is entered. The faces of a block that no box
-// decides are tested one by one.
+// The nodes are those of the index: eight neighboring blocks in octree order, eight neighboring nodes, and so on
+// (block_tree.h). The test is the thesis's: the box of a node's Hough points against the v-sphere. (The index
+// decides a node by the box of its planes, which no picture of Hough space can show. It settles about the same
+// nodes.) A box that lies certainly on one side of the v-sphere decides all faces below it. Any other box is
+// entered. The faces of a block that no box decides are tested one by one.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "silhouette/hough/box_tree.h"
 #include "silhouette/hough/hough_octree.h"
+#include "silhouette/hough/hough_point.h"
+#include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline {
 
@@ -35,11 +37,24 @@ struct WalkedBox {
     bool is_end() const noexcept { return side != Side::straddles || height == 0; }
 };
 
-/// The tree of the index over the faces of origin number `origin`, built again from the faces. O(faces).
-BoxTree make_face_tree(const HoughOctree& octree, std::size_t origin);
+/// The boxes of the Hough points below each node of the index, for one of its origins.
+class HoughBoxes {
+public:
+    /// Of the faces of origin number `origin`. O(faces).
+    HoughBoxes(const HoughOctree& octree, std::size_t origin);
 
-/// Every box that `query` tests in `tree`, parents before their children. Boxes with is_end() contain each
-/// block once. O(boxes tested).
-std::vector<WalkedBox> walk_boxes(const BoxTree& tree, const BoxQuery& query);
+    std::uint32_t block_count() const noexcept {
+        return static_cast<std::uint32_t>(levels_.front().size());
+    }
+    /// Every box that is tested from `point`, parents before their children. Boxes with is_end() contain each
+    /// block once. O(boxes tested).
+    std::vector<WalkedBox> walk(const HomogeneousPoint& point) const;
+
+private:
+    class Walk;
+
+    glm::dvec3 origin_;
+    std::vector<std::vector<HoughBounds>> levels_;  // The blocks first, the root last.
+};
 
 }  // namespace rimline

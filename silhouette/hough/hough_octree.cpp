@@ -98,13 +98,7 @@ void HoughOctree::extract_blocks(const EdgeBlocks& blocks, const HomogeneousPoin
     if (blocks.planes.empty()) return;
     const BlockPoint seen_from = blocks.space.seen_from(point);
     std::uint64_t nodes = 0;
-    const std::uint32_t count =
-        blocks.tree.block_count() == 0
-            ? kernels::find_near(blocks.frames, static_cast<std::uint32_t>(blocks.planes.size()),
-                                 seen_from, scratch)
-            : kernels::find_mixed(blocks.tree, blocks.frames,
-                                  BoxQuery(point, blocks.space.origin, blocks.tree.max_reach()),
-                                  seen_from, kernels::SettledBy::box_and_threshold, scratch, nodes);
+    const std::uint32_t count = kernels::find_mixed(blocks.tree, seen_from, scratch, nodes);
     const kernels::TestedEdges tested = kernels::test_edges(blocks, seen_from, count, scratch);
     const std::size_t on =
         tested.certain + decide_edges(blocks.edges, point, tested.doubtful, scratch);
@@ -183,21 +177,12 @@ std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const Homogene
     std::uint32_t* out = flipped.data();
     for (const FaceBlocks& blocks : face_blocks_) {
         if (blocks.planes.empty()) continue;
-        const BoxTree& tree = blocks.tree;
-        const glm::dvec3& origin = blocks.space.origin;
         const BlockPoint seen_from = blocks.space.seen_from(to);
         const std::span own_bits = bits.subspan(blocks.first_block, blocks.planes.size());
         std::uint64_t nodes = 0;
         std::uint32_t certain_count = 0;
-        const std::uint32_t count =
-            is_small_step(from, to, tree)
-                ? kernels::find_mixed(tree, blocks.frames,
-                                      BoxQuery::between(from, to, origin, tree.max_reach()),
-                                      seen_from, kernels::SettledBy::box, scratch, nodes)
-                : kernels::find_changing(tree, blocks.frames,
-                                         BoxQuery(from, origin, tree.max_reach()),
-                                         BoxQuery(to, origin, tree.max_reach()), seen_from, scratch,
-                                         certain_count, nodes);
+        const std::uint32_t count = kernels::find_changing(
+            blocks.tree, blocks.space.seen_from(from), seen_from, scratch, certain_count, nodes);
         const std::uint32_t found =
             kernels::test_faces(blocks, seen_from, count, own_bits, scratch);
         decide_faces(blocks, to, own_bits, found, scratch);

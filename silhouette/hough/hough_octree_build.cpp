@@ -120,10 +120,14 @@ private:
 
     FaceBlocks make_face_blocks(std::size_t group, std::span<const FaceId> members) {
         std::vector<glm::dvec3> positions(members.size());
+        // The Hough point of a plane is that of the plane turned around. A box would hold both: apart.
+        std::vector<std::uint8_t> sides(members.size());
         for_each_index(members.size(), [&](std::size_t i) {
-            positions[i] = hough_point_of(members[i], group).position;
+            const HoughPoint point = hough_point_of(members[i], group);
+            positions[i] = point.position;
+            sides[i] = point.side < 0;
         });
-        const std::vector<std::uint32_t> order = octree_order(positions);
+        const std::vector<std::uint32_t> order = octree_order(positions, sides);
         double length = 0.0;
         for (const FaceId face : members) {
             const HoughPoint point = hough_point_of(face, group);
@@ -138,7 +142,7 @@ private:
         const std::size_t first_position = octree_.faces_.size();
         octree_.faces_.resize(first_position + std::size_t{block_count} * k_block_size,
                               HoughOctree::PlacedFace{k_no_face, {}, {}});
-        std::vector<HoughBounds> bounds(block_count);
+        std::vector<BlockBounds> bounds(block_count);
         for_each_index(block_count, [&](std::size_t b) {
             const std::size_t begin = b * k_block_size;
             const std::size_t end = std::min(begin + k_block_size, members.size());
@@ -147,12 +151,11 @@ private:
                 const FaceId face = members[order[i]];
                 octree_.faces_[first_position + i].face = face;
                 position_[index(face)] = size32(first_position + i);
-                bounds[b].include(hough_point_of(face, group));
                 planes[i - begin] = blocks.space.vector_of(mesh_.plane(face));
             }
-            blocks.set(b, std::span(planes).first(end - begin));
+            bounds[b] = blocks.set(b, std::span(planes).first(end - begin));
         });
-        blocks.tree = BoxTree(std::move(bounds));
+        blocks.tree = BlockTree(bounds);
         return blocks;
     }
 
@@ -213,6 +216,21 @@ private:
                           [&](std::size_t g) { octree_.edge_blocks_[g] = make_edge_blocks(g); });
     }
 
+    // The planes of both faces, the second turned around where both traverse the edge in the same direction.
+    // Both are turned around where that brings them to the positive side of the origin: there edges are near to
+    // each other whose Hough points are.
+    std::array<PlaneVector, 2> planes_of(EdgeId edge, const BlockSpace& space) const {
+        const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
+        std::array<PlaneVector, 2> planes{space.vector_of(mesh_.plane(faces[0])),
+                                          space.vector_of(mesh_.plane(faces[1]))};
+        const auto turn = [](PlaneVector& plane) {
+            for (double& component : plane) component = -component;
+        };
+        if (is_inconsistent(edge)) turn(planes[1]);
+        if (planes[0][3] + planes[1][3] < 0.0) std::ranges::for_each(planes, turn);
+        return planes;
+    }
+
     // The blocks of a group; beyond the last group those of the edges that are always tested.
     EdgeBlocks make_edge_blocks(std::size_t group) const {
         const bool always = group == octree_.origins_.size();
@@ -241,7 +259,7 @@ private:
         blocks.space = space_of(around, farthest == lengths.end() ? 0.0 : *farthest);
         blocks.resize(edges.size());
         const std::uint32_t block_count = block_count_of(edges.size());
-        std::vector<HoughBounds> bounds(block_count);
+        std::vector<BlockBounds> bounds(block_count);
         for_each_index(block_count, [&](std::size_t b) {
             const std::size_t begin = b * k_block_size;
             const std::size_t end = std::min(begin + k_block_size, edges.size());
@@ -250,17 +268,12 @@ private:
             for (std::size_t i = begin; i < end; ++i) {
                 const EdgeId edge = edges[order[i]];
                 blocks.edges[i] = edge;
-                for (std::size_t side = 0; side < 2; ++side) {
-                    bounds[b].include(point_of(edge, side));
-                    PlaneVector& plane = planes[count++];
-                    plane = blocks.space.vector_of(mesh_.plane(mesh_.edge(edge).faces[side]));
-                    if (side == 1 && is_inconsistent(edge))
-                        for (double& component : plane) component = -component;
-                }
+                const std::array<PlaneVector, 2> pair = planes_of(edge, blocks.space);
+                for (const PlaneVector& plane : pair) planes[count++] = plane;
             }
-            blocks.set(b, std::span(planes).first(count));
+            bounds[b] = blocks.set(b, std::span(planes).first(count));
         });
-        if (!always) blocks.tree = BoxTree(std::move(bounds));
+        blocks.tree = BlockTree(bounds);
         return blocks;
     }
 
@@ -288,21 +301,20 @@ private:
     void measure() {
         HoughOctreeStatistics& statistics = octree_.statistics_;
         const auto bytes = [](const auto& items) { return items.size() * sizeof(items.front()); };
-        const auto add_tree = [&](const BoxTree& tree) {
+        const auto add_tree = [&](const BlockTree& tree) {
             statistics.nodes += tree.node_count();
             statistics.depth = std::max(statistics.depth, tree.level_count());
-            statistics.size_bytes += tree.node_count() * sizeof(BoxNode);
+            statistics.size_bytes += tree.size_bytes();
         };
         for (const std::uint32_t faces : statistics.group_faces) statistics.faces += faces;
         for (const FaceBlocks& blocks : octree_.face_blocks_) {
             add_tree(blocks.tree);
-            statistics.size_bytes += bytes(blocks.frames) + bytes(blocks.planes);
+            statistics.size_bytes += bytes(blocks.planes);
             octree_.max_blocks_ = std::max(octree_.max_blocks_, size32(blocks.planes.size()));
         }
         for (const EdgeBlocks& blocks : octree_.edge_blocks_) {
             add_tree(blocks.tree);
-            statistics.size_bytes +=
-                bytes(blocks.frames) + bytes(blocks.planes) + bytes(blocks.edges);
+            statistics.size_bytes += bytes(blocks.planes) + bytes(blocks.edges);
             octree_.max_blocks_ = std::max(octree_.max_blocks_, size32(blocks.planes.size()));
         }
         statistics.size_bytes += bytes(octree_.faces_);

@@ -13,42 +13,29 @@ constexpr double k_weight_length = 32000.0;
 
 }  // namespace
 
-BlockFrame BlockFrame::around(std::span<const PlaneVector> planes) noexcept {
-    BlockFrame frame{{}, 0x1p20f};
-    if (planes.empty()) return frame;
-    PlaneVector low = planes[0];
-    PlaneVector high = planes[0];
-    for (const PlaneVector& plane : planes.subspan(1)) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            low[i] = std::min(low[i], plane[i]);
-            high[i] = std::max(high[i], plane[i]);
-        }
-    }
-    double half_width = 0.0;
+BlockFrame::BlockFrame(const BlockBounds& bounds) noexcept {
+    if (bounds.is_empty()) return;
     for (std::size_t i = 0; i < 4; ++i) {
-        frame.center[i] = static_cast<float>(0.5 * (low[i] + high[i]));
-        const double center = double{frame.center[i]};
-        half_width = std::max({half_width, high[i] - center, center - low[i]});
+        center[i] = static_cast<float>(0.5 * (bounds.low[i] + bounds.high[i]));
+        const double middle = double{center[i]};
+        extent[i] = std::max(bounds.high[i] - middle, middle - bounds.low[i]);
     }
+    const double half_width = *std::max_element(extent.begin(), extent.end());
     // The maximum power of two below k_steps / half_width. half_width is at most about 2.
-    while (half_width * double{frame.step_inverse} > k_steps) frame.step_inverse *= 0.5f;
-    return frame;
+    while (half_width * double{step_inverse} > k_steps) step_inverse *= 0.5f;
 }
 
-std::int32_t BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
-                                PlaneBlock& block) const noexcept {
+void BlockFrame::encode(const PlaneVector& plane, std::uint32_t lane,
+                        PlaneBlock& block) const noexcept {
     const auto steps = [&](std::size_t i) {
         const double count = (plane[i] - double{center[i]}) * double{step_inverse};
         // Not lround, which is a call. A branch on the sign would be unpredictable.
         return static_cast<std::int16_t>(count + std::copysign(0.5, count));
     };
-    const std::array<std::int16_t, 4> k{steps(0), steps(1), steps(2), steps(3)};
-    block.normal_xy[2 * lane] = k[0];
-    block.normal_xy[2 * lane + 1] = k[1];
-    block.normal_z_distance[2 * lane] = k[2];
-    block.normal_z_distance[2 * lane + 1] = k[3];
-    // At most 4 * 16383 * 16383, which is below 2^31.
-    return k[0] * k[0] + k[1] * k[1] + k[2] * k[2] + k[3] * k[3];
+    block.normal_xy[2 * lane] = steps(0);
+    block.normal_xy[2 * lane + 1] = steps(1);
+    block.normal_z_distance[2 * lane] = steps(2);
+    block.normal_z_distance[2 * lane + 1] = steps(3);
 }
 
 BlockPoint::BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin,

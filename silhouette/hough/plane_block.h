@@ -26,16 +26,13 @@
 // is at least 2^-20. So for planes that coincide, the range without decision is below the resolution of
 // float.
 //
-// A block that no box decides may be decided by T alone: |k·W| <= |k| * 32002, so where
-// |T| >= max |k| * 32002 + margin all its planes have the sign of T. This does not need the origin, and
-// decides planes that contain it.
-//
 // Negated planes can be stored too: -X changes sign where X does.
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 
 #include "silhouette/hough/block_scratch.h"
 #include "silhouette/mesh/homogeneous_point.h"
@@ -44,7 +41,6 @@
 namespace rimline {
 
 constexpr float k_block_margin = 65536.0f;
-constexpr float k_block_weight_length = 32002.0f;  ///< Upper bound of |W|.
 constexpr float k_block_threshold_limit = 1.09e9f;
 /// The maximum float below 2^31. It is above any |T + k·W|, so with this margin nothing is certain.
 constexpr float k_block_max_margin = 2147483520.0f;
@@ -60,16 +56,41 @@ static_assert(sizeof(PlaneBlock) == 128);
 /// A plane (n, dO/D).
 using PlaneVector = std::array<double, 4>;
 
+/// A box of planes, empty until something is included.
+struct BlockBounds {
+    PlaneVector low{1e300, 1e300, 1e300, 1e300};
+    PlaneVector high{-1e300, -1e300, -1e300, -1e300};
+
+    void include(const PlaneVector& plane) noexcept { include({plane, plane}); }
+    void include(const BlockBounds& other) noexcept {
+        for (std::size_t i = 0; i < low.size(); ++i) {
+            low[i] = std::min(low[i], other.low[i]);
+            high[i] = std::max(high[i], other.high[i]);
+        }
+    }
+    bool is_empty() const noexcept { return !(low[0] <= high[0]); }
+    /// The box of the negated planes.
+    BlockBounds turned() const noexcept {
+        BlockBounds turned;
+        for (std::size_t i = 0; i < low.size(); ++i) {
+            turned.low[i] = -high[i];
+            turned.high[i] = -low[i];
+        }
+        return turned;
+    }
+};
+
 /// The center of some planes, and their step.
 struct BlockFrame {
-    std::array<float, 4> center;
-    float step_inverse;  ///< 1/u, a power of two.
+    /// The smallest frame of the planes in `bounds`, which may be empty.
+    explicit BlockFrame(const BlockBounds& bounds) noexcept;
+    /// Writes a plane that the frame contains.
+    void encode(const PlaneVector& plane, std::uint32_t lane, PlaneBlock& block) const noexcept;
 
-    /// The smallest frame that contains all `planes`. There may be none.
-    static BlockFrame around(std::span<const PlaneVector> planes) noexcept;
-    /// Writes a plane that the frame contains. Returns the square of the length of its k.
-    std::int32_t encode(const PlaneVector& plane, std::uint32_t lane,
-                        PlaneBlock& block) const noexcept;
+    std::array<float, 4> center{};
+    /// The maximum distance of a plane from the center along an axis.
+    std::array<double, 4> extent{};
+    float step_inverse = 0x1p20f;  ///< 1/u, a power of two.
 };
 
 /// A silhouette point, prepared for blocks relative to one origin.

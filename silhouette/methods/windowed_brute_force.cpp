@@ -52,14 +52,16 @@ void WindowedBruteForce::place_faces() {
     for (std::uint32_t p = 0; p < order_.size(); ++p) places_[index(order_[p])] = p;
 
     blocks_.resize(faces.size());
+    std::vector<BlockBounds> bounds(blocks_.planes.size());
     for (std::size_t b = 0; b < blocks_.planes.size(); ++b) {
         std::array<PlaneVector, k_block_size> planes;
         std::size_t count = 0;
         for (std::size_t p = b * k_block_size; p < std::min((b + 1) * k_block_size, faces.size());
              ++p)
             planes[count++] = blocks_.space.vector_of(mesh.plane(order_[p]));
-        blocks_.set(b, std::span(planes).first(count));
+        bounds[b] = blocks_.set(b, std::span(planes).first(count));
     }
+    blocks_.tree = BlockTree(bounds);
     scratch_ = BlockScratch(size32(blocks_.planes.size()));
     const std::size_t windows = (order_.size() + k_window_faces - 1) / k_window_faces;
     bits_.resize(windows * k_window_blocks);

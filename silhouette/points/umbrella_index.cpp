@@ -37,8 +37,8 @@ HomogeneousPoint UmbrellaIndex::direction(const glm::dvec3& v) const noexcept {
 
 std::uint64_t UmbrellaIndex::size_bytes() const noexcept {
     return reserved_bytes(positions_, patch_of_, patches_, shapes_, targets_, sides_, specials_,
-                          special_planes_, planes_, frames_) +
-           tree_->node_count() * sizeof(BoxNode);
+                          special_planes_, planes_) +
+           tree_->size_bytes();
 }
 
 std::uint32_t UmbrellaIndex::find_spoke(std::uint32_t from, std::uint32_t to) const noexcept {
@@ -53,19 +53,11 @@ std::uint32_t UmbrellaIndex::find_changing(const HomogeneousPoint& from, const H
                                            TraversalCounters& counters) const noexcept {
     RIMLINE_CHECK(from.is_valid() && to.is_valid());
     if (from == to) return 0;
-    const float reach = tree_->max_reach();
-    // Only needed with frames. Here boxes alone decide.
-    const BlockPoint no_threshold(to, patch_center_, 1.0);
     std::uint64_t nodes = 0;
     std::uint32_t certain_count = 0;  // All bits of these blocks flip, so no spoke changes.
-    const std::uint32_t count =
-        is_small_step(from, to, *tree_)
-            ? kernels::find_mixed(*tree_, frames_,
-                                  BoxQuery::between(from, to, patch_center_, reach), no_threshold,
-                                  kernels::SettledBy::box, scratch, nodes)
-            : kernels::find_changing(*tree_, frames_, BoxQuery(from, patch_center_, reach),
-                                     BoxQuery(to, patch_center_, reach), no_threshold, scratch,
-                                     certain_count, nodes);
+    const std::uint32_t count = kernels::find_changing(
+        *tree_, BlockPoint(from, patch_center_, max_distance_),
+        BlockPoint(to, patch_center_, max_distance_), scratch, certain_count, nodes);
     counters.box_checks += nodes * k_node_width;
     return count;
 }

@@ -17,9 +17,9 @@
 // on the silhouette.
 //
 // The octree is over patches. A patch is a set of Hough points, one for each triangle. Sixteen neighbors in
-// octree order make a block, whose box holds all their Hough points. Where a box lies certainly on the same
-// side of two v-spheres (box_tree.h), no bit in it differs between the two, and no spoke. All other blocks
-// are decided by is_front from the planes of their triangles. So results equal brute force bit for bit.
+// octree order make a block, whose box holds all their planes. Where a box lies certainly on the same side of
+// two points (block_tree.h), no bit in it differs between the two, and no spoke. All other blocks are decided
+// by is_front from the planes of their triangles. So results equal brute force bit for bit.
 //
 // A point takes about 165 bytes: about six planes of 16 bytes, six spokes of 6, and 32 for its place in the
 // order, its position and boxes. (docs/results/points.md compares this with a mesh of six faces a point.)
@@ -39,8 +39,7 @@
 
 namespace rimline {
 
-class BoxTree;
-struct NodeFrames;  // block_set.h
+class BlockTree;
 
 /// Immutable: any number of silhouettes may share one, across threads.
 class UmbrellaIndex {
@@ -180,8 +179,8 @@ private:
     // Block after block. Of each block all nx, all ny, all nz, all d.
     std::vector<float> planes_;
     std::uint32_t max_planes_ = 0;
-    std::unique_ptr<const BoxTree> tree_;
-    std::vector<NodeFrames> frames_;  // The traversal reads them. No result depends on them.
+    double max_distance_ = 1.0;  // At least the maximum |dO|.
+    std::unique_ptr<const BlockTree> tree_;
 };
 
 }  // namespace rimline

@@ -102,6 +102,8 @@ private:
         for (const glm::vec3& p : index_.positions_)
             index_.patch_radius_ =
                 std::max(index_.patch_radius_, glm::distance(glm::dvec3(p), index_.patch_center_));
+        // The corners of a triangle are such points. Beyond that, roundings of its plane.
+        index_.max_distance_ = index_.patch_radius_ * (1.0 + 0x1p-20) + 0x1p-20;
     }
 
     // Calls visit(plane) for each triangle of the point.
@@ -114,13 +116,8 @@ private:
     }
 
     static constexpr HoughPoint k_origin{glm::dvec3(0.0), 0.0, 0};
-    // A triangle without a plane has the same bit from everywhere. It includes the origin, so that the box
-    // never decides.
-    void include(HoughBounds& bounds, const Plane& plane) const {
-        bounds.include(plane.has_normal() ? hough_point(plane, index_.patch_center_) : k_origin);
-    }
-    static void fill_empty(HoughBounds& bounds) {
-        if (bounds.is_empty()) bounds.include(k_origin);
+    HoughPoint hough_point_of(const Plane& plane) const {
+        return plane.has_normal() ? hough_point(plane, index_.patch_center_) : k_origin;
     }
 
     // In octree order of the centers of the patches' boxes. Wide boxes are in classes of their own.
@@ -132,8 +129,8 @@ private:
             for (std::uint32_t i = first; i < last; ++i) {
                 HoughBounds bounds;
                 for_each_plane(PointId{points[i]},
-                               [&](const Plane& plane) { include(bounds, plane); });
-                fill_empty(bounds);
+                               [&](const Plane& plane) { bounds.include(hough_point_of(plane)); });
+                if (bounds.is_empty()) bounds.include(k_origin);
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     const double size = bounds.high[axis] - bounds.low[axis];
                     centers[i][static_cast<glm::length_t>(axis)] =
@@ -184,7 +181,7 @@ private:
 
     void fill_patches() {
         const std::uint32_t blocks = index_.block_count();
-        std::vector<HoughBounds> bounds(blocks);
+        std::vector<BlockBounds> bounds(blocks);
         each_point(blocks, {call_, 0.6, 0.95}, [&](std::uint32_t first, std::uint32_t last) {
             PatchDescription patch;
             for (std::uint32_t block = first; block < last; ++block) {
@@ -201,26 +198,33 @@ private:
             index_.max_planes_ = std::max(
                 index_.max_planes_, index_.planes_of(end - 1).last - index_.planes_of(begin).first);
         }
-        index_.tree_ = std::make_unique<const BoxTree>(std::move(bounds));
-        index_.frames_.resize((blocks + k_node_width - 1) / k_node_width);
+        index_.tree_ = std::make_unique<const BlockTree>(bounds);
     }
 
-    HoughBounds fill_planes(std::uint32_t block) {
+    // Returns the box of the planes of a block. A triangle without a plane has the same bit from everywhere; it
+    // includes a plane of zeros, so that the box never decides.
+    BlockBounds fill_planes(std::uint32_t block) {
         const auto [begin, end] = index_.patches_of(block);
         const std::uint32_t first = index_.planes_of(begin).first;
         const std::uint32_t count = index_.planes_of(end - 1).last - first;
         float* out = index_.planes_.data() + std::size_t{4} * first;
-        HoughBounds bounds;
-        for (std::uint32_t i = begin; i < end; ++i)
+        const BlockSpace space{index_.patch_center_, index_.max_distance_};
+        BlockBounds bounds;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            BlockBounds of_patch;
             for_each_plane(index_.point_of(i), [&](const Plane& plane) {
-                include(bounds, plane);
+                of_patch.include(space.vector_of(plane));
                 out[0] = plane.nx;
                 out[count] = plane.ny;
                 out[std::size_t{2} * count] = plane.nz;
                 out[std::size_t{3} * count] = plane.d;
                 ++out;
             });
-        fill_empty(bounds);
+            // Turned around where most of it is on the negative side of the origin: what a patch has for its
+            // outside does not matter, and patches are near to each other whose Hough points are.
+            bounds.include(of_patch.low[3] + of_patch.high[3] < 0.0 ? of_patch.turned() : of_patch);
+        }
+        if (bounds.is_empty()) bounds.include(PlaneVector{});
         return bounds;
     }
 
@@ -305,7 +309,7 @@ private:
 };
 
 UmbrellaIndex::UmbrellaIndex(const PointSurface& surface, const LongCall& call)
-    : tree_(std::make_unique<const BoxTree>()) {
+    : tree_(std::make_unique<const BlockTree>()) {
     UmbrellaIndexBuilder(*this, surface, call).build();
 }
 

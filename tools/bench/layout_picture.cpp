@@ -57,9 +57,9 @@ LayoutPicture picture_layout(const HoughOctree& octree, double radii, double ang
     const glm::dvec3& origin = octree.origins()[0];
     picture.pole = {radii * std::cos(angle_rad), radii * std::sin(angle_rad)};
 
-    const BoxTree tree = make_face_tree(octree, 0);
+    const HoughBoxes boxes(octree, 0);
     // The blocks of the first origin come first.
-    for (std::uint32_t position = 0; position < tree.block_count() * k_block_size; ++position) {
+    for (std::uint32_t position = 0; position < boxes.block_count() * k_block_size; ++position) {
         const FaceId face = octree.face_at(position).face;
         if (face == k_no_face) continue;
         const glm::dvec3 at = hough_point(mesh.plane(face), origin).position / unit;
@@ -67,9 +67,8 @@ LayoutPicture picture_layout(const HoughOctree& octree, double radii, double ang
             picture.points.push_back({at.x, at.y, position / k_block_size});
     }
     const glm::dvec3 from = origin + unit * glm::dvec3(picture.pole[0], picture.pole[1], 0.0);
-    const BoxQuery query(HomogeneousPoint::viewpoint(glm::vec3(from)), origin, tree.max_reach());
-    picture.blocks = tree.block_count();
-    for (const WalkedBox& walked : walk_boxes(tree, query)) {
+    picture.blocks = boxes.block_count();
+    for (const WalkedBox& walked : boxes.walk(HomogeneousPoint::viewpoint(glm::vec3(from)))) {
         ++picture.boxes_tested;
         if (walked.is_end()) add_end(walked, unit, picture);
     }

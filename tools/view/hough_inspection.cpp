@@ -36,9 +36,8 @@ void HoughInspection::update(const ModelDocument& model, const HomogeneousPoint&
         shown.inside = w * glm::dot(h, h) - glm::dot(h, pole) < 0.0;
     }
 
-    const BoxTree& tree = model.face_tree();
-    boxes_ = walk_boxes(tree, BoxQuery(point, origin, tree.max_reach()));
-    blocks_ = {.all = tree.block_count()};
+    boxes_ = model.hough_boxes().walk(point);
+    blocks_ = {.all = model.hough_boxes().block_count()};
     for (WalkedBox& box : boxes_) {
         box.center /= float(unit_);
         box.extent /= float(unit_);

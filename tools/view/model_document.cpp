@@ -46,7 +46,7 @@ ModelDocument::ModelDocument(std::string name, const MeshSource& source, const B
                                                        : LineSurface::Contacts::found,
                                              call);
                        })),
-      face_tree_(make_face_tree(octree_, 0)) {}
+      hough_boxes_(octree_, 0) {}
 
 bool ModelDocument::has_paint() const noexcept {
     return std::ranges::any_of(models_, [](const PlacedModel& m) { return m.paint.has_value(); });

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "silhouette/hough/box_tree.h"
+#include "silhouette/hough/box_walk.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/options/placed_model.h"
@@ -47,8 +47,8 @@ public:
     /// Lines with exact visibility.
     ShownLines& lines() noexcept { return lines_; }
     const ShownLines& lines() const noexcept { return lines_; }
-    /// The tree over the faces of the octree's first origin, for display (silhouette/hough/box_walk.h).
-    const BoxTree& face_tree() const noexcept { return face_tree_; }
+    /// The boxes of the octree's first origin, for display.
+    const HoughBoxes& hough_boxes() const noexcept { return hough_boxes_; }
     /// The ground for this up axis. Built at the first call; valid as long as the document.
     const HoughOctree& ground(const glm::dvec3& up);
 
@@ -66,7 +66,7 @@ private:
     HoughOctree octree_;
     bool is_solid_;
     ShownLines lines_;
-    BoxTree face_tree_;
+    HoughBoxes hough_boxes_;
     std::vector<std::unique_ptr<Ground>> grounds_;
 };
 

@@ -19,12 +19,11 @@ TEST_CASE(
     const HoughOctree octree(mesh, options);
     std::uint32_t first_block = 0;
     for (std::size_t origin = 0; origin < octree.origins().size(); ++origin) {
-        const BoxTree tree = make_face_tree(octree, origin);
+        const HoughBoxes hough_boxes(octree, origin);
         for (const HomogeneousPoint& point : {HomogeneousPoint::viewpoint({2.0f, 0.7f, 3.0f}),
                                               HomogeneousPoint::direction({0.3f, -1.0f, 0.2f})}) {
-            const auto boxes =
-                walk_boxes(tree, BoxQuery(point, octree.origins()[origin], tree.max_reach()));
-            std::vector<int> times(tree.block_count());
+            const auto boxes = hough_boxes.walk(point);
+            std::vector<int> times(hough_boxes.block_count());
             std::uint32_t settled = 0;
             for (const WalkedBox& box : boxes) {
                 if (!box.is_end()) continue;
@@ -46,9 +45,9 @@ TEST_CASE(
                 }
             }
             CHECK(std::ranges::all_of(times, [](int count) { return count == 1; }));
-            CHECK(settled > tree.block_count() / 4);
+            CHECK(settled > hough_boxes.block_count() / 4);
         }
-        first_block += tree.block_count();
+        first_block += hough_boxes.block_count();
     }
     CHECK(first_block == octree.block_count());
 }
@@ -59,7 +58,5 @@ TEST_CASE("a mesh without planes has an empty tree to walk") {
     line.triangles = {{0, 1, 2}};
     const Mesh mesh(line);
     const HoughOctree octree(mesh);
-    const BoxTree tree = make_face_tree(octree, 0);
-    const HomogeneousPoint point = HomogeneousPoint::viewpoint({0.0f, 1.0f, 0.0f});
-    CHECK(walk_boxes(tree, BoxQuery(point, octree.origins()[0], tree.max_reach())).empty());
+    CHECK(HoughBoxes(octree, 0).walk(HomogeneousPoint::viewpoint({0.0f, 1.0f, 0.0f})).empty());
 }

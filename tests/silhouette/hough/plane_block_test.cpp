@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <span>
 
 #include "silhouette/hough/block_set.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
@@ -13,6 +14,12 @@
 
 namespace rimline {
 namespace {
+
+BlockFrame frame_of(std::span<const PlaneVector> planes) {
+    BlockBounds bounds;
+    for (const PlaneVector& plane : planes) bounds.include(plane);
+    return BlockFrame(bounds);
+}
 
 // S*X/u as a block computes it, and what may lie between it and the truth.
 struct Value {
@@ -59,7 +66,7 @@ TEST_CASE("beyond the margin the sign is the face bit, and planes are seldom wit
             const std::size_t end = std::min(begin + k_block_size, planes.size());
             std::vector<PlaneVector> vectors;
             for (std::size_t i = begin; i < end; ++i) vectors.push_back(space.vector_of(planes[i]));
-            const BlockFrame frame = BlockFrame::around(vectors);
+            const BlockFrame frame = frame_of(vectors);
             PlaneBlock block{};
             for (std::size_t i = 0; i < vectors.size(); ++i)
                 frame.encode(vectors[i], static_cast<std::uint32_t>(i), block);
@@ -90,7 +97,7 @@ TEST_CASE("where floats say nothing, nothing is certain, however large the sum")
     const HomogeneousPoint p = HomogeneousPoint::viewpoint(glm::vec3(origin));
     std::vector<PlaneVector> planes;
     for (const double sign : {1.0, -1.0}) planes.push_back({0.5, 0.5, 0.5, 1.0 - sign * 0x1p-6});
-    const BlockFrame frame = BlockFrame::around(planes);
+    const BlockFrame frame = frame_of(planes);
     PlaneBlock block{};
     for (std::uint32_t i = 0; i < 2; ++i) frame.encode(planes[i], i, block);
     const BlockPoint point(p, origin, 1.0);
@@ -104,7 +111,7 @@ TEST_CASE("where floats say nothing, nothing is certain, however large the sum")
 TEST_CASE("a negated plane has the negated value") {
     const BlockSpace space{{0.5, -1.0, 2.0}, 4.0};
     const std::vector<PlaneVector> both{{0.6, 0.0, 0.8, 0.25}, {-0.6, -0.0, -0.8, -0.25}};
-    const BlockFrame frame = BlockFrame::around(both);
+    const BlockFrame frame = frame_of(both);
     PlaneBlock block{};
     frame.encode(both[0], 0, block);
     frame.encode(both[1], 1, block);
@@ -117,14 +124,14 @@ TEST_CASE("a negated plane has the negated value") {
 
 TEST_CASE("planes that coincide have the finest step there is") {
     const std::vector<PlaneVector> same(16, PlaneVector{0.0, 1.0, 0.0, 0.5});
-    CHECK(BlockFrame::around(same).step_inverse == 0x1p20f);
-    CHECK(BlockFrame::around({}).step_inverse == 0x1p20f);
+    CHECK(frame_of(same).step_inverse == 0x1p20f);
+    CHECK(frame_of({}).step_inverse == 0x1p20f);
 }
 
 TEST_CASE("a direction of no length leaves everything in doubt") {
     const BlockPoint point(HomogeneousPoint::direction({0.0f, 0.0f, 0.0f}), {1.0, 2.0, 3.0}, 1.0);
     const std::vector<PlaneVector> plane{{0.0, 1.0, 0.0, 0.5}};
-    const BlockFrame frame = BlockFrame::around(plane);
+    const BlockFrame frame = frame_of(plane);
     PlaneBlock block{};
     frame.encode(plane[0], 0, block);
     const Value value = value_of(frame, block, 0, point);

@@ -35,7 +35,7 @@ TEST_CASE("a model is opened beside its window and wakes it when it is there") {
     CHECK(result.error.empty());
     CHECK(result.view.document.model()->name() == "shape:torus:2000");
     CHECK(result.view.document.model()->mesh().face_count() > 500);
-    CHECK(result.view.document.model()->face_tree().block_count() ==
+    CHECK(result.view.document.model()->hough_boxes().block_count() ==
           result.view.document.model()->octree().block_count());
     CHECK(wakes > 0);
     CHECK_FALSE(loader.stage());
