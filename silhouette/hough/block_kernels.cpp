@@ -289,12 +289,12 @@ EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
     return edges;
 }
 
-std::uint32_t TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
-                        std::span<const std::uint16_t> bits, BlockScratch& scratch) {
+TestedFaces TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
+                      std::span<const std::uint32_t> states, BlockScratch& scratch) {
     const Wides di;
     const Weights weights(point);
     const auto last = static_cast<std::uint32_t>(blocks.planes.size()) - 1;
-    std::uint32_t found = 0;
+    TestedFaces tested{};
     for (std::uint32_t j = 0; j < count; ++j) {
         if (j + k_blocks_ahead < count)
             prefetch(&blocks.planes[scratch.block[j + k_blocks_ahead]], sizeof(PlaneBlock));
@@ -311,13 +311,44 @@ std::uint32_t TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::
         }
         const std::uint32_t in_use = b == last ? blocks.last_lanes : 0xffffu;
         doubts &= in_use;
-        const std::uint32_t flips = (front ^ bits[b]) & in_use & ~doubts;
-        scratch.found_block[found] = b;
-        scratch.found_lanes[found] = flips;
-        scratch.found_doubts[found] = doubts;
-        found += (flips | doubts) != 0;
+        const std::uint32_t flips = (front ^ states[b]) & in_use & ~doubts;
+        scratch.found_block[tested.found] = b;
+        scratch.found_lanes[tested.found] = flips;
+        scratch.found_doubts[tested.found] = doubts;
+        scratch.doubtful[tested.doubtful] = tested.found;
+        tested.doubtful += doubts != 0;
+        tested.found += (flips | doubts) != 0;
     }
-    return found;
+    return tested;
+}
+
+std::size_t FlipBlocks(std::span<const FlippedBlock> blocks, std::span<const FaceId> face_at,
+                       std::uint32_t* states, std::uint32_t* positions, FaceId* faces) {
+    const Unsigneds du;
+    const std::uint32_t* const begin = positions;
+    auto* out = reinterpret_cast<std::uint32_t*>(faces);
+    for (std::size_t j = 0; j < blocks.size(); ++j) {
+        if (j + k_blocks_ahead < blocks.size())
+            hwy::Prefetch(&face_at[std::size_t{blocks[j + k_blocks_ahead].block} * k_block_size]);
+        const auto [block, flips] = blocks[j];
+        const std::uint32_t state = ((states[block] ^ flips) & 0xffffu) | flips << 16;
+        states[block] = state;
+        for (std::uint32_t lane = 0; lane < k_block_size;
+             lane += static_cast<std::uint32_t>(hn::Lanes(du))) {
+            const std::uint32_t lanes = flips >> lane & ((1u << hn::Lanes(du)) - 1);
+            const auto order = squeezed_lanes(du, lanes);
+            const std::uint32_t position = block * k_block_size + lane;
+            const auto ids =
+                hn::LoadU(du, reinterpret_cast<const std::uint32_t*>(&face_at[position]));
+            hn::StoreU(squeezed(du, ids, order), du, out);
+            const auto front = hn::ShiftLeft<31>(hn::Shr(hn::Set(du, state >> lane), order));
+            hn::StoreU(hn::Or(hn::Add(order, hn::Set(du, position)), front), du, positions);
+            const auto count = hwy::PopCount(std::uint64_t{lanes});
+            out += count;
+            positions += count;
+        }
+    }
+    return static_cast<std::size_t>(positions - begin);
 }
 
 std::uint32_t FrontBits(const FaceBlocks& blocks, const BlockPoint& point,
@@ -383,6 +414,7 @@ HWY_EXPORT(FindChanging);
 HWY_EXPORT(TestEdges);
 HWY_EXPORT(WriteEdges);
 HWY_EXPORT(TestFaces);
+HWY_EXPORT(FlipBlocks);
 HWY_EXPORT(FrontBits);
 HWY_EXPORT(TargetName);
 
@@ -407,9 +439,14 @@ EdgeId* write_edges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count
     return HWY_DYNAMIC_DISPATCH(WriteEdges)(edges_of_blocks, count, scratch, edges);
 }
 
-std::uint32_t test_faces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
-                         std::span<const std::uint16_t> bits, BlockScratch& scratch) {
-    return HWY_DYNAMIC_DISPATCH(TestFaces)(blocks, point, count, bits, scratch);
+TestedFaces test_faces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
+                       std::span<const std::uint32_t> states, BlockScratch& scratch) {
+    return HWY_DYNAMIC_DISPATCH(TestFaces)(blocks, point, count, states, scratch);
+}
+
+std::size_t flip_blocks(std::span<const FlippedBlock> blocks, std::span<const FaceId> face_at,
+                        std::uint32_t* states, std::uint32_t* positions, FaceId* faces) {
+    return HWY_DYNAMIC_DISPATCH(FlipBlocks)(blocks, face_at, states, positions, faces);
 }
 
 std::uint32_t front_bits(const FaceBlocks& blocks, const BlockPoint& point,

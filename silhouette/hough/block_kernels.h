@@ -39,11 +39,21 @@ TestedEdges test_edges(const EdgeBlocks& blocks, const BlockPoint& point, std::u
 EdgeId* write_edges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
                     const BlockScratch& scratch, EdgeId* edges);
 
-/// For the first `count` blocks of `scratch`: writes the blocks whose front bits differ from `bits`, or must
-/// be decided exactly, to found_block. `bits` has one word for each block. The lanes that differ are in
-/// found_lanes; those to be decided are in found_doubts alone. Returns their number.
-std::uint32_t test_faces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
-                         std::span<const std::uint16_t> bits, BlockScratch& scratch);
+struct TestedFaces {
+    std::uint32_t found;     ///< Blocks.
+    std::uint32_t doubtful;  ///< Of these, with doubts.
+};
+/// For the first `count` blocks of `scratch`: writes the blocks whose front bits differ from the low halves of
+/// `states`, or must be decided exactly, to found_block. `states` has one word for each block. The lanes that
+/// differ are in found_lanes; those to be decided are in found_doubts alone.
+TestedFaces test_faces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
+                       std::span<const std::uint32_t> states, BlockScratch& scratch);
+
+/// Sets the states of `blocks`: lanes that flip are inverted in the low half, and are the high half. Writes the
+/// flipped faces in their order, to `faces` and, by position and with their new bit as the highest, to
+/// `positions`. Both must hold 16 more than there are. Returns their number.
+std::size_t flip_blocks(std::span<const FlippedBlock> blocks, std::span<const FaceId> face_at,
+                        std::uint32_t* states, std::uint32_t* positions, FaceId* faces);
 
 /// Writes the front bits of all blocks to `bits`, one word for each block. Lanes that must be decided exactly are 0;
 /// they are in found_doubts of the found blocks, whose found_lanes are 0. Returns the number of these blocks.

@@ -17,6 +17,11 @@ struct BlockRun {
     std::uint32_t first, last;
 };
 
+/// A block of faces some of which flip, as bits.
+struct FlippedBlock {
+    std::uint32_t block, lanes;
+};
+
 /// Blocks that no box decides, with the threshold and the margin of each (plane_block.h), and the results.
 /// Arrays hold whole vectors beyond the last block.
 struct BlockScratch {

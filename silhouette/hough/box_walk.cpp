@@ -52,7 +52,7 @@ HoughBoxes::HoughBoxes(const HoughOctree& octree, std::size_t origin) {
     for (std::uint32_t block = 0; block < blocks.size(); ++block)
         for (std::uint32_t lane = 0; lane < k_block_size; ++lane) {
             const std::uint32_t position = (first_block + block) * k_block_size + lane;
-            const FaceId face = octree.face_at(position).face;
+            const FaceId face = octree.face_at(position);
             if (face != k_no_face)
                 blocks[block].include(hough_point(octree.mesh().plane(face), origin_));
         }

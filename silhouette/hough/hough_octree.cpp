@@ -5,37 +5,24 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/hough/block_kernels.h"
+#include "silhouette/hough/face_links.h"
 #include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
-
-namespace {
-
-// Prefetches the faces, for callers of find_flips() read them next.
-std::uint32_t* list_flips(std::uint32_t block, std::uint32_t lanes,
-                          const HoughOctree::PlacedFace* faces, std::uint32_t* out) {
-    for (; lanes != 0; lanes &= lanes - 1) {
-        const std::uint32_t position =
-            block * k_block_size + static_cast<std::uint32_t>(std::countr_zero(lanes));
-        __builtin_prefetch(&faces[position]);
-        *out++ = position;
-    }
-    return out;
-}
-
-}  // namespace
 
 std::vector<std::uint32_t> HoughOctree::face_groups() const {
     std::vector<std::uint32_t> groups(mesh_->face_count(), k_no_group);
     for (std::uint32_t g = 0; g < face_blocks_.size(); ++g) {
         const FaceBlocks& blocks = face_blocks_[g];
         const std::size_t first = std::size_t{blocks.first_block} * k_block_size;
-        for (const PlacedFace& placed :
+        for (const FaceId face :
              std::span(faces_).subspan(first, blocks.planes.size() * k_block_size))
-            if (placed.face != k_no_face) groups[index(placed.face)] = g;
+            if (face != k_no_face) groups[index(face)] = g;
     }
     return groups;
 }
+
+std::span<const FaceLinks> HoughOctree::links() const noexcept { return links_; }
 
 std::string_view HoughOctree::instruction_set() { return kernels::instruction_set(); }
 
@@ -77,19 +64,17 @@ std::size_t HoughOctree::decide_edges(std::span<const EdgeId> edges, const Homog
     return on;
 }
 
-void HoughOctree::decide_faces(const FaceBlocks& blocks, const HomogeneousPoint& point,
-                               std::span<const std::uint16_t> bits, std::uint32_t count,
-                               BlockScratch& scratch) const noexcept {
-    for (std::uint32_t j = 0; j < count; ++j) {
-        for (std::uint32_t doubts = scratch.found_doubts[j]; doubts != 0; doubts &= doubts - 1) {
-            const auto lane = static_cast<std::uint32_t>(std::countr_zero(doubts));
-            const std::uint32_t block = scratch.found_block[j];
-            const FaceId face = faces_[(blocks.first_block + block) * k_block_size + lane].face;
-            const bool was_front = (bits[block] >> lane & 1u) != 0;
-            const bool flips = is_front(mesh_->plane(face), point) != was_front;
-            scratch.found_lanes[j] |= std::uint32_t{flips} << lane;
-        }
+std::uint32_t HoughOctree::front_doubts(const FaceBlocks& blocks, const HomogeneousPoint& point,
+                                        std::uint32_t found,
+                                        const BlockScratch& scratch) const noexcept {
+    const FaceId* const faces =
+        faces_.data() + std::size_t{blocks.first_block + scratch.found_block[found]} * k_block_size;
+    std::uint32_t fronts = 0;
+    for (std::uint32_t doubts = scratch.found_doubts[found]; doubts != 0; doubts &= doubts - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(doubts));
+        fronts |= std::uint32_t{is_front(mesh_->plane(faces[lane]), point)} << lane;
     }
+    return fronts;
 }
 
 void HoughOctree::extract_blocks(const EdgeBlocks& blocks, const HomogeneousPoint& point,
@@ -147,9 +132,9 @@ void HoughOctree::evaluate_faces(const HomogeneousPoint& point, std::span<std::u
         const std::span own_bits = bits.subspan(blocks.first_block, blocks.planes.size());
         const std::uint32_t found =
             kernels::front_bits(blocks, blocks.space.seen_from(point), own_bits, scratch);
-        decide_faces(blocks, point, own_bits, found, scratch);
         for (std::uint32_t j = 0; j < found; ++j)
-            own_bits[scratch.found_block[j]] |= static_cast<std::uint16_t>(scratch.found_lanes[j]);
+            own_bits[scratch.found_block[j]] |=
+                static_cast<std::uint16_t>(front_doubts(blocks, point, j, scratch));
     }
 }
 
@@ -159,42 +144,44 @@ std::vector<std::uint32_t> HoughOctree::face_words(std::span<const std::uint16_t
     for (std::uint32_t b = 0; b < bits.size(); ++b)
         for (std::uint32_t lanes = bits[b]; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-            const FaceId face = face_at(b * k_block_size + lane).face;
+            const FaceId face = face_at(b * k_block_size + lane);
             words[index(face) / 32] |= 1u << (index(face) % 32);
         }
     return words;
 }
 
 std::size_t HoughOctree::find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
-                                    std::span<std::uint16_t> bits, std::span<std::uint32_t> flipped,
-                                    TraversalCounters& counters,
+                                    std::span<const std::uint32_t> states,
+                                    std::span<FlippedBlock> flipped, TraversalCounters& counters,
                                     BlockScratch& scratch) const noexcept {
     RIMLINE_CHECK(from.is_valid() && to.is_valid());
-    RIMLINE_CHECK(bits.size() == block_count());
+    RIMLINE_CHECK(states.size() >= block_count());
     RIMLINE_CHECK(scratch.max_blocks >= max_blocks_);
-    RIMLINE_CHECK(flipped.size() >= faces_.size());
+    RIMLINE_CHECK(flipped.size() >= block_count());
     if (from == to) return 0;
-    std::uint32_t* out = flipped.data();
+    FlippedBlock* out = flipped.data();
     for (const FaceBlocks& blocks : face_blocks_) {
         if (blocks.planes.empty()) continue;
         const BlockPoint seen_from = blocks.space.seen_from(to);
-        const std::span own_bits = bits.subspan(blocks.first_block, blocks.planes.size());
+        const std::span own = states.subspan(blocks.first_block, blocks.planes.size());
         std::uint64_t nodes = 0;
         std::uint32_t certain_count = 0;
         const std::uint32_t count = kernels::find_changing(
             blocks.tree, blocks.space.seen_from(from), seen_from, scratch, certain_count, nodes);
-        const std::uint32_t found =
-            kernels::test_faces(blocks, seen_from, count, own_bits, scratch);
-        decide_faces(blocks, to, own_bits, found, scratch);
-        const auto flip = [&](std::uint32_t block, std::uint32_t lanes) {
-            own_bits[block] = static_cast<std::uint16_t>(own_bits[block] ^ lanes);
-            out = list_flips(blocks.first_block + block, lanes, faces_.data(), out);
-        };
-        for (std::uint32_t j = 0; j < found; ++j)
-            flip(scratch.found_block[j], scratch.found_lanes[j]);
+        const kernels::TestedFaces tested =
+            kernels::test_faces(blocks, seen_from, count, own, scratch);
+        for (const std::uint32_t j : std::span(scratch.doubtful).first(tested.doubtful))
+            scratch.found_lanes[j] |=
+                (front_doubts(blocks, to, j, scratch) ^ own[scratch.found_block[j]]) &
+                scratch.found_doubts[j];
+        for (std::uint32_t j = 0; j < tested.found; ++j) {
+            *out = {blocks.first_block + scratch.found_block[j], scratch.found_lanes[j]};
+            out += scratch.found_lanes[j] != 0;
+        }
         for (std::uint32_t i = 0; i < certain_count; ++i)
             for (std::uint32_t b = scratch.certain[i].first; b < scratch.certain[i].last; ++b)
-                flip(b, b + 1 == blocks.planes.size() ? blocks.last_lanes : 0xffffu);
+                *out++ = {blocks.first_block + b,
+                          b + 1 == blocks.planes.size() ? blocks.last_lanes : 0xffffu};
         counters.box_checks += nodes * k_node_width;
         counters.face_checks += std::uint64_t{count} * k_block_size;
     }

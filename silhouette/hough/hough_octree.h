@@ -45,6 +45,7 @@ namespace rimline {
 
 struct EdgeBlocks;  // block_set.h
 struct FaceBlocks;
+struct FaceLinks;  // face_links.h
 
 struct HoughOctreeOptions {
     /// The origins of the Hough spaces, in the mesh's coordinates, within k_max_coordinate. Empty: one, the
@@ -109,28 +110,22 @@ public:
     std::uint32_t block_count() const noexcept {
         return static_cast<std::uint32_t>(faces_.size() / k_block_size);
     }
-    /// The face at a position, and its edges that have two faces.
-    struct alignas(32) PlacedFace {
-        /// k_no_face at a position that is not in use.
-        FaceId face;
-        /// k_no_edge for a border or a non-manifold edge.
-        std::array<EdgeId, 3> edges;
-        /// The position of the other face of each edge. For k_no_edge the own position. Where the other face
-        /// has no plane, block_count() * k_block_size.
-        std::array<std::uint32_t, 3> neighbors;
-    };
-    const PlacedFace& face_at(std::uint32_t position) const noexcept { return faces_[position]; }
+    /// The face at a position; k_no_face where the position is not in use.
+    FaceId face_at(std::uint32_t position) const noexcept { return faces_[position]; }
+    std::span<const FaceId> faces() const noexcept { return faces_; }  ///< By position.
+    /// The edges of each face, by position.
+    std::span<const FaceLinks> links() const noexcept;
 
     /// Sets `bits`, one word for each block, to the face bits seen from `point`.
     void evaluate_faces(const HomogeneousPoint& point, std::span<std::uint16_t> bits,
                         BlockScratch& scratch) const noexcept;
     /// The same bits by face, packed as silhouette/mesh/face_bits.h says. `bits` has one word for each block.
     std::vector<std::uint32_t> face_words(std::span<const std::uint16_t> bits) const;
-    /// Finds the faces whose bits differ between the two points. Writes their positions to `flipped`, each
-    /// once, and returns their number. `bits` must be the bits seen from `from`; they become those seen from
-    /// `to`. `flipped` must have space for all positions. Does not allocate. Adds to `counters`.
+    /// Finds the faces whose bits differ between the two points. Writes their blocks to `flipped`, each once, and
+    /// returns the number of blocks. The low halves of `states` must be the bits seen from `from`. `flipped` must
+    /// have space for all blocks. Does not allocate. Adds to `counters`.
     std::size_t find_flips(const HomogeneousPoint& from, const HomogeneousPoint& to,
-                           std::span<std::uint16_t> bits, std::span<std::uint32_t> flipped,
+                           std::span<const std::uint32_t> states, std::span<FlippedBlock> flipped,
                            TraversalCounters& counters, BlockScratch& scratch) const noexcept;
 
     /// The instruction set in use, by Highway's name.
@@ -141,9 +136,8 @@ private:
 
     std::size_t decide_edges(std::span<const EdgeId> edges, const HomogeneousPoint& point,
                              std::uint32_t count, BlockScratch& scratch) const noexcept;
-    void decide_faces(const FaceBlocks& blocks, const HomogeneousPoint& point,
-                      std::span<const std::uint16_t> bits, std::uint32_t count,
-                      BlockScratch& scratch) const noexcept;
+    std::uint32_t front_doubts(const FaceBlocks& blocks, const HomogeneousPoint& point,
+                               std::uint32_t found, const BlockScratch& scratch) const noexcept;
     void extract_blocks(const EdgeBlocks& blocks, const HomogeneousPoint& point,
                         std::vector<EdgeId>& edges, TraversalCounters& work,
                         BlockScratch& scratch) const;
@@ -155,8 +149,9 @@ private:
     std::vector<FaceBlocks> face_blocks_;  // One for each origin.
     // One for each origin, then one with the edges that are always tested.
     std::vector<EdgeBlocks> edge_blocks_;
-    std::vector<PlacedFace> faces_;  // By position.
-    std::uint32_t max_blocks_ = 0;   // The maximum of all sets.
+    std::vector<FaceId> faces_;     // By position.
+    std::vector<FaceLinks> links_;  // By position.
+    std::uint32_t max_blocks_ = 0;  // The maximum of all sets.
     HoughOctreeStatistics statistics_;
 };
 

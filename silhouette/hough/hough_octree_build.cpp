@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "silhouette/hough/block_set.h"
+#include "silhouette/hough/face_links.h"
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/hough/hough_point.h"
 #include "silhouette/hough/octree_order.h"
@@ -140,8 +141,7 @@ private:
         blocks.resize(members.size());
         const std::uint32_t block_count = block_count_of(members.size());
         const std::size_t first_position = octree_.faces_.size();
-        octree_.faces_.resize(first_position + std::size_t{block_count} * k_block_size,
-                              HoughOctree::PlacedFace{k_no_face, {}, {}});
+        octree_.faces_.resize(first_position + std::size_t{block_count} * k_block_size, k_no_face);
         std::vector<BlockBounds> bounds(block_count);
         for_each_index(block_count, [&](std::size_t b) {
             const std::size_t begin = b * k_block_size;
@@ -149,7 +149,7 @@ private:
             std::array<PlaneVector, k_block_size> planes;
             for (std::size_t i = begin; i < end; ++i) {
                 const FaceId face = members[order[i]];
-                octree_.faces_[first_position + i].face = face;
+                octree_.faces_[first_position + i] = face;
                 position_[index(face)] = size32(first_position + i);
                 planes[i - begin] = blocks.space.vector_of(mesh_.plane(face));
             }
@@ -279,22 +279,12 @@ private:
 
     void link_neighbors() {
         const std::uint32_t position_count = size32(octree_.faces_.size());
-        const std::uint32_t two_faced = mesh_.edges_of_class(EdgeClass::inconsistent).last;
+        // A face without a plane: where the states of trackers are zero.
+        std::ranges::replace(position_, k_no_position, position_count);
+        octree_.links_.resize(position_count);
         for_each_index(position_count, [&](std::size_t i) {
-            HoughOctree::PlacedFace& placed = octree_.faces_[i];
-            placed.edges.fill(k_no_edge);
-            placed.neighbors.fill(size32(i));
-            if (placed.face == k_no_face) return;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const EdgeId edge = mesh_.edges_of(placed.face)[k];
-                if (index(edge) >= two_faced) continue;
-                const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
-                const FaceId other = faces[0] == placed.face ? faces[1] : faces[0];
-                placed.edges[k] = edge;
-                placed.neighbors[k] = position_[index(other)] == k_no_position
-                                          ? position_count
-                                          : position_[index(other)];
-            }
+            if (octree_.faces_[i] != k_no_face)
+                octree_.links_[i] = FaceLinks(mesh_, octree_.faces_[i], position_);
         });
     }
 
@@ -317,7 +307,7 @@ private:
             statistics.size_bytes += bytes(blocks.planes) + bytes(blocks.edges);
             octree_.max_blocks_ = std::max(octree_.max_blocks_, size32(blocks.planes.size()));
         }
-        statistics.size_bytes += bytes(octree_.faces_);
+        statistics.size_bytes += bytes(octree_.faces_) + bytes(octree_.links_);
         statistics.nonmanifold_edges = mesh_.edges_of_class(EdgeClass::nonmanifold).size();
     }
 

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
+#include "silhouette/hough/face_links.h"
 #include "silhouette/hough/reserved_bytes.h"
 
 namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_no_slot = 0xffffffffu;
-// An edge that joined in this move and has no slot yet. It is on the silhouette.
-constexpr std::uint32_t k_joining = 0xfffffffeu;
-static_assert(k_joining + 1 == k_no_slot);
+// The slot of an edge that joined in this move and has none yet. It is on the silhouette.
+constexpr std::uint32_t k_joining = 0xffffffffu;
+constexpr std::size_t k_slack = 16;  // Whole vectors are stored.
 
 // Slots of edges are scattered in memory. The distance covers the latency of the last cache.
 constexpr std::size_t k_prefetch_ahead = 48;
@@ -24,14 +24,15 @@ SilhouetteRecord::SilhouetteRecord(const Mesh& mesh, const HomogeneousPoint& poi
     : mesh_(&mesh), face_words_(std::move(face_words)) {
     // Borders come last and never join.
     const std::uint32_t edge_count = mesh.edges_of_class(EdgeClass::border).first;
-    slots_.resize(edge_count + 1);
+    slots_.resize(edge_count);
     slot_count_ = static_cast<std::uint32_t>(silhouette.size());
-    slot_of_.assign(edge_count, k_no_slot);
+    slot_of_.assign(edge_count, 0);
     for (std::uint32_t slot = 0; slot < slot_count_; ++slot) {
         slots_[slot] = silhouette[slot];
         slot_of_[index(silhouette[slot])] = slot;
     }
-    flipped_.resize(mesh.face_count() + 1);
+    flipped_.resize(mesh.face_count() + k_slack);
+    toggled_.resize(edge_count + 1);
     added_.resize(edge_count + 1);
     removed_.resize(edge_count + 1);
     removed_slots_.resize(edge_count + 1);
@@ -45,77 +46,78 @@ SilhouetteRecord::SilhouetteRecord(const Mesh& mesh, const HomogeneousPoint& poi
 
 std::uint64_t SilhouetteRecord::size_bytes() const noexcept {
     return reserved_bytes(face_words_, slots_, slot_of_, flipped_, added_, removed_, removed_slots_,
-                          slot_writes_, word_writes_, word_flips_, slot_is_kept_);
+                          slot_writes_, word_writes_, toggled_, word_flips_, slot_is_kept_);
 }
 
 void SilhouetteRecord::begin_move() noexcept {
     flipped_count_ = added_count_ = removed_count_ = slot_write_count_ = word_count_ = 0;
 }
 
-void SilhouetteRecord::flip_faces(std::span<const FaceId> faces) noexcept {
+void SilhouetteRecord::flip_faces(std::size_t count) noexcept {
+    flipped_count_ = static_cast<std::uint32_t>(count);
     std::uint32_t* const word_flips = word_flips_.data();
-    FaceId* flipped = flipped_.data() + flipped_count_;
-    WordWrite* write = word_writes_.data() + word_count_;
-    for (const FaceId face : faces) {
+    WordWrite* write = word_writes_.data();
+    for (const FaceId face : std::span(flipped_).first(count)) {
         const std::uint32_t word = index(face) / 32;
-        *flipped++ = face;
         write->word = word;
         write += word_flips[word] == 0;
         word_flips[word] |= 1u << (index(face) % 32);
     }
-    flipped_count_ = static_cast<std::uint32_t>(flipped - flipped_.data());
     word_count_ = static_cast<std::uint32_t>(write - word_writes_.data());
-}
-
-void SilhouetteRecord::end_faces() noexcept {
-    for (WordWrite& write : std::span(word_writes_).first(word_count_)) {
-        face_words_[write.word] ^= word_flips_[write.word];
-        word_flips_[write.word] = 0;
-        write.bits = face_words_[write.word];
+    for (WordWrite& changed : std::span(word_writes_).first(word_count_)) {
+        face_words_[changed.word] ^= word_flips[changed.word];
+        word_flips[changed.word] = 0;
+        changed.bits = face_words_[changed.word];
     }
 }
 
 // Counts are local variables: stores through pointers of their type would force reloads of members.
-void SilhouetteRecord::toggle(std::span<const EdgeId> edges) noexcept {
+void SilhouetteRecord::toggle_edges(std::size_t count) noexcept {
     std::uint32_t* const slot_of = slot_of_.data();
-    EdgeId* const slots = slots_.data();
-    const auto no_slot_at_all = static_cast<std::uint32_t>(slots_.size() - 1);
-    EdgeId* added = added_.data() + added_count_;
-    EdgeId* removed = removed_.data() + removed_count_;
-    std::uint32_t* removed_slot = removed_slots_.data() + removed_count_;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (i + k_prefetch_ahead < edges.size())
-            __builtin_prefetch(&slot_of[index(edges[i + k_prefetch_ahead])], 1);
-        const EdgeId edge = edges[i];
-        const std::uint32_t slot = slot_of[index(edge)];
-        const std::uint32_t was_on = slot != k_no_slot;
+    EdgeId* added = added_.data();
+    EdgeId* removed = removed_.data();
+    for (const std::uint32_t toggled : std::span(toggled_).first(count)) {
+        const EdgeId edge{toggled & ~k_joins};
+        const std::uint32_t joins = toggled / k_joins;
+        __builtin_prefetch(&slot_of[index(edge)], 1);
         *added = edge;
-        added += 1 - was_on;
+        added += joins;
         *removed = edge;
-        removed += was_on;
-        *removed_slot = slot;
-        removed_slot += was_on;
-        slots[std::min(slot, no_slot_at_all)] = k_no_edge;
-        slot_of[index(edge)] = k_joining + was_on;
+        removed += 1 - joins;
     }
     added_count_ = static_cast<std::uint32_t>(added - added_.data());
     removed_count_ = static_cast<std::uint32_t>(removed - removed_.data());
-}
-
-void SilhouetteRecord::toggle_edges(std::span<const EdgeId> edges) noexcept {
-    toggle(edges);
+    for (std::uint32_t i = 0; i < removed_count_; ++i)
+        removed_slots_[i] = slot_of[index(removed_[i])];
     if (mesh_->edges_of_class(EdgeClass::nonmanifold).size() > 0) reexamine_nonmanifold();
 }
 
-// toggle() updates slot_of_ at once. So an edge that is visited again, from another flipped face, does not
-// toggle again.
+inline bool SilhouetteRecord::is_on(EdgeId edge) const noexcept {
+    const std::uint32_t slot = slot_of_[index(edge)];
+    return slot == k_joining || (slot < slot_count_ && slots_[slot] == edge);
+}
+
+inline void SilhouetteRecord::join(EdgeId edge) noexcept {
+    added_[added_count_++] = edge;
+    slot_of_[index(edge)] = k_joining;
+}
+
+inline void SilhouetteRecord::leave(EdgeId edge) noexcept {
+    const std::uint32_t slot = slot_of_[index(edge)];
+    removed_[removed_count_] = edge;
+    removed_slots_[removed_count_++] = slot;
+    slots_[slot] = k_no_edge;
+}
+
+// An edge that is visited again, from another flipped face, has joined or left already.
 void SilhouetteRecord::reexamine_nonmanifold() noexcept {
     const Mesh::EdgeRange range = mesh_->edges_of_class(EdgeClass::nonmanifold);
     for (const FaceId face : std::span(flipped_).first(flipped_count_)) {
         for (const EdgeId edge : mesh_->edges_of(face)) {
             if (index(edge) < range.first || index(edge) >= range.last) continue;
-            const bool was_on = slot_of_[index(edge)] != k_no_slot;
-            if (was_on != is_on_silhouette(*mesh_, edge, face_words_)) toggle({&edge, 1});
+            const bool was_on = is_on(edge);
+            if (was_on == is_on_silhouette(*mesh_, edge, face_words_)) continue;
+            was_on ? leave(edge) : join(edge);
         }
     }
 }
@@ -124,15 +126,14 @@ void SilhouetteRecord::replace_edges(std::span<const EdgeId> silhouette) noexcep
     for (std::size_t i = 0; i < silhouette.size(); ++i) {
         if (i + k_prefetch_ahead < silhouette.size())
             __builtin_prefetch(&slot_of_[index(silhouette[i + k_prefetch_ahead])], 1);
-        const std::uint32_t slot = slot_of_[index(silhouette[i])];
-        if (slot == k_no_slot)
-            toggle({&silhouette[i], 1});
+        const EdgeId edge = silhouette[i];
+        if (is_on(edge))
+            slot_is_kept_[slot_of_[index(edge)]] = 1;
         else
-            slot_is_kept_[slot] = 1;
+            join(edge);
     }
     for (std::uint32_t slot = 0; slot < slot_count_; ++slot) {
-        const EdgeId edge = slots_[slot];
-        if (slot_is_kept_[slot] == 0) toggle({&edge, 1});
+        if (slot_is_kept_[slot] == 0) leave(slots_[slot]);
         slot_is_kept_[slot] = 0;
     }
 }
@@ -144,6 +145,9 @@ void SilhouetteRecord::fill_slots() noexcept {
     const std::uint32_t new_count = old_count + added_count_ - removed_count_;
     std::uint32_t next_added = 0;
     std::uint32_t tail = old_count;
+    if (new_count < old_count)
+        for (const std::uint32_t hole : std::span(removed_slots_).first(removed_count_))
+            slots_[hole] = k_no_edge;
     for (const std::uint32_t hole : std::span(removed_slots_).first(removed_count_)) {
         if (hole >= new_count) continue;
         if (next_added < added_count_) {

@@ -6,9 +6,9 @@
 // Edges that join take the slots of those that left. Slots still empty below the new end are filled from the
 // tail. So each slot is written at most once in a move. Order of calls:
 //
-//     begin_move   flip_faces ...   end_faces   toggle_edges or replace_edges   end_move
+//     begin_move   flip_faces   toggle_edges or replace_edges   end_move
 //
-// Nothing allocates after construction. Memory is reserved for the largest possible move: up to 30 bytes an
+// Nothing allocates after construction. Memory is reserved for the largest possible move: up to 34 bytes an
 // edge and 5 a face. Most of it is not touched until such a move.
 
 #include <cstdint>
@@ -32,15 +32,17 @@ public:
     SilhouetteRecord& operator=(SilhouetteRecord&&) noexcept = default;
 
     void begin_move() noexcept;
-    /// Flips the bits of `faces`. Each face at most once in a move.
-    void flip_faces(std::span<const FaceId> faces) noexcept;
-    void flip_face(FaceId face) noexcept { flip_faces({&face, 1}); }
-    /// Writes the final face words. Call it after the last face.
-    void end_faces() noexcept;
-    /// `edges`: the regular and inconsistent edges of which one face flipped and the other did not, each
-    /// once. The record finds non-manifold edges from the flipped faces.
-    void toggle_edges(std::span<const EdgeId> edges) noexcept;
-    /// The same, from all edges of the new silhouette, each once.
+    /// Where the faces that flip are to be written, each once: space for all, and for 16 more.
+    FaceId* flip_space() noexcept { return flipped_.data(); }
+    /// Flips the first `count` faces of the space.
+    void flip_faces(std::size_t count) noexcept;
+    /// Where the edges are to be written of which one face flipped and the other did not, regular and
+    /// inconsistent ones, each once, with k_joins (face_links.h) where the edge is on the silhouette now. The space is for
+    /// one more than there are edges. The record finds non-manifold edges from the flipped faces.
+    std::uint32_t* toggle_space() noexcept { return toggled_.data(); }
+    /// Toggles the first `count` edges of the space.
+    void toggle_edges(std::size_t count) noexcept;
+    /// Toggles edges such that `silhouette` is left, each of its edges once.
     void replace_edges(std::span<const EdgeId> silhouette) noexcept;
     /// Completes the change set, which is valid until the next move.
     const ChangeSet& end_move(const HomogeneousPoint& point,
@@ -54,7 +56,9 @@ public:
     std::uint64_t size_bytes() const noexcept;
 
 private:
-    void toggle(std::span<const EdgeId> edges) noexcept;
+    bool is_on(EdgeId edge) const noexcept;
+    void join(EdgeId edge) noexcept;
+    void leave(EdgeId edge) noexcept;
     void reexamine_nonmanifold() noexcept;
     void fill_slots() noexcept;
     void write_slot(std::uint32_t slot, EdgeId edge) noexcept;
@@ -62,9 +66,10 @@ private:
     const Mesh* mesh_;
     ChangeSet changes_;
     std::vector<std::uint32_t> face_words_;
-    std::vector<EdgeId> slots_;  // One more than edges: written to for an edge without slot.
+    std::vector<EdgeId> slots_;
     std::uint32_t slot_count_ = 0;
-    std::vector<std::uint32_t> slot_of_;  // By edge; k_no_slot when not on the silhouette.
+    // By edge. It is on the silhouette if that slot is in use and holds it, so nothing is written when it leaves.
+    std::vector<std::uint32_t> slot_of_;
 
     // The arrays of the change set: the maximum that a move can need, and one more. Values are stored before
     // it is known whether they count. (To test first would be an unpredictable branch.)
@@ -80,6 +85,7 @@ private:
     std::uint32_t slot_write_count_ = 0;
     std::uint32_t word_count_ = 0;
 
+    std::vector<std::uint32_t> toggled_;
     std::vector<std::uint32_t> word_flips_;   // By word; all zero between moves.
     std::vector<std::uint8_t> slot_is_kept_;  // By slot; all zero between moves.
 };

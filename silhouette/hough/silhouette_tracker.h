@@ -60,20 +60,17 @@ public:
     bool was_extracted() const noexcept { return was_extracted_; }
 
 private:
-    void toggle_edges(std::span<const std::uint32_t> positions,
-                      TraversalCounters& counters) noexcept;
-
     const HoughOctree* octree_;
     BlockScratch scratch_;
     TraversalCounters construction_counters_;
     // Of the last extraction: estimates the cost of the next.
     TraversalCounters extraction_counters_;
-    std::vector<std::uint16_t> bits_;       // By block of the octree.
-    std::vector<std::uint16_t> flips_;      // By block, and one more; zero between moves.
-    std::vector<std::uint32_t> positions_;  // Of flipped faces; as long as all positions.
-    std::vector<FaceId> flipped_;
+    // By block of the octree, and one more for faces without a plane: the bits of its faces, and from bit 16 on
+    // which of them flipped. These are zero between moves.
+    std::vector<std::uint32_t> states_;
+    std::vector<FlippedBlock> flipped_blocks_;
+    std::vector<std::uint32_t> positions_;  // Of flipped faces.
     std::vector<EdgeId> extracted_;
-    std::vector<EdgeId> toggled_;  // One more than edges.
     std::unique_ptr<SilhouetteRecord> record_;
     bool was_extracted_ = false;
 };

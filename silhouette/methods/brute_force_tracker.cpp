@@ -1,14 +1,11 @@
 #include "silhouette/methods/brute_force_tracker.h"
 
-#include <bit>
-
+#include "silhouette/hough/block_kernels.h"
 #include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
 
 namespace {
-
-constexpr std::size_t k_prefetch_ahead = 12;
 
 // Unit: the examination of one edge of a flipped face, as the tracker counts it. The terms: a pass over all
 // edges, and writing and comparing the silhouette's edges.
@@ -20,26 +17,16 @@ std::uint64_t cost_of_extraction(std::uint64_t edge_count, std::size_t silhouett
 
 BruteForceTracker::BruteForceTracker(const Mesh& mesh, const HomogeneousPoint& point)
     : mesh_(&mesh), brute_force_(mesh), record_(make_record(point)) {
-    const std::uint32_t two_faced = mesh.edges_of_class(EdgeClass::inconsistent).last;
-    const std::span<const std::uint32_t> places = brute_force_.places();
-    neighbors_.resize(mesh.face_count());
+    links_.reserve(mesh.face_count());
+    faces_.assign(brute_force_.bits().size() * k_block_size, k_no_face);
     for (std::uint32_t place = 0; place < mesh.face_count(); ++place) {
-        const FaceId face = brute_force_.face_at(place);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const EdgeId edge = mesh.edges_of(face)[k];
-            const bool has_other = edge != k_no_edge && index(edge) < two_faced;
-            neighbors_[place].edges[k] = has_other ? edge : k_no_edge;
-            neighbors_[place].places[k] = place;
-            if (!has_other) continue;
-            const std::array<FaceId, 2>& faces = mesh.edge(edge).faces;
-            neighbors_[place].places[k] = places[index(faces[faces[0] == face ? 1 : 0])];
-        }
+        faces_[place] = brute_force_.face_at(place);
+        links_.emplace_back(mesh, faces_[place], brute_force_.places());
     }
     bits_.assign(brute_force_.bits().begin(), brute_force_.bits().end());
-    flips_.resize(bits_.size());
-    flipped_at_.reserve(mesh.face_count());
-    flipped_.reserve(mesh.face_count());
-    toggled_.resize(mesh.edges_of_class(EdgeClass::border).first + 1);
+    states_.assign(bits_.begin(), bits_.end());
+    flipped_blocks_.resize(bits_.size());
+    positions_.resize(faces_.size() + k_block_size);
 }
 
 SilhouetteRecord BruteForceTracker::make_record(const HomogeneousPoint& point) {
@@ -60,13 +47,14 @@ const ChangeSet& BruteForceTracker::move_to(const HomogeneousPoint& point) noexc
     brute_force_.look_from(point);
     TraversalCounters counters;
     counters.face_checks = mesh_->face_count();
-    find_flips();
+    const std::span<const FlippedBlock> blocks = find_flips();
     record_.begin_move();
-    record_.flip_faces(flipped_);
-    record_.end_faces();
+    const std::size_t count = kernels::flip_blocks(blocks, faces_, states_.data(),
+                                                   positions_.data(), record_.flip_space());
+    record_.flip_faces(count);
 
     const std::uint64_t edge_count = mesh_->edges_of_class(EdgeClass::border).first;
-    const std::uint64_t cost_of_update = 3 * flipped_.size();
+    const std::uint64_t cost_of_update = 3 * std::uint64_t{count};
     was_extracted_ = cost_of_update > cost_of_extraction(edge_count, record_.slots().size());
     if (was_extracted_) {
         counters.edge_checks = edge_count;
@@ -74,47 +62,30 @@ const ChangeSet& BruteForceTracker::move_to(const HomogeneousPoint& point) noexc
         record_.replace_edges(extracted_);
     } else {
         counters.edge_checks = cost_of_update;
-        record_.toggle_edges(changed_edges());
+        record_.toggle_edges(find_toggled_edges(std::span(positions_).first(count), links_, states_,
+                                                record_.toggle_space()));
     }
+    for (const FlippedBlock& flipped : blocks) states_[flipped.block] &= 0xffffu;
     return record_.end_move(point, counters);
 }
 
-void BruteForceTracker::find_flips() noexcept {
-    flipped_at_.clear();
-    flipped_.clear();
+std::span<const FlippedBlock> BruteForceTracker::find_flips() noexcept {
+    FlippedBlock* end = flipped_blocks_.data();
     const std::span<const std::uint16_t> bits = brute_force_.bits();
     // Most windows have no face that flipped.
     for (std::size_t first = 0; first < bits.size(); first += k_window_blocks) {
         std::uint16_t any = 0;
-        for (std::size_t b = first; b < first + k_window_blocks; ++b) {
-            flips_[b] = bits[b] ^ bits_[b];
-            any |= flips_[b];
-        }
+        for (std::size_t b = first; b < first + k_window_blocks; ++b)
+            any = static_cast<std::uint16_t>(any | (bits[b] ^ bits_[b]));
         if (any == 0) continue;
         for (std::size_t b = first; b < first + k_window_blocks; ++b) {
+            const auto flips = static_cast<std::uint32_t>(bits[b] ^ bits_[b]);
             bits_[b] = bits[b];
-            for (std::uint32_t flips = flips_[b]; flips != 0; flips &= flips - 1)
-                flipped_at_.push_back(static_cast<std::uint32_t>(k_block_size * b) +
-                                      static_cast<std::uint32_t>(std::countr_zero(flips)));
+            *end = {static_cast<std::uint32_t>(b), flips};
+            end += flips != 0;
         }
     }
-    for (const std::uint32_t place : flipped_at_) flipped_.push_back(brute_force_.face_at(place));
-}
-
-// Every result is stored and the count advanced only if it is valid: a branch would be unpredictable.
-std::span<const EdgeId> BruteForceTracker::changed_edges() noexcept {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < flipped_at_.size(); ++i) {
-        if (i + k_prefetch_ahead < flipped_at_.size())
-            __builtin_prefetch(&neighbors_[flipped_at_[i + k_prefetch_ahead]]);
-        const Neighbors& neighbors = neighbors_[flipped_at_[i]];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t place = neighbors.places[k];
-            toggled_[count] = neighbors.edges[k];
-            count += (flips_[place / k_block_size] >> place % k_block_size & 1u) != 0 ? 0 : 1;
-        }
-    }
-    return std::span(toggled_).first(count);
+    return {flipped_blocks_.data(), end};
 }
 
 }  // namespace rimline

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "silhouette/hough/change_set.h"
+#include "silhouette/hough/face_links.h"
 #include "silhouette/hough/silhouette_record.h"
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/methods/windowed_brute_force.h"
@@ -41,26 +42,19 @@ public:
     bool was_extracted() const noexcept { return was_extracted_; }
 
 private:
-    // The edges of a face and the places of their other faces. An edge that has not exactly two faces is stored
-    // as k_no_edge and the face's own place.
-    struct Neighbors {
-        std::array<EdgeId, 3> edges;
-        std::array<std::uint32_t, 3> places;
-    };
-
     SilhouetteRecord make_record(const HomogeneousPoint& point);
-    void find_flips() noexcept;
-    std::span<const EdgeId> changed_edges() noexcept;
+    std::span<const FlippedBlock> find_flips() noexcept;
 
     const Mesh* mesh_;
     WindowedBruteForce brute_force_;
-    std::vector<Neighbors> neighbors_;       // By place.
-    std::vector<std::uint16_t> bits_;        // From the point before.
-    std::vector<std::uint16_t> flips_;       // Bits that differ from before.
-    std::vector<std::uint32_t> flipped_at_;  // Places of the faces that flipped.
-    std::vector<FaceId> flipped_;
+    std::vector<FaceId> faces_;        // By place; whole blocks.
+    std::vector<FaceLinks> links_;     // By place.
+    std::vector<std::uint16_t> bits_;  // From the point before.
+    // By block: the bits of its faces, and from bit 16 on which of them differ from those before.
+    std::vector<std::uint32_t> states_;
+    std::vector<FlippedBlock> flipped_blocks_;
+    std::vector<std::uint32_t> positions_;  // Of the faces that flipped.
     std::vector<EdgeId> extracted_;
-    std::vector<EdgeId> toggled_;  // One more than the greatest number of edges.
     SilhouetteRecord record_;
     bool was_extracted_ = false;
 };

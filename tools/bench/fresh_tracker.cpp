@@ -15,7 +15,6 @@ SilhouetteRecord FreshTracker::make_record(const HomogeneousPoint& point) {
     octree_->evaluate_faces(point, bits_, scratch_);
     const Mesh& mesh = octree_->mesh();
     std::vector<std::uint32_t> words = octree_->face_words(bits_);
-    flipped_.reserve(mesh.face_count());
     extracted_.reserve(mesh.edge_count() + HoughOctree::k_extraction_slack);
     TraversalCounters counters;
     octree_->extract(point, extracted_, counters, scratch_);
@@ -26,18 +25,16 @@ const ChangeSet& FreshTracker::move_to(const HomogeneousPoint& point) {
     TraversalCounters counters;
     counters.face_checks = std::uint64_t{octree_->block_count()} * k_block_size;
     octree_->evaluate_faces(point, new_bits_, scratch_);
-    flipped_.clear();
+    record_.begin_move();
+    FaceId* const flipped = record_.flip_space();
+    std::size_t count = 0;
     for (std::uint32_t b = 0; b < bits_.size(); ++b)
         for (std::uint32_t flips = static_cast<std::uint32_t>(bits_[b] ^ new_bits_[b]); flips != 0;
              flips &= flips - 1)
-            flipped_.push_back(octree_
-                                   ->face_at(b * k_block_size +
-                                             static_cast<std::uint32_t>(std::countr_zero(flips)))
-                                   .face);
+            flipped[count++] = octree_->face_at(
+                b * k_block_size + static_cast<std::uint32_t>(std::countr_zero(flips)));
     bits_.swap(new_bits_);
-    record_.begin_move();
-    record_.flip_faces(flipped_);
-    record_.end_faces();
+    record_.flip_faces(count);
     octree_->extract(point, extracted_, counters, scratch_);
     record_.replace_edges(extracted_);
     return record_.end_move(point, counters);

@@ -34,7 +34,6 @@ private:
     BlockScratch scratch_;
     std::vector<std::uint16_t> bits_;      // One a block of the octree.
     std::vector<std::uint16_t> new_bits_;  // Of the new point.
-    std::vector<FaceId> flipped_;
     std::vector<EdgeId> extracted_;
     SilhouetteRecord record_;
 };

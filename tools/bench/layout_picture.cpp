@@ -60,7 +60,7 @@ LayoutPicture picture_layout(const HoughOctree& octree, double radii, double ang
     const HoughBoxes boxes(octree, 0);
     // The blocks of the first origin come first.
     for (std::uint32_t position = 0; position < boxes.block_count() * k_block_size; ++position) {
-        const FaceId face = octree.face_at(position).face;
+        const FaceId face = octree.face_at(position);
         if (face == k_no_face) continue;
         const glm::dvec3 at = hough_point(mesh.plane(face), origin).position / unit;
         if (std::abs(at.z) <= thickness)

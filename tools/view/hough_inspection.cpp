@@ -14,7 +14,7 @@ HoughInspection::HoughInspection(const ModelDocument& model)
     point_count_ = octree.statistics().faces;
     const std::uint32_t stride = point_count_ / k_max_points + 1;
     for (std::uint32_t position = 0; position < positions; position += stride) {
-        const FaceId face = octree.face_at(position).face;
+        const FaceId face = octree.face_at(position);
         if (face == k_no_face) continue;
         const glm::dvec3 hough_position =
             hough_point(model.mesh().plane(face), octree.origins()[0]).position / unit_;

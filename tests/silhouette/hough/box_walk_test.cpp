@@ -36,7 +36,7 @@ TEST_CASE(
                 // Inside, a face is front where its plane is in front of the origin; outside, where not.
                 const std::uint32_t begin = (first_block + box.first_block) * k_block_size;
                 for (std::uint32_t i = 0; i < box.block_count * k_block_size; ++i) {
-                    const FaceId face = octree.face_at(begin + i).face;
+                    const FaceId face = octree.face_at(begin + i);
                     if (face == k_no_face) continue;
                     const HoughPoint h = hough_point(mesh.plane(face), octree.origins()[origin]);
                     if (h.side == 0) continue;

@@ -164,12 +164,18 @@ TEST_CASE("find_flips names exactly the faces whose bits differ") {
             const HomogeneousPoint to = probes.next();
             std::vector<std::uint16_t> bits(octree.block_count());
             octree.evaluate_faces(from, bits, scratch);
-            std::vector<std::uint32_t> positions(octree.block_count() * k_block_size);
+            std::vector<std::uint32_t> states(bits.begin(), bits.end());
+            std::vector<FlippedBlock> blocks(octree.block_count());
             TraversalCounters counters;
-            positions.resize(octree.find_flips(from, to, bits, positions, counters, scratch));
+            blocks.resize(octree.find_flips(from, to, states, blocks, counters, scratch));
             std::vector<FaceId> flipped;
-            for (const std::uint32_t position : positions)
-                flipped.push_back(octree.face_at(position).face);
+            for (const FlippedBlock& block : blocks) {
+                REQUIRE(block.lanes != 0);
+                for (std::uint32_t lane = 0; lane < k_block_size; ++lane)
+                    if (block.lanes >> lane & 1u)
+                        flipped.push_back(octree.face_at(block.block * k_block_size + lane));
+                bits[block.block] ^= static_cast<std::uint16_t>(block.lanes);
+            }
             std::vector<FaceId> expected;
             for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
                 if (is_front(mesh.plane(FaceId{f}), from) != is_front(mesh.plane(FaceId{f}), to))

@@ -30,7 +30,7 @@ TEST_CASE(
         std::uint32_t inside = 0;
         std::uint32_t outside = 0;
         for (std::uint32_t lane = 0; lane < k_block_size; ++lane) {
-            const FaceId face = octree.face_at(block * k_block_size + lane).face;
+            const FaceId face = octree.face_at(block * k_block_size + lane);
             if (face == k_no_face) continue;
             const glm::dvec3 h = hough_point(mesh.plane(face), octree.origins()[0]).position;
             (glm::dot(h, h) < glm::dot(h, pole) ? inside : outside) += 1;

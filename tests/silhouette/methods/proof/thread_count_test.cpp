@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "silhouette/hough/face_links.h"
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
@@ -48,10 +49,9 @@ void add_index(const HoughOctree& octree, Trace& trace) {
         trace.add(n);
     for (const std::uint32_t group : octree.face_groups()) trace.add(group);
     for (std::uint32_t i = 0; i < octree.block_count() * k_block_size; ++i) {
-        const HoughOctree::PlacedFace& placed = octree.face_at(i);
-        trace.add(index(placed.face));
-        for (const std::uint32_t n : placed.neighbors) trace.add(n);
-        trace.add_ids(std::span<const EdgeId>(placed.edges));
+        trace.add(index(octree.face_at(i)));
+        for (const std::uint32_t place : octree.links()[i].places) trace.add(place);
+        for (const std::uint32_t edge : octree.links()[i].edges) trace.add(edge);
     }
 }
 
