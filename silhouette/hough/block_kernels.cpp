@@ -28,50 +28,100 @@ HWY_INLINE void prefetch(const void* data, std::size_t size) {
         hwy::Prefetch(static_cast<const std::uint8_t*>(data) + offset);
 }
 
-// The silhouette points that boxes are tested against, in registers.
-struct BoxPoint {
-    explicit BoxPoint(const BlockPoint& point) : spread(hn::Set(Floats(), point.spread)) {
-        for (std::size_t i = 0; i < 4; ++i) scaled[i] = hn::Set(Floats(), point.scaled[i]);
+// Sums of products with four weights, of numbers that lie in pairs.
+#if HWY_TARGET == HWY_SCALAR
+template <class D>
+class PairWeights {
+public:
+    explicit PairWeights(const std::array<std::int16_t, 4>& weights) : w_(weights) {}
+    HWY_INLINE hn::Vec<D> times(const std::int16_t* xy, const std::int16_t* zd,
+                                std::size_t lane) const {
+        xy += 2 * lane;
+        zd += 2 * lane;
+        return hn::Set(D(), xy[0] * w_[0] + xy[1] * w_[1] + zd[0] * w_[2] + zd[1] * w_[3]);
     }
-    hn::Vec<Floats> scaled[4];
-    hn::Vec<Floats> spread;
+
+private:
+    std::array<std::int16_t, 4> w_;
 };
+#else
+template <class D>
+class PairWeights {
+public:
+    explicit PairWeights(const std::array<std::int16_t, 4>& weights) {
+        HWY_ALIGN std::int16_t xy[2 * k_block_size];
+        HWY_ALIGN std::int16_t zd[2 * k_block_size];
+        for (std::size_t i = 0; i < 2 * k_block_size; ++i) {
+            xy[i] = weights[i % 2];
+            zd[i] = weights[2 + i % 2];
+        }
+        xy_ = hn::Load(Shorts(), xy);
+        zd_ = hn::Load(Shorts(), zd);
+    }
+    HWY_INLINE hn::Vec<D> times(const std::int16_t* xy, const std::int16_t* zd,
+                                std::size_t lane) const {
+        const D di;
+        const Shorts ds;
+        auto odd = hn::Zero(di);
+        auto even =
+            hn::ReorderWidenMulAccumulate(di, hn::Load(ds, xy + 2 * lane), xy_, hn::Zero(di), odd);
+        even = hn::ReorderWidenMulAccumulate(di, hn::Load(ds, zd + 2 * lane), zd_, even, odd);
+        return hn::RearrangeToOddPlusEven(even, odd);
+    }
 
-// V of the boxes from `lane` on (block_tree.h).
-HWY_INLINE hn::Vec<Floats> value_of(const BlockNode& node, std::size_t lane,
-                                    const BoxPoint& point) {
-    const Floats d;
-    auto value = hn::Mul(hn::Load(d, node.center[0] + lane), point.scaled[0]);
-    for (std::size_t i = 1; i < 4; ++i)
-        value = hn::Add(value, hn::Mul(hn::Load(d, node.center[i] + lane), point.scaled[i]));
-    return value;
+private:
+    using Shorts = hn::Repartition<std::int16_t, D>;
+    hn::Vec<Shorts> xy_, zd_;
+};
+#endif
+
+// k·W of the planes from `lane` on.
+HWY_INLINE hn::Vec<Wides> product(const PairWeights<Wides>& weights, const PlaneBlock& block,
+                                  std::size_t lane) {
+    return weights.times(block.normal_xy.data(), block.normal_z_distance.data(), lane);
 }
 
-// R + spread of the boxes from `lane` on. `reach` holds |s_i|.
-HWY_INLINE hn::Vec<Floats> range_of(const BlockNode& node, std::size_t lane,
-                                    const hn::Vec<Floats>* reach, hn::Vec<Floats> spread) {
-    const Floats d;
-    auto range = spread;
-    for (std::size_t i = 0; i < 4; ++i)
-        range = hn::Add(range, hn::Mul(hn::Load(d, node.extent[i] + lane), reach[i]));
-    return range;
-}
+// The center of a block times S*Q, in steps of k_center_step (plane_block.h).
+class CenterProduct {
+public:
+    explicit CenterProduct(const BlockPoint& point)
+        : weights_(point.weights), residues_(point.residues) {}
+
+    // c·W of the blocks from `lane` on.
+    HWY_INLINE hn::Vec<Ints> times(const BlockNode& node, std::size_t lane) const {
+        return weights_.times(node.center_xy.data(), node.center_zd.data(), lane);
+    }
+    // The same and what the weights' rounding left, for which `value` is the product above.
+    HWY_INLINE hn::Vec<Floats> exact(const BlockNode& node, std::size_t lane,
+                                     hn::Vec<Ints> value) const {
+        const Floats d;
+        const auto rest = residues_.times(node.center_xy.data(), node.center_zd.data(), lane);
+        return hn::Add(hn::ConvertTo(d, value),
+                       hn::Mul(hn::ConvertTo(d, rest), hn::Set(d, k_residue_step)));
+    }
+
+private:
+    PairWeights<Ints> weights_, residues_;
+};
 
 struct Thresholds {
     hn::Vec<Ints> threshold;
     hn::Vec<Ints> margin;
 };
 
-// `value` is V of the blocks from `lane` on.
+// `value` is that of CenterProduct::exact().
 HWY_INLINE Thresholds make_thresholds(const NodeSteps& steps, std::size_t lane,
-                                      hn::Vec<Floats> value, hn::Vec<Floats> spread) {
+                                      hn::Vec<Floats> value, const BlockPoint& point) {
     const Floats d;
     const Ints di;
     const auto inverse = hn::Load(d, steps.inverse + lane);
     const auto limit = hn::Set(d, k_block_threshold_limit);
-    const auto threshold = hn::Min(hn::Max(hn::Mul(value, inverse), hn::Neg(limit)), limit);
-    const auto margin = hn::Min(hn::Add(hn::Mul(inverse, spread), hn::Set(d, k_block_margin)),
-                                hn::Set(d, k_block_max_margin));
+    const auto scaled =
+        hn::Mul(hn::Mul(value, hn::Set(d, static_cast<float>(k_center_step))), inverse);
+    const auto threshold = hn::Min(hn::Max(scaled, hn::Neg(limit)), limit);
+    const auto margin =
+        hn::Min(hn::Add(hn::Mul(inverse, hn::Set(d, point.spread)), hn::Set(d, k_block_margin)),
+                hn::Set(d, k_block_max_margin));
     return {hn::ConvertTo(di, threshold), hn::ConvertTo(di, margin)};
 }
 
@@ -95,8 +145,9 @@ HWY_INLINE std::uint32_t append_blocks(std::uint32_t n, std::size_t lane, std::u
     return append_children(n, lane, lanes, scratch.block.data(), end);
 }
 
-// Visits the nodes of the tree, level by level: visit(node, number, lane, is_last, out, end) appends those
-// children from `lane` on that are to be entered, and returns the new end. Returns the number of blocks.
+// Visits the nodes of the tree, level by level: visit(node, number, lane, in_use, next, level, end) appends those
+// children from `lane` on that are to be entered, of the lanes in use, and returns the new end. Above the blocks `next`
+// is null. Returns the number of blocks.
 template <typename Visit>
 HWY_INLINE std::uint32_t walk(const BlockTree& tree, BlockScratch& scratch, std::uint64_t& nodes,
                               const Visit& visit) {
@@ -108,7 +159,8 @@ HWY_INLINE std::uint32_t walk(const BlockTree& tree, BlockScratch& scratch, std:
         const std::span<const BlockNode> level = tree.level(l);
         const std::uint32_t* const from = scratch.frontier[l % 2].data();
         const bool is_last = l + 1 == levels;
-        std::uint32_t* const to = scratch.frontier[(l + 1) % 2].data();
+        std::uint32_t* const next = is_last ? nullptr : scratch.frontier[(l + 1) % 2].data();
+        const std::uint32_t children = tree.child_count(l);
         std::uint32_t end = 0;
         nodes += count;
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -117,64 +169,75 @@ HWY_INLINE std::uint32_t walk(const BlockTree& tree, BlockScratch& scratch, std:
                 prefetch(&level[ahead], sizeof(BlockNode));
                 if (is_last) prefetch(&tree.steps()[ahead], sizeof(NodeSteps));
             }
+            const std::uint32_t n = from[i];
+            const std::uint32_t in_use =
+                (1u << HWY_MIN(children - n * k_node_width, k_node_width)) - 1;
             for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(Floats()))
-                end = visit(level[from[i]], from[i], lane, is_last ? nullptr : to, l, end);
+                end = visit(level[n], n, lane, in_use >> lane & ((1u << hn::Lanes(Floats())) - 1),
+                            next, l, end);
         }
         count = end;
     }
     return count;
 }
 
+std::array<std::int16_t, 4> absolute(const std::array<std::int16_t, 4>& weights) {
+    std::array<std::int16_t, 4> all;
+    for (std::size_t i = 0; i < 4; ++i)
+        all[i] = static_cast<std::int16_t>(weights[i] < 0 ? -weights[i] : weights[i]);
+    return all;
+}
+
 std::uint32_t FindMixed(const BlockTree& tree, const BlockPoint& point, BlockScratch& scratch,
                         std::uint64_t& nodes) {
-    const Floats d;
-    const BoxPoint p(point);
-    hn::Vec<Floats> reach[4];
-    for (std::size_t i = 0; i < 4; ++i) reach[i] = hn::Abs(p.scaled[i]);
+    const Ints di;
+    const CenterProduct centers(point);
+    const PairWeights<Ints> reach(absolute(point.weights));
+    const auto margin = hn::Set(di, point.box_margin);
     const NodeSteps* const steps = tree.steps().data();
     return walk(tree, scratch, nodes,
-                [&](const BlockNode& node, std::uint32_t n, std::size_t lane, std::uint32_t* to,
-                    std::uint32_t, std::uint32_t end) HWY_ATTR {
-                    const auto value = value_of(node, lane, p);
+                [&](const BlockNode& node, std::uint32_t n, std::size_t lane, std::uint32_t in_use,
+                    std::uint32_t* next, std::uint32_t, std::uint32_t end) HWY_ATTR {
+                    const auto value = centers.times(node, lane);
+                    const auto range = hn::Add(
+                        reach.times(node.extent_xy.data(), node.extent_zd.data(), lane), margin);
                     const std::uint32_t mixed =
-                        lanes_of(d, hn::Le(hn::Abs(value), range_of(node, lane, reach, p.spread)));
-                    if (to != nullptr) return append_children(n, lane, mixed, to, end);
-                    return append_blocks(n, lane, mixed,
-                                         make_thresholds(steps[n], lane, value, p.spread), end,
-                                         scratch);
+                        in_use & ~lanes_of(di, hn::Gt(hn::Abs(value), range));
+                    if (next != nullptr) return append_children(n, lane, mixed, next, end);
+                    const Thresholds t =
+                        make_thresholds(steps[n], lane, centers.exact(node, lane, value), point);
+                    return append_blocks(n, lane, mixed, t, end, scratch);
                 });
 }
 
 std::uint32_t FindChanging(const BlockTree& tree, const BlockPoint& from_point,
                            const BlockPoint& to_point, BlockScratch& scratch,
                            std::uint32_t& certain_count, std::uint64_t& nodes) {
-    const Floats d;
-    const hn::RebindToSigned<Floats> di;
-    const BoxPoint from(from_point);
-    const BoxPoint to(to_point);
-    hn::Vec<Floats> reach[4];
+    const Ints di;
+    const PairWeights<Ints> from(from_point.weights);
+    const CenterProduct to(to_point);
+    std::array<std::int16_t, 4> farther = absolute(from_point.weights);
     for (std::size_t i = 0; i < 4; ++i)
-        reach[i] = hn::Max(hn::Abs(from.scaled[i]), hn::Abs(to.scaled[i]));
-    const auto spread = hn::Max(from.spread, to.spread);
+        farther[i] = HWY_MAX(farther[i], absolute(to_point.weights)[i]);
+    const PairWeights<Ints> reach(farther);
+    const auto margin = hn::Set(di, HWY_MAX(from_point.box_margin, to_point.box_margin));
     const NodeSteps* const steps = tree.steps().data();
     const std::uint32_t levels = tree.level_count();
     certain_count = 0;
     return walk(
         tree, scratch, nodes,
-        [&](const BlockNode& node, std::uint32_t n, std::size_t lane, std::uint32_t* next,
-            std::uint32_t level, std::uint32_t end) HWY_ATTR {
-            const auto a = value_of(node, lane, from);
-            const auto b = value_of(node, lane, to);
-            const auto range = range_of(node, lane, reach, spread);
-            const auto nearest = hn::Min(hn::Abs(a), hn::Abs(b));
-            const auto differ =
-                hn::RebindMask(d, hn::Lt(hn::BitCast(di, hn::Xor(a, b)), hn::Zero(di)));
-            // All comparisons with NaN lanes are false.
-            const std::uint32_t mixed = lanes_of(d, hn::Le(nearest, range));
-            std::uint32_t certain = lanes_of(d, hn::And(hn::Gt(nearest, range), differ));
+        [&](const BlockNode& node, std::uint32_t n, std::size_t lane, std::uint32_t in_use,
+            std::uint32_t* next, std::uint32_t level, std::uint32_t end) HWY_ATTR {
+            const auto a = from.times(node.center_xy.data(), node.center_zd.data(), lane);
+            const auto b = to.times(node, lane);
+            const auto range =
+                hn::Add(reach.times(node.extent_xy.data(), node.extent_zd.data(), lane), margin);
+            const std::uint32_t sure =
+                in_use & lanes_of(di, hn::Gt(hn::Min(hn::Abs(a), hn::Abs(b)), range));
+            const std::uint32_t mixed = in_use & ~sure;
+            std::uint32_t certain = sure & lanes_of(di, hn::Lt(hn::Xor(a, b), hn::Zero(di)));
             if (HWY_UNLIKELY(certain != 0)) {
-                // Blocks below a child.
-                std::uint32_t span = 1;
+                std::uint32_t span = 1;  // Blocks below a child.
                 for (std::uint32_t l = level + 1; l < levels; ++l) span *= k_node_width;
                 for (; certain != 0; certain &= certain - 1) {
                     const auto child = static_cast<std::uint32_t>(
@@ -184,59 +247,15 @@ std::uint32_t FindChanging(const BlockTree& tree, const BlockPoint& from_point,
                 }
             }
             if (next != nullptr) return append_children(n, lane, mixed, next, end);
-            return append_blocks(n, lane, mixed, make_thresholds(steps[n], lane, b, to.spread), end,
-                                 scratch);
+            const Thresholds t = make_thresholds(steps[n], lane, to.exact(node, lane, b), to_point);
+            return append_blocks(n, lane, mixed, t, end, scratch);
         });
 }
-
-// k·W of the planes from `lane` on.
-#if HWY_TARGET == HWY_SCALAR
-class Weights {
-public:
-    explicit Weights(const BlockPoint& point) : w_(point.weights) {}
-    HWY_INLINE hn::Vec<Wides> times(const PlaneBlock& block, std::size_t lane) const {
-        const std::int16_t* const xy = block.normal_xy.data() + 2 * lane;
-        const std::int16_t* const zd = block.normal_z_distance.data() + 2 * lane;
-        return hn::Set(Wides(), xy[0] * w_[0] + xy[1] * w_[1] + zd[0] * w_[2] + zd[1] * w_[3]);
-    }
-
-private:
-    std::array<std::int16_t, 4> w_;
-};
-#else
-class Weights {
-public:
-    explicit Weights(const BlockPoint& point) {
-        HWY_ALIGN std::int16_t xy[2 * k_block_size];
-        HWY_ALIGN std::int16_t zd[2 * k_block_size];
-        for (std::size_t i = 0; i < 2 * k_block_size; ++i) {
-            xy[i] = point.weights[i % 2];
-            zd[i] = point.weights[2 + i % 2];
-        }
-        xy_ = hn::Load(Shorts(), xy);
-        zd_ = hn::Load(Shorts(), zd);
-    }
-    HWY_INLINE hn::Vec<Wides> times(const PlaneBlock& block, std::size_t lane) const {
-        const Wides di;
-        const Shorts ds;
-        auto odd = hn::Zero(di);
-        auto even = hn::ReorderWidenMulAccumulate(
-            di, hn::Load(ds, block.normal_xy.data() + 2 * lane), xy_, hn::Zero(di), odd);
-        even = hn::ReorderWidenMulAccumulate(
-            di, hn::Load(ds, block.normal_z_distance.data() + 2 * lane), zd_, even, odd);
-        return hn::RearrangeToOddPlusEven(even, odd);
-    }
-
-private:
-    using Shorts = hn::Repartition<std::int16_t, Wides>;
-    hn::Vec<Shorts> xy_, zd_;
-};
-#endif
 
 TestedEdges TestEdges(const EdgeBlocks& blocks, const BlockPoint& point, std::uint32_t count,
                       BlockScratch& scratch) {
     const Wides di;
-    const Weights weights(point);
+    const PairWeights<Wides> weights(point.weights);
     const auto last = static_cast<std::uint32_t>(blocks.planes.size()) - 1;
     TestedEdges tested{};
     for (std::uint32_t j = 0; j < count; ++j) {
@@ -249,8 +268,8 @@ TestedEdges TestEdges(const EdgeBlocks& blocks, const BlockPoint& point, std::ui
         std::uint32_t on = 0;
         std::uint32_t doubts = 0;
         for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(di)) {
-            const auto x = hn::Add(weights.times(planes[0], lane), threshold);
-            const auto y = hn::Add(weights.times(planes[1], lane), threshold);
+            const auto x = hn::Add(product(weights, planes[0], lane), threshold);
+            const auto y = hn::Add(product(weights, planes[1], lane), threshold);
             on |= lanes_of(di, hn::Lt(hn::Xor(x, y), hn::Zero(di))) << lane;
             doubts |= lanes_of(di, hn::Lt(hn::Min(hn::Abs(x), hn::Abs(y)), margin)) << lane;
         }
@@ -292,7 +311,7 @@ EdgeId* WriteEdges(std::span<const EdgeId> edges_of_blocks, std::uint32_t count,
 TestedFaces TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::uint32_t count,
                       std::span<const std::uint32_t> states, BlockScratch& scratch) {
     const Wides di;
-    const Weights weights(point);
+    const PairWeights<Wides> weights(point.weights);
     const auto last = static_cast<std::uint32_t>(blocks.planes.size()) - 1;
     TestedFaces tested{};
     for (std::uint32_t j = 0; j < count; ++j) {
@@ -305,7 +324,7 @@ TestedFaces TestFaces(const FaceBlocks& blocks, const BlockPoint& point, std::ui
         std::uint32_t front = 0;
         std::uint32_t doubts = 0;
         for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(di)) {
-            const auto x = hn::Add(weights.times(planes, lane), threshold);
+            const auto x = hn::Add(product(weights, planes, lane), threshold);
             front |= lanes_of(di, hn::Gt(x, hn::Zero(di))) << lane;
             doubts |= lanes_of(di, hn::Lt(hn::Abs(x), margin)) << lane;
         }
@@ -354,17 +373,17 @@ std::size_t FlipBlocks(std::span<const FlippedBlock> blocks, std::span<const Fac
 std::uint32_t FrontBits(const FaceBlocks& blocks, const BlockPoint& point,
                         std::span<std::uint16_t> bits, BlockScratch& scratch) {
     const Wides di;
-    const Weights weights(point);
+    const PairWeights<Wides> weights(point.weights);
     const auto block_count = static_cast<std::uint32_t>(blocks.planes.size());
     HWY_ALIGN std::int32_t thresholds[k_node_width], margins[k_node_width];
     std::uint32_t found = 0;
     const std::span<const BlockNode> nodes = blocks.tree.last_level();
-    const BoxPoint seen_from(point);
+    const CenterProduct centers(point);
     for (std::uint32_t n = 0; n < nodes.size(); ++n) {
         for (std::size_t lane = 0; lane < k_node_width; lane += hn::Lanes(Ints())) {
-            const Thresholds t =
-                make_thresholds(blocks.tree.steps()[n], lane, value_of(nodes[n], lane, seen_from),
-                                seen_from.spread);
+            const Thresholds t = make_thresholds(
+                blocks.tree.steps()[n], lane,
+                centers.exact(nodes[n], lane, centers.times(nodes[n], lane)), point);
             hn::Store(t.threshold, Ints(), thresholds + lane);
             hn::Store(t.margin, Ints(), margins + lane);
         }
@@ -377,7 +396,7 @@ std::uint32_t FrontBits(const FaceBlocks& blocks, const BlockPoint& point,
             std::uint32_t front = 0;
             auto nearest = hn::Set(di, 0x7fffffff);
             for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(di)) {
-                const auto x = hn::Add(weights.times(blocks.planes[b], lane), threshold);
+                const auto x = hn::Add(product(weights, blocks.planes[b], lane), threshold);
                 front |= lanes_of(di, hn::Gt(x, hn::Zero(di))) << lane;
                 nearest = hn::Min(nearest, hn::Abs(x));
             }
@@ -386,7 +405,7 @@ std::uint32_t FrontBits(const FaceBlocks& blocks, const BlockPoint& point,
                 continue;
             std::uint32_t doubts = 0;
             for (std::size_t lane = 0; lane < k_block_size; lane += hn::Lanes(di)) {
-                const auto x = hn::Add(weights.times(blocks.planes[b], lane), threshold);
+                const auto x = hn::Add(product(weights, blocks.planes[b], lane), threshold);
                 doubts |= lanes_of(di, hn::Lt(hn::Abs(x), margin)) << lane;
             }
             const std::uint32_t in_use = b + 1 == block_count ? blocks.last_lanes : 0xffffu;

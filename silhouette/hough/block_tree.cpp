@@ -3,27 +3,28 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "silhouette/error.h"
-#include "silhouette/hough/rounded_float.h"
 
 namespace rimline {
 
 namespace {
 
-BlockNode empty_node() {
-    BlockNode node;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::uint32_t lane = 0; lane < k_node_width; ++lane)
-            node.center[i][lane] = node.extent[i][lane] = std::numeric_limits<float>::quiet_NaN();
-    return node;
+// Of a double in steps of 2^-14. Beyond its own rounding, that of planes in double.
+std::int16_t extent_steps(double extent) {
+    return static_cast<std::int16_t>(std::ceil((extent + 0x1p-40) / k_center_step));
 }
 
 void set_child(BlockNode& node, std::uint32_t lane, const BlockFrame& frame) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        node.center[i][lane] = frame.center[i];
-        node.extent[i][lane] = rounded_up(frame.extent[i] * (1.0 + 0x1p-20));
+    const auto center = [&](std::size_t i) {
+        return static_cast<std::int16_t>(double{frame.center[i]} / k_center_step);
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        node.center_xy[2 * lane + i] = center(i);
+        node.center_zd[2 * lane + i] = center(2 + i);
+        node.extent_xy[2 * lane + i] = extent_steps(frame.extent[i]);
+        node.extent_zd[2 * lane + i] = extent_steps(frame.extent[2 + i]);
     }
 }
 
@@ -41,7 +42,6 @@ BlockTree::BlockTree(std::span<const BlockBounds> blocks)
         if (is_last_level) steps_.resize(size);
         std::vector<BlockBounds> parents(size);
         tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) {
-            level[i] = empty_node();
             const std::size_t begin = i * k_node_width;
             const std::size_t end = std::min(blocks.size(), begin + k_node_width);
             for (std::size_t child = begin; child < end; ++child) {

@@ -8,32 +8,29 @@
 //     level 1   [ 0 | 1 | 2 | 3 | 4 | 5 | 6 | 7 ]
 //     blocks    [ 0 .. 7 | 8 .. 15 | ...        | 56 .. ]
 //
-// A node holds the boxes of its children, c ± e, as structure of arrays: one sequence of instructions tests
-// all eight. A box is not one of Hough points, in which a face's real value is a quadratic function, but one
-// of planes N = (n, dO/D) (plane_block.h), in which it is linear. With s = S*Q, the values S*X of all planes
-// in the box lie in [V - R, V + R]:
+// A node holds the boxes of its children. A box is not one of Hough points, in which a face's real value is a
+// quadratic function, but one of planes N = (n, dO/D) (plane_block.h), in which it is linear. It does not need the
+// sign of dO either: edges that are SFO, and planes that contain the origin, are decided like all others. Boxes are
+// c ± e with c and e in steps of 2^-14, in 16 bits. With the weights W of a silhouette point,
 //
-//     V = Σ c_i s_i          R = Σ e_i |s_i|
+//     V = Σ c_i W_i          R = Σ e_i |W_i|          are exact in 32 bits: four multiplications of pairs decide
+//                                                     eight boxes
+//     2^14 S*X = V + F,      |F| <= R + 22830         as |W_i - S*Q_i| <= 0.51, and |N|_1 <= sqrt(3) + 1
 //
-// So this is two sums of four products, where a box of Hough points against a v-sphere takes twice as many
-// operations. It does not need the sign of dO, so edges that are SFO and planes that contain the origin are
-// decided like all others. And V of a block is u times its threshold T. Where
+// The bit is certain where |S*X| > S*3.1*2^-24*|p|, which is below `spread`. So the bits of all planes in a box are
+// that of the sign of V where
 //
-//     |V| > R + spread
+//     |V| > R + margin,      margin = 22900 + 2^14 spread
 //
-// the bits of all planes in the box are that of the sign of V:
+// N has an error in double: dO errs by at most 2^-50 (|d| + |O|_1), and |d| <= 1.01 (D + |O|). S*w times that is at
+// most 2^-48 (S*w*D + S*w|O|). With S*w*D <= 32000, w|O| <= |p| + |q| and S|q| <= 32000 this is below
+// 2^-31 + S*2^-48*|p|, for which `spread` has room. |V| and R are at most 2*2^14*32001 < 1.05e9, as |c|, |e| <= 2. The
+// margin is clamped to 2^30, where nothing is certain and R + margin does not overflow.
 //
-//   spread             S*3.25*2^-24*|p| + 0.0305. The bit is certain where |S*X| > S*3.1*2^-24*|p|.
-//   V in float         at most 0.0286, as T
-//   R in float         never too small: extents are too large by 2^-20 of themselves, and five roundings and
-//                      that of R + spread make it too small by at most 6 * 2^-24 of itself
-//   N in double        dO errs by at most 2^-50 (|d| + |O|_1), and |d| <= 1.01 (D + |O|). S*w times that is
-//                      at most 2^-48 (S*w*D + S*w|O|), S*w*D <= 32000, and w|O| <= |p| + |q|, S|q| <= 32000:
-//                      below 2^-31 + S*2^-48*|p|
-//
-// Two points with s and t: a box is certainly on one side, or the other, of both, where this holds for either,
-// with R = Σ e_i max(|s_i|, |t_i|) and the greater spread.
+// Two points: a box is certainly on one side, or the other, of either where this holds for both, with
+// R = Σ e_i max(|W_i|, |W'_i|) and the greater margin.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -45,11 +42,11 @@ namespace rimline {
 
 constexpr std::uint32_t k_node_width = 8;
 
-/// Lanes beyond the last child are NaN: all comparisons with them are false.
+/// Centers and extents in steps of 2^-14. Pairs of components lie together, as in PlaneBlock.
 struct alignas(64) BlockNode {
-    float center[4][k_node_width];
-    float extent[4][k_node_width];
+    std::array<std::int16_t, 2 * k_node_width> center_xy, center_zd, extent_xy, extent_zd;
 };
+static_assert(sizeof(BlockNode) == 128);
 
 /// 1/u of the eight blocks below a node of the last level.
 struct alignas(32) NodeSteps {
@@ -70,6 +67,11 @@ public:
     std::span<const BlockNode> level(std::uint32_t level) const noexcept {
         return std::span(nodes_).subspan(level_begin_[level],
                                          level_begin_[level + 1] - level_begin_[level]);
+    }
+    /// The number of nodes of the next level, or of blocks.
+    std::uint32_t child_count(std::uint32_t level) const noexcept {
+        return level + 1 == level_count() ? block_count_
+                                          : level_begin_[level + 2] - level_begin_[level + 1];
     }
     /// The nodes above the blocks, and the steps of these. Empty where there are no blocks.
     std::span<const BlockNode> last_level() const noexcept {

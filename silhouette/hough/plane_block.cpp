@@ -10,13 +10,15 @@ namespace {
 
 constexpr double k_steps = 16383.0;
 constexpr double k_weight_length = 32000.0;
+constexpr double k_box_rounding = 22900.0;
 
 }  // namespace
 
 BlockFrame::BlockFrame(const BlockBounds& bounds) noexcept {
     if (bounds.is_empty()) return;
     for (std::size_t i = 0; i < 4; ++i) {
-        center[i] = static_cast<float>(0.5 * (bounds.low[i] + bounds.high[i]));
+        const double exact = 0.5 * (bounds.low[i] + bounds.high[i]);
+        center[i] = static_cast<float>(std::nearbyint(exact / k_center_step) * k_center_step);
         const double middle = double{center[i]};
         extent[i] = std::max(bounds.high[i] - middle, middle - bounds.low[i]);
     }
@@ -48,11 +50,15 @@ BlockPoint::BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin,
     // From a direction of length zero all weights are zero, and nothing is certain.
     const double scale = squares > 0.0 ? k_weight_length / std::sqrt(squares) : 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
-        scaled[i] = static_cast<float>(scale * weights_exact[i]);
-        weights[i] = static_cast<std::int16_t>(std::lround(scale * weights_exact[i]));
+        const double scaled = scale * weights_exact[i];
+        weights[i] = static_cast<std::int16_t>(std::lround(scaled));
+        residues[i] =
+            static_cast<std::int16_t>(std::lround((scaled - weights[i]) / double{k_residue_step}));
     }
     // Limited, to stay finite. Far below the limit blocks decide nothing already.
     spread = static_cast<float>(std::min(scale * 0x3.4p-24 * glm::length(p) + 0.0305, 1e30));
+    box_margin = static_cast<std::int32_t>(
+        std::min(k_box_rounding + double{spread} / k_center_step, 0x1p30));
 }
 
 }  // namespace rimline

@@ -13,7 +13,8 @@
 // index is bounded by what it reads. Bounds of the parts of E:
 //   k's rounding   |N_i - (c_i + u*k_i)| <= 0.501u, and |S*Q|_1 <= 2*32000      0.501 * 64000 = 32064
 //   W's rounding   |W_i - S*Q_i| <= 0.51, and |k|_1 <= 4*16383                  0.51 * 65532  = 33422
-//   T in float     at most ten roundings of S*|c||Q|/u <= 1.5*32000/u           10 * 2^-24 * 48000/u
+//   T in float     c·W exact, c·(S*Q - W) with S*Q - W in steps of 2^-15:
+//                  |c|_1 * 2^-16/u, and four roundings of |c||S*Q|/u <= 64000/u    0.0154/u
 //   T to integer   1
 // The face bit itself is that of X wherever |X| > 3.1*2^-24*|p| (v_sphere.h). So the sign of T + k·W is
 // the face bit wherever
@@ -23,7 +24,7 @@
 // and elsewhere is_front decides from the mesh's own plane: for about one in two hundred of the blocks that a
 // v-sphere intersects. T is clamped to ±1.09e9 and |k·W| <= 2*16383*32002 < 1.05e9, so nothing overflows and
 // clamping changes no sign. The margin is clamped above |T + k·W| < 2.14e9, where nothing is certain. A step
-// is at least 2^-20. So for planes that coincide, the range without decision is below the resolution of
+// is at least 2^-20, and a center has steps of 2^-14. So for planes that coincide, the range without decision is below the resolution of
 // float.
 //
 // Negated planes can be stored too: -X changes sign where X does.
@@ -80,6 +81,8 @@ struct BlockBounds {
     }
 };
 
+constexpr double k_center_step = 0x1p-14;
+constexpr float k_residue_step = 0x1p-15f;
 /// The center of some planes, and their step.
 struct BlockFrame {
     /// The smallest frame of the planes in `bounds`, which may be empty.
@@ -87,7 +90,7 @@ struct BlockFrame {
     /// Writes a plane that the frame contains.
     void encode(const PlaneVector& plane, std::uint32_t lane, PlaneBlock& block) const noexcept;
 
-    std::array<float, 4> center{};
+    std::array<float, 4> center{};  ///< In steps of k_center_step.
     /// The maximum distance of a plane from the center along an axis.
     std::array<double, 4> extent{};
     float step_inverse = 0x1p20f;  ///< 1/u, a power of two.
@@ -98,9 +101,10 @@ struct BlockPoint {
     /// `length` is D.
     BlockPoint(const HomogeneousPoint& point, const glm::dvec3& origin, double length) noexcept;
 
-    std::array<float, 4> scaled;          ///< S*Q.
-    std::array<std::int16_t, 4> weights;  ///< W.
-    float spread;                         ///< See above.
+    std::array<std::int16_t, 4> weights;   ///< W.
+    std::array<std::int16_t, 4> residues;  ///< S*Q - W in steps of k_residue_step.
+    float spread;                          ///< See above.
+    std::int32_t box_margin;               ///< See block_tree.h.
 };
 
 }  // namespace rimline

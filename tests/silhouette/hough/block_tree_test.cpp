@@ -58,12 +58,15 @@ struct Verdict {
         const std::span<const BlockNode> level = boxes.tree.last_level();
         for (std::size_t b = 0; b < boxes.planes.size(); ++b) {
             if (is_mixed[b]) continue;
-            float value = 0.0f;
-            for (std::size_t i = 0; i < 4; ++i)
-                value += level[b / k_node_width].center[i][b % k_node_width] * point.scaled[i];
+            const std::size_t lane = 2 * (b % k_node_width);
+            const BlockNode& node = level[b / k_node_width];
+            const std::int32_t value = node.center_xy[lane] * point.weights[0] +
+                                       node.center_xy[lane + 1] * point.weights[1] +
+                                       node.center_zd[lane] * point.weights[2] +
+                                       node.center_zd[lane + 1] * point.weights[3];
             for (const Plane& plane : boxes.planes[b]) {
                 ++settled;
-                wrong += is_front(plane, p) != (value > 0.0f);
+                wrong += is_front(plane, p) != (value > 0);
             }
         }
     }
@@ -87,7 +90,7 @@ TEST_CASE("the bits of a box that is not mixed are those of its center, from eve
                     BlockPoint point = boxes.space.seen_from(p);
                     whole.add(boxes, p, point);
                     REQUIRE(whole.wrong == 0);
-                    point.spread = 0.0f;
+                    point.box_margin = 0;
                     without_margin.add(boxes, p, point);
                 }
             }
@@ -117,7 +120,7 @@ TEST_CASE("between two points, blocks that are neither mixed nor certain keep th
             const auto sort_blocks = [&](bool with_margin) {
                 BlockPoint a = boxes.space.seen_from(from);
                 BlockPoint b = boxes.space.seen_from(to);
-                if (!with_margin) a.spread = b.spread = 0.0f;
+                if (!with_margin) a.box_margin = b.box_margin = 0;
                 std::uint64_t nodes = 0;
                 std::uint32_t certain = 0;
                 const std::uint32_t count =

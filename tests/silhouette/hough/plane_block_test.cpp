@@ -29,16 +29,19 @@ struct Value {
 
 Value value_of(const BlockFrame& frame, const PlaneBlock& block, std::uint32_t lane,
                const BlockPoint& point) {
-    float dot = 0.0f;
-    for (std::size_t i = 0; i < 4; ++i) dot += frame.center[i] * point.scaled[i];
-    const float threshold =
-        std::clamp(dot * frame.step_inverse, -k_block_threshold_limit, k_block_threshold_limit);
+    double dot = 0.0;
+    for (std::size_t i = 0; i < 4; ++i)
+        dot += double{frame.center[i]} *
+               (point.weights[i] + point.residues[i] * double{k_residue_step});
+    const double threshold =
+        std::clamp(dot * double{frame.step_inverse}, -double{k_block_threshold_limit},
+                   double{k_block_threshold_limit});
     const std::int64_t sum = std::int64_t{block.normal_xy[2 * lane]} * point.weights[0] +
                              std::int64_t{block.normal_xy[2 * lane + 1]} * point.weights[1] +
                              std::int64_t{block.normal_z_distance[2 * lane]} * point.weights[2] +
                              std::int64_t{block.normal_z_distance[2 * lane + 1]} * point.weights[3];
     CHECK(std::abs(sum) < 1'050'000'000);
-    return {std::trunc(double{threshold}) + static_cast<double>(sum),
+    return {std::trunc(threshold) + static_cast<double>(sum),
             std::min(double{frame.step_inverse} * double{point.spread} + double{k_block_margin},
                      double{k_block_max_margin})};
 }
