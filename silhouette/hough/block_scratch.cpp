@@ -1,6 +1,5 @@
 #include "silhouette/hough/block_scratch.h"
 
-#include "silhouette/hough/block_tree.h"
 #include "silhouette/hough/reserved_bytes.h"
 
 namespace rimline {

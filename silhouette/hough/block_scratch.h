@@ -11,6 +11,8 @@ namespace rimline {
 
 /// The number of faces or edges in one block of an octree.
 constexpr std::uint32_t k_block_size = 16;
+/// The number of blocks or nodes below a node of its tree.
+constexpr std::uint32_t k_node_width = 8;
 
 /// Blocks [first, last).
 struct BlockRun {

@@ -40,8 +40,6 @@
 
 namespace rimline {
 
-constexpr std::uint32_t k_node_width = 8;
-
 /// Centers and extents in steps of 2^-14. Pairs of components lie together, as in PlaneBlock.
 struct alignas(64) BlockNode {
     std::array<std::int16_t, 2 * k_node_width> center_xy, center_zd, extent_xy, extent_zd;

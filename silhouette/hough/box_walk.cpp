@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "silhouette/hough/block_tree.h"
 #include "silhouette/hough/plane_block.h"
 
 namespace rimline {

@@ -3,32 +3,31 @@
 // The index: a mesh's faces and edges in an octree over 3D Hough space (thesis 3.2, 3.3, 4.4).
 //
 // In Hough space a face is a point (hough_point.h) and a silhouette point is a v-sphere. The face's bit says
-// on which side of the v-sphere it lies (v_sphere.h). A box of Hough points that lies certainly inside or
-// certainly outside decides the bits of all its faces at once, so only faces near the v-sphere are tested.
-// Where a box is not certain, is_front decides. So the results equal brute force bit for bit.
+// on which side of the v-sphere it lies (v_sphere.h). Faces that are near to each other there have bits that
+// mostly agree. Faces and edges lie in octree order of their points, sixteen in a block (plane_block.h), under
+// a tree of boxes (block_tree.h). A box decides the bits of all its faces at once where it lies certainly on
+// one side of the silhouette point, so only faces near the v-sphere are tested. Where a box is not certain,
+// is_front decides. So the results equal brute force bit for bit.
 //
-//   Moves. Faces lie in octree order, sixteen in a block (plane_block.h), under a tree of boxes (box_tree.h).
-//   Blocks that lie certainly on the same side of both v-spheres are skipped. Where a block lies certainly on
-//   different sides (it is contained in the active region), all its faces flip without a test.
+//   Moves. Blocks that lie certainly on the same side of both points are skipped. Where a block lies certainly
+//   on different sides (it is contained in the active region), all its faces flip without a test. Faces with
+//   dO < 0, dO being the signed distance of a face's plane from the origin O, have blocks of their own: their
+//   Hough points are those of the planes turned around, which are far away as planes.
 //
-//   Extraction. Call dO the signed distance of a face's plane from the origin O. An edge is SFO when it is on
-//   the silhouette as seen from O: the dO of its faces differ in sign, or have the same sign if both faces
-//   traverse the edge in the same direction. An edge that is not SFO is on the silhouette exactly when one of
-//   its two Hough points is inside the v-sphere and the other is not. Whatever the signs are, two points on
-//   the same side mean what is seen from O. Edges lie in octree order of the midpoints of their two Hough
-//   points, sixteen in a block, under a tree of boxes that hold *both* points of each edge. Edges whose
-//   points are far apart have blocks of their own. When a box is certainly on one side, no edge in it is on
-//   the silhouette. (The thesis skips nodes whose points are outside or whose edges' points are inside. That
-//   finds an edge only from its inside face, and with several origins it loses edges.)
+//   Extraction. Edges lie in octree order of the midpoints of their two Hough points. Edges whose points are
+//   far apart have blocks of their own. A box holds *both* planes of each edge. When it is certainly on one
+//   side, no edge in it is on the silhouette. (The thesis skips nodes whose points are outside or whose edges'
+//   points are inside. That finds an edge only from its inside face, and with several origins it loses edges.
+//   And it tests lists of edges one by one: those that are SFO, on the silhouette as seen from the origin, as
+//   boxes of Hough points say nothing of them, and those with a plane that contains the origin. Boxes of
+//   planes need no such lists.)
 //
 //   Several origins. Each face belongs to the origin from which the fewest of its edges are sharp SFO edges,
 //   and of those to the one farthest from its plane (4.4.4). Each edge belongs to exactly one origin from
-//   which it is not SFO, preferably that of one of its faces, and is tested there alone. Where a face belongs
-//   to another origin, its Hough point is a ghost.
+//   which it is not SFO, where there is one, preferably that of one of its faces, and is tested there alone.
+//   Where a face belongs to another origin, its Hough point is a ghost.
 //
-//   Some edges no box can decide. They are tested at every extraction, sixteen at a time: edges that are SFO
-//   from all origins, and edges of a face that has no plane or whose plane contains the origin, or may
-//   contain it within rounding. Non-manifold edges are tested one by one.
+//   A block with an edge of a face without a plane is always tested; non-manifold edges are tested one by one.
 
 #include <array>
 #include <cstdint>
@@ -58,13 +57,12 @@ struct HoughOctreeStatistics {
     std::uint32_t nodes = 0;        ///< Of all trees, over faces and over edges.
     std::uint32_t depth = 0;        ///< Of the deepest tree.
     std::uint32_t faces = 0;        ///< Faces in the trees: those with a plane.
-    std::uint32_t owned_edges = 0;  ///< Found through boxes.
+    std::uint32_t owned_edges = 0;  ///< Not SFO from their origin.
     std::uint32_t ghost_edges = 0;  ///< Owned edges with a face that belongs to another origin.
-    // Tested at every extraction:
-    std::uint32_t sfo_edges = 0;  ///< On the silhouette as seen from all origins.
+    std::uint32_t sfo_edges = 0;    ///< On the silhouette as seen from all origins.
     std::uint32_t undecided_edges =
         0;  ///< With a face that has no plane, or whose plane contains an origin.
-    std::uint32_t nonmanifold_edges = 0;
+    std::uint32_t nonmanifold_edges = 0;     ///< Tested at every extraction.
     std::uint64_t size_bytes = 0;            ///< Of the index, without the mesh.
     std::vector<std::uint32_t> group_faces;  ///< For each origin, the faces that belong to it.
 };
@@ -147,11 +145,10 @@ private:
     const Mesh* mesh_;
     std::vector<glm::dvec3> origins_;
     std::vector<FaceBlocks> face_blocks_;  // One for each origin.
-    // One for each origin, then one with the edges that are always tested.
-    std::vector<EdgeBlocks> edge_blocks_;
-    std::vector<FaceId> faces_;     // By position.
-    std::vector<FaceLinks> links_;  // By position.
-    std::uint32_t max_blocks_ = 0;  // The maximum of all sets.
+    std::vector<EdgeBlocks> edge_blocks_;  // One for each origin.
+    std::vector<FaceId> faces_;            // By position.
+    std::vector<FaceLinks> links_;         // By position.
+    std::uint32_t max_blocks_ = 0;         // The maximum of all sets.
     HoughOctreeStatistics statistics_;
 };
 

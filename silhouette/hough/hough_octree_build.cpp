@@ -199,20 +199,20 @@ private:
         std::vector<std::uint32_t> owner(two_faced);
         for_each_index(two_faced, [&](std::size_t e) { owner[e] = owner_of(EdgeId{size32(e)}); });
         const std::size_t groups = octree_.origins_.size();
-        owned_.resize(groups + 1);
+        owned_.resize(groups);
         HoughOctreeStatistics& statistics = octree_.statistics_;
         for (std::uint32_t e = 0; e < two_faced; ++e) {
             const std::array<FaceId, 2>& faces = mesh_.edge(EdgeId{e}).faces;
             statistics.sfo_edges += owner[e] == k_sfo;
             statistics.undecided_edges += owner[e] == k_undecided;
             const bool is_owned = owner[e] < groups;
-            owned_[is_owned ? owner[e] : groups].push_back(EdgeId{e});
+            owned_[is_owned ? owner[e] : group_[index(faces[0])]].push_back(EdgeId{e});
             statistics.owned_edges += is_owned;
             statistics.ghost_edges += is_owned && (group_[index(faces[0])] != owner[e] ||
                                                    group_[index(faces[1])] != owner[e]);
         }
-        octree_.edge_blocks_.resize(groups + 1);
-        tbb::parallel_for(std::size_t{0}, groups + 1,
+        octree_.edge_blocks_.resize(groups);
+        tbb::parallel_for(std::size_t{0}, groups,
                           [&](std::size_t g) { octree_.edge_blocks_[g] = make_edge_blocks(g); });
     }
 
@@ -231,14 +231,11 @@ private:
         return planes;
     }
 
-    // The blocks of a group; beyond the last group those of the edges that are always tested.
     EdgeBlocks make_edge_blocks(std::size_t group) const {
-        const bool always = group == octree_.origins_.size();
-        const std::size_t around = always ? 0 : group;
         const std::vector<EdgeId>& edges = owned_[group];
         const auto point_of = [&](EdgeId edge, std::size_t side) {
             const FaceId face = mesh_.edge(edge).faces[side];
-            return mesh_.plane(face).has_normal() ? hough_point_of(face, around)
+            return mesh_.plane(face).has_normal() ? hough_point_of(face, group)
                                                   : HoughPoint{{}, 0.0, 0};
         };
         std::vector<glm::dvec3> centers(edges.size());
@@ -252,11 +249,16 @@ private:
             centers[i] = 0.5 * (points[0].position + points[1].position);
             squares[i] = glm::dot(segment, segment);
         });
-        const std::vector<std::uint32_t> order = octree_order(centers, length_classes(squares));
+        std::vector<std::uint8_t> classes = length_classes(squares);
+        // A face without a plane leaves its block without a decision: such edges apart.
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            for (const FaceId face : mesh_.edge(edges[i]).faces)
+                if (!mesh_.plane(face).has_normal()) classes[i] = 0xff;
+        const std::vector<std::uint32_t> order = octree_order(centers, classes);
 
         EdgeBlocks blocks;
         const auto farthest = std::max_element(lengths.begin(), lengths.end());
-        blocks.space = space_of(around, farthest == lengths.end() ? 0.0 : *farthest);
+        blocks.space = space_of(group, farthest == lengths.end() ? 0.0 : *farthest);
         blocks.resize(edges.size());
         const std::uint32_t block_count = block_count_of(edges.size());
         std::vector<BlockBounds> bounds(block_count);
@@ -316,7 +318,7 @@ private:
     const LongCall& call_;
     std::vector<std::uint32_t> group_;        // By face.
     std::vector<std::uint32_t> position_;     // By face; k_no_position without a plane.
-    std::vector<std::vector<EdgeId>> owned_;  // By group; after the last, those always tested.
+    std::vector<std::vector<EdgeId>> owned_;  // By group.
 };
 
 HoughOctree::HoughOctree(const Mesh& mesh, const HoughOctreeOptions& options, const LongCall& call)

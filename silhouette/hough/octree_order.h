@@ -5,7 +5,7 @@
 //
 // The eight children of a cell are visited along a Hilbert curve. So points next to each other in the order
 // are next to each other in space, across the borders of cells too, and any run of them has a compact box.
-// Blocks are then cut by count (box_tree.h): no cell is half empty, there are no chains of single children,
+// Blocks are then cut by count (block_tree.h): no cell is half empty, there are no chains of single children,
 // and the depth is bounded whatever the points are. (Compared with blocks cut at the borders of cells: two
 // thirds as many, 0.85 of the time. Compared with Morton order cut by count: 0.8 of the blocks that a
 // v-sphere intersects.)
