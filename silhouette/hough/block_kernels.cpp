@@ -199,10 +199,10 @@ std::uint32_t FindMixed(const BlockTree& tree, const BlockPoint& point, BlockScr
                 [&](const BlockNode& node, std::uint32_t n, std::size_t lane, std::uint32_t in_use,
                     std::uint32_t* next, std::uint32_t, std::uint32_t end) HWY_ATTR {
                     const auto value = centers.times(node, lane);
-                    const auto range = hn::Add(
-                        reach.times(node.extent_xy.data(), node.extent_zd.data(), lane), margin);
+                    const auto range =
+                        reach.times(node.extent_xy.data(), node.extent_zd.data(), lane);
                     const std::uint32_t mixed =
-                        in_use & ~lanes_of(di, hn::Gt(hn::Abs(value), range));
+                        in_use & ~lanes_of(di, hn::Gt(hn::Sub(hn::Abs(value), margin), range));
                     if (next != nullptr) return append_children(n, lane, mixed, next, end);
                     const Thresholds t =
                         make_thresholds(steps[n], lane, centers.exact(node, lane, value), point);
@@ -230,10 +230,9 @@ std::uint32_t FindChanging(const BlockTree& tree, const BlockPoint& from_point,
             std::uint32_t* next, std::uint32_t level, std::uint32_t end) HWY_ATTR {
             const auto a = from.times(node.center_xy.data(), node.center_zd.data(), lane);
             const auto b = to.times(node, lane);
-            const auto range =
-                hn::Add(reach.times(node.extent_xy.data(), node.extent_zd.data(), lane), margin);
-            const std::uint32_t sure =
-                in_use & lanes_of(di, hn::Gt(hn::Min(hn::Abs(a), hn::Abs(b)), range));
+            const auto nearest = hn::Sub(hn::Min(hn::Abs(a), hn::Abs(b)), margin);
+            const auto range = reach.times(node.extent_xy.data(), node.extent_zd.data(), lane);
+            const std::uint32_t sure = in_use & lanes_of(di, hn::Gt(nearest, range));
             const std::uint32_t mixed = in_use & ~sure;
             std::uint32_t certain = sure & lanes_of(di, hn::Lt(hn::Xor(a, b), hn::Zero(di)));
             if (HWY_UNLIKELY(certain != 0)) {

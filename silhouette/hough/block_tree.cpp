@@ -17,6 +17,8 @@ std::int16_t extent_steps(double extent) {
 }
 
 void set_child(BlockNode& node, std::uint32_t lane, const BlockFrame& frame) {
+    for (std::size_t i = 0; i < 4; ++i)  // Else whole numbers could overflow.
+        RIMLINE_CHECK(std::abs(double{frame.center[i]}) <= 1.0 && frame.extent[i] <= 1.001);
     const auto center = [&](std::size_t i) {
         return static_cast<std::int16_t>(double{frame.center[i]} / k_center_step);
     };

@@ -20,15 +20,15 @@
 // The bit is certain where |S*X| > S*3.1*2^-24*|p|, which is below `spread`. So the bits of all planes in a box are
 // that of the sign of V where
 //
-//     |V| > R + margin,      margin = 22900 + 2^14 spread
+//     |V| - margin > R,      margin = 22900 + 2^14 spread
 //
 // N has an error in double: dO errs by at most 2^-50 (|d| + |O|_1), and |d| <= 1.01 (D + |O|). S*w times that is at
 // most 2^-48 (S*w*D + S*w|O|). With S*w*D <= 32000, w|O| <= |p| + |q| and S|q| <= 32000 this is below
-// 2^-31 + S*2^-48*|p|, for which `spread` has room. |V| and R are at most 2*2^14*32001 < 1.05e9, as |c|, |e| <= 2. The
-// margin is clamped to 2^30, where nothing is certain and R + margin does not overflow.
+// 2^-31 + S*2^-48*|p|, for which `spread` has room. |V| is at most 2*2^14*32001 < 1.05e9, as |c|, |e| <= 2. The margin
+// is clamped to 2^30, where nothing is certain.
 //
 // Two points: a box is certainly on one side, or the other, of either where this holds for both, with
-// R = Σ e_i max(|W_i|, |W'_i|) and the greater margin.
+// R = Σ e_i max(|W_i|, |W'_i|) < 1.49e9 and the greater margin.
 
 #include <array>
 #include <cstddef>

@@ -157,6 +157,28 @@ TEST_CASE("between two points, blocks that are neither mixed nor certain keep th
     CHECK(wrong_without_margin > 100);
 }
 
+TEST_CASE("where floats say nothing of a box of all planes, nothing is certain from two points") {
+    BlockBounds all;
+    all.include(PlaneVector{-1.0, -1.0, -1.0, -1.0});
+    all.include(PlaneVector{1.0, 1.0, 1.0, 1.0});
+    const BlockTree tree(std::span(&all, 1));
+    const HomogeneousPoint p = HomogeneousPoint::viewpoint({1.0f, 0.0f, 0.0f});
+    BlockPoint from(p, glm::dvec3(0.0), 1.0);
+    BlockPoint to = from;
+    from.weights = {32000, 0, 0, 0};
+    to.weights = {0, 18475, 18475, 18475};
+    BlockScratch scratch(1);
+    for (const std::int32_t margin : {0, 1 << 20, 1 << 29, 1 << 30}) {
+        CAPTURE(margin);
+        from.box_margin = to.box_margin = margin;
+        std::uint64_t nodes = 0;
+        std::uint32_t certain = 0;
+        CHECK(kernels::find_changing(tree, from, to, scratch, certain, nodes) == 1);
+        CHECK(certain == 0);
+        CHECK(kernels::find_mixed(tree, to, scratch, nodes) == 1);
+    }
+}
+
 TEST_CASE("every depth of tree holds every block once") {
     for (const std::uint32_t count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 511u, 513u, 5000u}) {
         CAPTURE(count);

@@ -119,9 +119,13 @@ TEST_CASE("extraction looks at a small part of a large mesh") {
 TEST_CASE("whenever a build is cancelled it says so, or is done") {
     const Mesh mesh(make_built_in_shape("knot", 20'000));
     using Clock = std::chrono::steady_clock;
-    const Clock::time_point begun = Clock::now();
-    { const HoughOctree whole(mesh); }
-    const auto build_time = Clock::now() - begun;
+    // The shortest of several: other work on the machine must not make it seem longer than it is.
+    auto build_time = Clock::duration::max();
+    for (int i = 0; i < 5; ++i) {
+        const Clock::time_point begun = Clock::now();
+        const HoughOctree whole(mesh);
+        build_time = std::min(build_time, Clock::now() - begun);
+    }
     constexpr int k_builds = 200;
     int cancelled = 0;
     for (int i = 0; i < k_builds; ++i) {
