@@ -27,7 +27,7 @@ class SilhouetteTracker {
 public:
     /// Extracts the silhouette from `point`. `octree` must outlive the tracker and must not be moved. Many
     /// trackers may share one octree across threads. Reserves all memory that moves need: up to 40 bytes an
-    /// edge and 20 a face. Most of it is not touched until a move of that size.
+    /// edge and 10 a face. Most of it is not touched until a move of that size.
     SilhouetteTracker(const HoughOctree& octree, const HomogeneousPoint& point);
     SilhouetteTracker(HoughOctree&&,
                       const HomogeneousPoint&) = delete;  // A temporary would dangle.
