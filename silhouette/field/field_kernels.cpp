@@ -9,20 +9,24 @@ namespace rimline::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Eight lanes. With shorter vectors, several vectors cover them.
+// Eight lanes, for clusters. With shorter vectors, several vectors cover them.
 using Floats = hn::CappedTag<float, k_cluster_fan>;
 using Ints = hn::RebindToSigned<Floats>;
 using Unsigneds = hn::RebindToUnsigned<Floats>;
 using V = hn::Vec<Floats>;
+// The planes of a leaf: whole vectors.
+using Wides = hn::CappedTag<float, 2 * k_cluster_fan>;
+static_assert(k_leaf_planes % (2 * k_cluster_fan) == 0);
 
 // Float sums that are flushed to a double at short intervals.
+template <class D>
 class Sum {
 public:
-    HWY_INLINE Sum() : part_(hn::Zero(Floats())) {}
-    HWY_INLINE void add(V v) { part_ = hn::Add(part_, v); }
+    HWY_INLINE Sum() : part_(hn::Zero(D())) {}
+    HWY_INLINE void add(hn::Vec<D> v) { part_ = hn::Add(part_, v); }
     HWY_INLINE void flush() {
-        const Floats d;
-        HWY_ALIGN float lanes[k_cluster_fan];
+        const D d;
+        HWY_ALIGN float lanes[2 * k_cluster_fan];
         hn::Store(part_, d, lanes);
         for (std::size_t i = 0; i < hn::Lanes(d); ++i) total_ += double{lanes[i]};
         part_ = hn::Zero(d);
@@ -33,23 +37,25 @@ public:
     }
 
 private:
-    V part_;
+    hn::Vec<D> part_;
     double total_ = 0.0;
 };
 
 // The cubic of the piece that contains a distance.
+template <class D>
 struct Cubic {
-    V start, c0, c1, c2, c3;
+    hn::Vec<D> start, c0, c1, c2, c3;
 };
 
 // Finds pieces by testing all knots.
+template <class D>
 class PiecesByKnot {
 public:
     explicit PiecesByKnot(const FunctionTable& table) : table_(table) {}
-    HWY_INLINE Cubic at(V s) const {
-        const Floats d;
-        Cubic cubic{hn::Set(d, table_.start[0]), hn::Set(d, table_.c0[0]), hn::Zero(d), hn::Zero(d),
-                    hn::Zero(d)};
+    HWY_INLINE Cubic<D> at(hn::Vec<D> s) const {
+        const D d;
+        Cubic<D> cubic{hn::Set(d, table_.start[0]), hn::Set(d, table_.c0[0]), hn::Zero(d),
+                       hn::Zero(d), hn::Zero(d)};
         for (std::size_t k = 0; k < table_.knot_count; ++k) {
             const auto beyond = hn::Ge(s, hn::Set(d, table_.knot[k]));
             cubic.start = hn::IfThenElse(beyond, hn::Set(d, table_.start[k + 1]), cubic.start);
@@ -65,22 +71,24 @@ private:
     const FunctionTable& table_;
 };
 
+bool fit_registers(const FunctionTable& table) {
+    return hn::Lanes(Floats()) >= 8 && table.knot_count + 1 <= hn::Lanes(Floats());
+}
+
 // For few pieces: each coefficient fits into one register and is looked up by the piece's number.
+template <class D>
 class PiecesInRegisters {
 public:
-    static bool fits(const FunctionTable& table) {
-        return hn::Lanes(Floats()) >= 8 && table.knot_count + 1 <= hn::Lanes(Floats());
-    }
     HWY_INLINE explicit PiecesInRegisters(const FunctionTable& table)
-        : start_(hn::LoadU(Floats(), table.start.data())),
-          c0_(hn::LoadU(Floats(), table.c0.data())),
-          c1_(hn::LoadU(Floats(), table.c1.data())),
-          c2_(hn::LoadU(Floats(), table.c2.data())),
-          c3_(hn::LoadU(Floats(), table.c3.data())),
+        : start_(hn::LoadU(D(), table.start.data())),
+          c0_(hn::LoadU(D(), table.c0.data())),
+          c1_(hn::LoadU(D(), table.c1.data())),
+          c2_(hn::LoadU(D(), table.c2.data())),
+          c3_(hn::LoadU(D(), table.c3.data())),
           table_(table) {}
-    HWY_INLINE Cubic at(V s) const {
-        const Floats d;
-        const Ints di;
+    HWY_INLINE Cubic<D> at(hn::Vec<D> s) const {
+        const D d;
+        const hn::RebindToSigned<D> di;
         auto number = hn::Zero(di);
         for (std::size_t k = 0; k < table_.knot_count; ++k)  // A mask's lanes are 0 or -1.
             number = hn::Sub(
@@ -92,31 +100,35 @@ public:
     }
 
 private:
-    V start_, c0_, c1_, c2_, c3_;
+    hn::Vec<D> start_, c0_, c1_, c2_, c3_;
     const FunctionTable& table_;
 };
 
+template <class D>
+HWY_INLINE hn::Vec<D> value_of(const Cubic<D>& f, hn::Vec<D> t) {
+    return hn::MulAdd(hn::MulAdd(hn::MulAdd(f.c3, t, f.c2), t, f.c1), t, f.c0);
+}
+
 struct Point {
-    V x, y, z;
+    hn::Vec<Wides> x, y, z;
     HWY_INLINE explicit Point(const glm::dvec3& p)
-        : x(hn::Set(Floats(), static_cast<float>(p.x))),
-          y(hn::Set(Floats(), static_cast<float>(p.y))),
-          z(hn::Set(Floats(), static_cast<float>(p.z))) {}
+        : x(hn::Set(Wides(), static_cast<float>(p.x))),
+          y(hn::Set(Wides(), static_cast<float>(p.y))),
+          z(hn::Set(Wides(), static_cast<float>(p.z))) {}
 };
 
 // Adds the votes of planes [first, last), in whole vectors.
 template <class Pieces>
 HWY_INLINE void add_planes(const LeafPlanes& planes, const Pieces& pieces, const float* previous,
-                           const Point& p, std::size_t first, std::size_t last, Sum& sum) {
-    const Floats d;
+                           const Point& p, std::size_t first, std::size_t last, Sum<Wides>& sum) {
+    const Wides d;
     for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
-        const V s = hn::MulAdd(
+        const auto s = hn::MulAdd(
             hn::LoadU(d, &planes.nz[i]), p.z,
             hn::MulAdd(hn::LoadU(d, &planes.ny[i]), p.y,
                        hn::MulSub(hn::LoadU(d, &planes.nx[i]), p.x, hn::LoadU(d, &planes.d[i]))));
-        const Cubic f = pieces.at(s);
-        const V t = hn::Sub(s, f.start);
-        V vote = hn::MulAdd(hn::MulAdd(hn::MulAdd(f.c3, t, f.c2), t, f.c1), t, f.c0);
+        const Cubic<Wides> f = pieces.at(s);
+        auto vote = value_of(f, hn::Sub(s, f.start));
         if (previous != nullptr)
             vote = hn::Max(hn::Sub(vote, hn::LoadU(d, previous + i)), hn::Zero(d));
         sum.add(hn::Mul(vote, hn::LoadU(d, &planes.weight[i])));
@@ -129,7 +141,7 @@ double SumPlanesWith(const PlaneClusters& clusters, const FunctionTable& functio
     const Point p(point);
     const Pieces pieces(function);
     const float* const previous = discount == nullptr ? nullptr : discount->previous.data();
-    Sum sum;
+    Sum<Wides> sum;
     constexpr std::size_t k_run = 4 * k_leaf_planes;
     const std::size_t count = clusters.planes().d.size();
     for (std::size_t i = 0; i < count; i += k_run) {
@@ -141,9 +153,9 @@ double SumPlanesWith(const PlaneClusters& clusters, const FunctionTable& functio
 
 double SumPlanes(const PlaneClusters& clusters, const FunctionTable& function,
                  const Discount* discount, const glm::dvec3& point) {
-    return PiecesInRegisters::fits(function)
-               ? SumPlanesWith<PiecesInRegisters>(clusters, function, discount, point)
-               : SumPlanesWith<PiecesByKnot>(clusters, function, discount, point);
+    return fit_registers(function)
+               ? SumPlanesWith<PiecesInRegisters<Wides>>(clusters, function, discount, point)
+               : SumPlanesWith<PiecesByKnot<Wides>>(clusters, function, discount, point);
 }
 
 // q = (p, -1), the products of its components, and bounds.
@@ -208,9 +220,9 @@ HWY_INLINE Estimate estimate(const ClusterNode& node, std::size_t lane, const Qu
     const V radius =
         hn::MulAdd(hn::Min(box, ellipsoid), hn::Set(d, 1.0f + 0x1p-10f), hn::Set(d, q.margin));
 
-    const Cubic f = pieces.at(s);
+    const Cubic<Floats> f = pieces.at(s);
     const V t = hn::Sub(s, f.start);
-    const V at_mean = hn::MulAdd(hn::MulAdd(hn::MulAdd(f.c3, t, f.c2), t, f.c1), t, f.c0);
+    const V at_mean = value_of(f, t);
     const V bend = hn::MulAdd(hn::Mul(hn::Set(d, 3.0f), f.c3), t, f.c2);
     V value = hn::MulAdd(bend, variance, at_mean);
     if (!hn::AllTrue(d, hn::Eq(f.c3, hn::Zero(d)))) {
@@ -267,13 +279,13 @@ public:
 
     // Adds the values of sufficiently exact clusters to `sum` and subtracts their errors from `budget`.
     // Writes the other clusters to `expanded` and returns their number.
-    std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* expanded) {
+    std::uint32_t settle(double& budget, Sum<Floats>& sum, std::uint32_t* expanded) {
         const Floats d;
         const Unsigneds du;
         const double all = weight_.total();
         if (count_ == 0) return 0;
         const V rate = hn::Set(d, static_cast<float>(budget / all * (1.0 - 0x1p-20)));
-        Sum spent;
+        Sum<Floats> spent;
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
             const auto in_use = hn::FirstN(d, count_ - i);
@@ -299,18 +311,18 @@ public:
 private:
     FieldScratch& scratch_;
     std::size_t count_ = 0;
-    Sum weight_;
+    Sum<Floats> weight_;
 };
 
-template <bool discounted, class Pieces>
+template <bool discounted, template <class> class Pieces>
 double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& function,
                        const Discount* discount, const glm::dvec3& point, double budget,
                        FieldScratch& scratch, FieldWork& work) {
     const Floats d;
-    const Pieces pieces(function);
+    const Pieces<Floats> pieces(function);
     const Query q(point);
     const V zero = hn::Zero(d);
-    Sum sum;
+    Sum<Floats> sum;
     scratch.nodes[0] = 0;
     std::uint32_t count = clusters.levels().empty() ? 0 : 1;
     for (std::size_t level = clusters.levels().size(); level-- > 0 && count > 0;) {
@@ -354,20 +366,23 @@ double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& funct
     }
 
     const Point p(point);
+    const Pieces<Wides> wide_pieces(function);
+    Sum<Wides> of_planes;
     const float* const previous = discounted ? discount->previous.data() : nullptr;
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::size_t first = scratch.nodes[i] * k_leaf_planes;
-        add_planes(clusters.planes(), pieces, previous, p, first, first + k_leaf_planes, sum);
-        if (i % 4 == 3) sum.flush();
+        add_planes(clusters.planes(), wide_pieces, previous, p, first, first + k_leaf_planes,
+                   of_planes);
+        if (i % 4 == 3) of_planes.flush();
     }
     work.planes += std::uint64_t{count} * k_leaf_planes;
-    return sum.total();
+    return sum.total() + of_planes.total();
 }
 
 double SumClusters(const PlaneClusters& clusters, const FunctionTable& function,
                    const Discount* discount, const glm::dvec3& point, double budget,
                    FieldScratch& scratch, FieldWork& work) {
-    const bool fits = PiecesInRegisters::fits(function);
+    const bool fits = fit_registers(function);
     if (discount == nullptr)
         return fits ? SumClustersWith<false, PiecesInRegisters>(clusters, function, discount, point,
                                                                 budget, scratch, work)

@@ -239,26 +239,29 @@ private:
                                                   : HoughPoint{{}, 0.0, 0};
         };
         std::vector<glm::dvec3> centers(edges.size());
-        std::vector<double> squares(edges.size());
         std::vector<double> lengths(edges.size());
         for_each_index(edges.size(), [&](std::size_t i) {
             const std::array<HoughPoint, 2> points{point_of(edges[i], 0), point_of(edges[i], 1)};
             for (const HoughPoint& point : points)
                 lengths[i] = std::max(lengths[i], glm::length(point.position) + point.error);
-            const glm::dvec3 segment = points[1].position - points[0].position;
             centers[i] = 0.5 * (points[0].position + points[1].position);
-            squares[i] = glm::dot(segment, segment);
         });
-        std::vector<std::uint8_t> classes = length_classes(squares);
-        // A face without a plane leaves its block without a decision: such edges apart.
-        for (std::size_t i = 0; i < edges.size(); ++i)
-            for (const FaceId face : mesh_.edge(edges[i]).faces)
-                if (!mesh_.plane(face).has_normal()) classes[i] = 0xff;
-        const std::vector<std::uint32_t> order = octree_order(centers, classes);
-
         EdgeBlocks blocks;
         const auto farthest = std::max_element(lengths.begin(), lengths.end());
         blocks.space = space_of(group, farthest == lengths.end() ? 0.0 : *farthest);
+        // Planes of an edge that are far apart make wide boxes, though their Hough points may be near each other: of
+        // planes that face each other.
+        std::vector<double>& squares = lengths;
+        for_each_index(edges.size(), [&](std::size_t i) {
+            const std::array<PlaneVector, 2> pair = planes_of(edges[i], blocks.space);
+            squares[i] = 0.0;
+            for (std::size_t axis = 0; axis < pair[0].size(); ++axis) {
+                const double difference = pair[1][axis] - pair[0][axis];
+                squares[i] += difference * difference;
+            }
+        });
+        const std::vector<std::uint32_t> order = octree_order(centers, length_classes(squares));
+
         blocks.resize(edges.size());
         const std::uint32_t block_count = block_count_of(edges.size());
         std::vector<BlockBounds> bounds(block_count);
