@@ -9,7 +9,7 @@
 //
 // Similar planes are summed as clusters (plane_clusters.h) if the error stays within the tolerance. The
 // error bound holds at every point (field_kernels.h). Actual errors are smaller, because bounds add up but
-// errors cancel: on igea they are a fortieth of the tolerance. docs/results/field.md has the measurements.
+// errors cancel: on igea they are a thirtieth of the tolerance. docs/results/field.md has the measurements.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
