@@ -14,19 +14,22 @@ using Floats = hn::CappedTag<float, k_cluster_fan>;
 using Ints = hn::RebindToSigned<Floats>;
 using Unsigneds = hn::RebindToUnsigned<Floats>;
 using V = hn::Vec<Floats>;
-// The planes of a leaf: whole vectors.
+// For planes. Sums have eight lanes all the same: so they are equal with eight lanes and with sixteen.
+#if HWY_TARGET == HWY_AVX3
 using Wides = hn::CappedTag<float, 2 * k_cluster_fan>;
+#else
+using Wides = Floats;
+#endif
 static_assert(k_leaf_planes % (2 * k_cluster_fan) == 0);
 
 // Float sums that are flushed to a double at short intervals.
-template <class D>
 class Sum {
 public:
-    HWY_INLINE Sum() : part_(hn::Zero(D())) {}
-    HWY_INLINE void add(hn::Vec<D> v) { part_ = hn::Add(part_, v); }
+    HWY_INLINE Sum() : part_(hn::Zero(Floats())) {}
+    HWY_INLINE void add(V v) { part_ = hn::Add(part_, v); }
     HWY_INLINE void flush() {
-        const D d;
-        HWY_ALIGN float lanes[2 * k_cluster_fan];
+        const Floats d;
+        HWY_ALIGN float lanes[k_cluster_fan];
         hn::Store(part_, d, lanes);
         for (std::size_t i = 0; i < hn::Lanes(d); ++i) total_ += double{lanes[i]};
         part_ = hn::Zero(d);
@@ -37,7 +40,7 @@ public:
     }
 
 private:
-    hn::Vec<D> part_;
+    V part_;
     double total_ = 0.0;
 };
 
@@ -120,7 +123,7 @@ struct Point {
 // Adds the votes of planes [first, last), in whole vectors.
 template <class Pieces>
 HWY_INLINE void add_planes(const LeafPlanes& planes, const Pieces& pieces, const float* previous,
-                           const Point& p, std::size_t first, std::size_t last, Sum<Wides>& sum) {
+                           const Point& p, std::size_t first, std::size_t last, Sum& sum) {
     const Wides d;
     for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
         const auto s = hn::MulAdd(
@@ -131,7 +134,13 @@ HWY_INLINE void add_planes(const LeafPlanes& planes, const Pieces& pieces, const
         auto vote = value_of(f, hn::Sub(s, f.start));
         if (previous != nullptr)
             vote = hn::Max(hn::Sub(vote, hn::LoadU(d, previous + i)), hn::Zero(d));
-        sum.add(hn::Mul(vote, hn::LoadU(d, &planes.weight[i])));
+        const auto weighted = hn::Mul(vote, hn::LoadU(d, &planes.weight[i]));
+#if HWY_TARGET == HWY_AVX3
+        sum.add(hn::LowerHalf(Floats(), weighted));
+        sum.add(hn::UpperHalf(Floats(), weighted));
+#else
+        sum.add(weighted);
+#endif
     }
 }
 
@@ -141,7 +150,7 @@ double SumPlanesWith(const PlaneClusters& clusters, const FunctionTable& functio
     const Point p(point);
     const Pieces pieces(function);
     const float* const previous = discount == nullptr ? nullptr : discount->previous.data();
-    Sum<Wides> sum;
+    Sum sum;
     constexpr std::size_t k_run = 4 * k_leaf_planes;
     const std::size_t count = clusters.planes().d.size();
     for (std::size_t i = 0; i < count; i += k_run) {
@@ -279,13 +288,13 @@ public:
 
     // Adds the values of sufficiently exact clusters to `sum` and subtracts their errors from `budget`.
     // Writes the other clusters to `expanded` and returns their number.
-    std::uint32_t settle(double& budget, Sum<Floats>& sum, std::uint32_t* expanded) {
+    std::uint32_t settle(double& budget, Sum& sum, std::uint32_t* expanded) {
         const Floats d;
         const Unsigneds du;
         const double all = weight_.total();
         if (count_ == 0) return 0;
         const V rate = hn::Set(d, static_cast<float>(budget / all * (1.0 - 0x1p-20)));
-        Sum<Floats> spent;
+        Sum spent;
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
             const auto in_use = hn::FirstN(d, count_ - i);
@@ -311,7 +320,7 @@ public:
 private:
     FieldScratch& scratch_;
     std::size_t count_ = 0;
-    Sum<Floats> weight_;
+    Sum weight_;
 };
 
 template <bool discounted, template <class> class Pieces>
@@ -322,7 +331,7 @@ double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& funct
     const Pieces<Floats> pieces(function);
     const Query q(point);
     const V zero = hn::Zero(d);
-    Sum<Floats> sum;
+    Sum sum;
     scratch.nodes[0] = 0;
     std::uint32_t count = clusters.levels().empty() ? 0 : 1;
     for (std::size_t level = clusters.levels().size(); level-- > 0 && count > 0;) {
@@ -367,16 +376,14 @@ double SumClustersWith(const PlaneClusters& clusters, const FunctionTable& funct
 
     const Point p(point);
     const Pieces<Wides> wide_pieces(function);
-    Sum<Wides> of_planes;
     const float* const previous = discounted ? discount->previous.data() : nullptr;
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::size_t first = scratch.nodes[i] * k_leaf_planes;
-        add_planes(clusters.planes(), wide_pieces, previous, p, first, first + k_leaf_planes,
-                   of_planes);
-        if (i % 4 == 3) of_planes.flush();
+        add_planes(clusters.planes(), wide_pieces, previous, p, first, first + k_leaf_planes, sum);
+        if (i % 4 == 3) sum.flush();
     }
     work.planes += std::uint64_t{count} * k_leaf_planes;
-    return sum.total() + of_planes.total();
+    return sum.total();
 }
 
 double SumClusters(const PlaneClusters& clusters, const FunctionTable& function,
