@@ -24,8 +24,8 @@
 // and elsewhere is_front decides from the mesh's own plane: for about one in two hundred of the blocks that a
 // v-sphere intersects. T is clamped to ±1.09e9 and |k·W| <= 2*16383*32002 < 1.05e9, so nothing overflows and
 // clamping changes no sign. The margin is clamped above |T + k·W| < 2.14e9, where nothing is certain. A step
-// is at least 2^-20, and a center has steps of 2^-14. So for planes that coincide, the range without decision is below the resolution of
-// float.
+// is at least 2^-20. So for planes that coincide, the range without decision is below the resolution of
+// float. Centers have steps of 2^-14 (block_tree.h).
 //
 // Negated planes can be stored too: -X changes sign where X does.
 
