@@ -33,7 +33,8 @@ double RunTimes::total_ms() const noexcept {
 }
 
 nlohmann::ordered_json RunTimes::json() const {
-    nlohmann::ordered_json object;
+    // Not made an object by its first element: if that cannot be allocated, nlohmann's destructor crashes.
+    auto object = nlohmann::ordered_json::object();
     for (const Step& step : steps_) object[step.name] = step.ms;
     object["total"] = total_ms();
     return object;
