@@ -139,8 +139,11 @@ class Attack:
         if has_succeeded and output == OLD_OUTPUT:
             raise Fault("success, and no new output")
         # A program that is ended after it has written its output leaves it.
-        end = b"</svg>\n" if self.output.endswith(".svg") else b"IEND\xaeB`\x82"
-        if output != OLD_OUTPUT and not output.endswith(end):
+        if self.output.endswith(".glb"):
+            is_whole = output[:4] == b"glTF" and int.from_bytes(output[8:12], "little") == len(output)
+        else:
+            is_whole = output.endswith(b"</svg>\n" if self.output.endswith(".svg") else b"IEND\xaeB`\x82")
+        if output != OLD_OUTPUT and not is_whole:
             raise Fault("the output is neither the old one nor whole")
 
     def attack_with_a_file(self):
