@@ -216,9 +216,9 @@ std::uint32_t FindChanging(const BlockTree& tree, const BlockPoint& from_point,
     const Ints di;
     const PairWeights<Ints> from(from_point.weights);
     const CenterProduct to(to_point);
-    std::array<std::int16_t, 4> farther = absolute(from_point.weights);
-    for (std::size_t i = 0; i < 4; ++i)
-        farther[i] = HWY_MAX(farther[i], absolute(to_point.weights)[i]);
+    std::array<std::int16_t, 4> farther = absolute(to_point.weights);
+    const std::array<std::int16_t, 4> of_from = absolute(from_point.weights);
+    for (std::size_t i = 0; i < 4; ++i) farther[i] = HWY_MAX(farther[i], of_from[i]);
     const PairWeights<Ints> reach(farther);
     const auto margin = hn::Set(di, HWY_MAX(from_point.box_margin, to_point.box_margin));
     const NodeSteps* const steps = tree.steps().data();

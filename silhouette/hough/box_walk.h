@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "silhouette/hough/hough_octree.h"
-#include "silhouette/hough/hough_point.h"
+#include "silhouette/hough/v_sphere.h"
 #include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline {
@@ -54,7 +54,7 @@ private:
     class Walk;
 
     glm::dvec3 origin_;
-    std::vector<std::vector<HoughBounds>> levels_;  // The blocks first, the root last.
+    std::vector<std::vector<HoughBox>> levels_;  // The blocks first, the root last.
 };
 
 }  // namespace rimline

@@ -33,6 +33,9 @@ struct FaceLinks {
 /// The flipped faces of a move, as positions with the face's new bit as the highest.
 constexpr std::uint32_t k_front_position = 0x80000000u;
 
+/// Of an edge that changes: it is on the silhouette now.
+constexpr std::uint32_t k_joins = 0x80000000u;
+
 /// Writes to `toggled` the edges of the faces at `positions` whose other face did not flip, with k_joins where
 /// they are on the silhouette now, and returns their number. `toggled` must have space for one more than there are.
 /// `states` has a word for each block: the new bits of its faces, and from bit 16 on which of them flipped.
@@ -41,6 +44,5 @@ std::size_t find_toggled_edges(std::span<const std::uint32_t> positions,
                                std::span<const FaceLinks> links,
                                std::span<const std::uint32_t> states,
                                std::uint32_t* toggled) noexcept;
-constexpr std::uint32_t k_joins = 0x80000000u;
 
 }  // namespace rimline

@@ -8,10 +8,7 @@
 // division by |n|² makes H the exact foot point, so that boxes around H are valid for the rounded plane
 // itself. (Thesis 3.2.1. A plane through the origin has H = 0.)
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -42,27 +39,5 @@ inline HoughPoint hough_point(const Plane& plane, const glm::dvec3& origin) noex
     return {n * (distance / glm::dot(n, n)), 2.0 * error,
             distance > error ? 1 : (distance < -error ? -1 : 0)};
 }
-
-/// A box of Hough points in double, empty until something is included.
-struct HoughBounds {
-    std::array<double, 3> low{1e300, 1e300, 1e300};
-    std::array<double, 3> high{-1e300, -1e300, -1e300};
-
-    /// Includes the point with its error bound.
-    void include(const HoughPoint& point) noexcept {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double position = point.position[static_cast<int>(i)];
-            low[i] = std::min(low[i], position - point.error);
-            high[i] = std::max(high[i], position + point.error);
-        }
-    }
-    void include(const HoughBounds& other) noexcept {
-        for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], other.low[i]);
-            high[i] = std::max(high[i], other.high[i]);
-        }
-    }
-    bool is_empty() const noexcept { return !(low[0] <= high[0]); }
-};
 
 }  // namespace rimline

@@ -6,6 +6,7 @@
 #include "silhouette/hough/block_set.h"
 #include "silhouette/hough/hough_point.h"
 #include "silhouette/hough/octree_order.h"
+#include "silhouette/hough/v_sphere.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/umbrella_index.h"
 #include "silhouette/points/umbrella_triangles.h"
@@ -127,14 +128,15 @@ private:
         std::vector<double> squares(count);
         each_point(count, {call_, 0.0, 0.4}, [&](std::uint32_t first, std::uint32_t last) {
             for (std::uint32_t i = first; i < last; ++i) {
-                HoughBounds bounds;
+                HoughBox box;
                 for_each_plane(PointId{points[i]},
-                               [&](const Plane& plane) { bounds.include(hough_point_of(plane)); });
-                if (bounds.is_empty()) bounds.include(k_origin);
+                               [&](const Plane& plane) { box.include(hough_point_of(plane)); });
+                if (box.is_empty()) box.include(k_origin);
                 for (std::size_t axis = 0; axis < 3; ++axis) {
-                    const double size = bounds.high[axis] - bounds.low[axis];
-                    centers[i][static_cast<glm::length_t>(axis)] =
-                        0.5 * (bounds.low[axis] + bounds.high[axis]);
+                    const double low = box.low[axis];
+                    const double high = box.high[axis];
+                    const double size = high - low;
+                    centers[i][static_cast<glm::length_t>(axis)] = 0.5 * (low + high);
                     squares[i] += size * size;
                 }
             }

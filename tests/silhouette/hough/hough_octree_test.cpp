@@ -117,7 +117,8 @@ TEST_CASE("extraction looks at a small part of a large mesh") {
 }
 
 TEST_CASE("whenever a build is cancelled it says so, or is done") {
-    const Mesh mesh(make_built_in_shape("knot", 20'000));
+    // Long enough that the start of a thread takes a small part of it, on a machine with other work too.
+    const Mesh mesh(make_built_in_shape("knot", 100'000));
     using Clock = std::chrono::steady_clock;
     // The shortest of several: other work on the machine must not make it seem longer than it is.
     auto build_time = Clock::duration::max();
@@ -126,7 +127,7 @@ TEST_CASE("whenever a build is cancelled it says so, or is done") {
         const HoughOctree whole(mesh);
         build_time = std::min(build_time, Clock::now() - begun);
     }
-    constexpr int k_builds = 200;
+    constexpr int k_builds = 60;
     int cancelled = 0;
     for (int i = 0; i < k_builds; ++i) {
         std::stop_source source;
@@ -144,7 +145,7 @@ TEST_CASE("whenever a build is cancelled it says so, or is done") {
             ++cancelled;
         }
     }
-    CHECK(cancelled > k_builds / 10);
+    CHECK(cancelled > k_builds / 4);
 }
 
 TEST_CASE("an empty mesh has an empty silhouette") {
