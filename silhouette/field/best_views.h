@@ -8,8 +8,8 @@
 // which matters for symmetric models. The first viewpoint has the most votes. Each later one has the most
 // votes that no earlier viewpoint has got, so views differ.
 //
-// Votes ignore occlusion. A caller that can render may weight them by the visible share of a viewpoint's
-// silhouette (4.5.3; engine/measure/visible_ratio.h). The share is at most 1, so candidates are rendered in
+// Votes ignore occlusion. A caller may weight them by the visible share of a viewpoint's
+// silhouette (4.5.3; ray_ratios.h, engine/measure/visible_ratio.h). The share is at most 1, so candidates are measured in
 // descending order of votes until no other candidate can win (points_of_interest.h).
 
 #include <cstdint>
@@ -46,7 +46,7 @@ using VisibleRatios = std::function<std::vector<double>(std::span<const glm::dve
 struct BestView {
     glm::dvec3 eye;              ///< In the mesh's coordinates.
     double votes;                ///< Votes that earlier views have not got: a sum over planes.
-    double visible_ratio = 1.0;  ///< 1 if not rendered.
+    double visible_ratio = 1.0;  ///< 1 if not measured.
     double preference = 1.0;     ///< view_preference(), if there is an up direction.
     double score() const noexcept { return votes * visible_ratio * preference; }
 };
@@ -54,7 +54,7 @@ struct BestView {
 struct BestViewsOptions {
     std::uint32_t count = 4;
     VisibleRatios visible_ratios;  ///< Empty: votes only.
-    /// Candidates to render are the peaks of the votes and every `stride`-th sample of the lattice along
+    /// Candidates to measure are the peaks of the votes and every `stride`-th sample of the lattice along
     /// each axis. 2 gives the same scores as 1 with a quarter of the candidates.
     std::uint32_t stride = 2;
     /// With `up`, the score of a view is multiplied by view_preference(): people seldom look at things from below or
@@ -63,13 +63,13 @@ struct BestViewsOptions {
     /// Of the plane of symmetry across this axis, if the mesh has one: a mirror image of a chosen view counts what it
     /// adds (symmetry_axis()).
     std::optional<int> mirror_axis;
-    bool draws_all = false;  ///< For tests: renders every candidate. The views are the same.
+    bool draws_all = false;  ///< For tests: measures every candidate. The views are the same.
 };
 
 struct BestViews {
     std::vector<BestView> views;    ///< In the order of choice.
-    std::uint64_t renders = 0;      ///< Viewpoints rendered.
-    std::uint64_t candidates = 0;   ///< Number of renders with `draws_all`.
+    std::uint64_t renders = 0;      ///< Viewpoints measured.
+    std::uint64_t candidates = 0;   ///< Number of these with `draws_all`.
     std::uint64_t evaluations = 0;  ///< Evaluations of the field.
 };
 

@@ -14,6 +14,7 @@
 
 #include "silhouette/mesh/corner_normals.h"
 #include "silhouette/mesh/ground_axes.h"
+#include "silhouette/mesh/line_hit.h"
 
 namespace rimline {
 
@@ -46,32 +47,6 @@ constexpr double k_same_surface_steps = 4.0;  // Neighbors farther apart are dif
 constexpr std::size_t k_max_keys = 48;
 constexpr double k_key_turn_rad = glm::radians(10.0);
 constexpr double k_turn_cost = 0.5;  // Of a radian.
-
-// Where a line meets a face, in lengths of `direction`; nothing if it does not, or has the direction of the plane
-// (Möller, Trumbore 1997).
-struct LineHit {
-    double distance, v, w;
-};
-std::optional<LineHit> meet(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& from,
-                            const glm::dvec3& direction) {
-    const glm::dvec3 first = corners[1] - corners[0], second = corners[2] - corners[0];
-    const glm::dvec3 across = glm::cross(direction, second);
-    const double determinant = glm::dot(first, across);
-    if (determinant == 0.0) return std::nullopt;
-    const glm::dvec3 away = from - corners[0];
-    const double v = glm::dot(away, across) / determinant;
-    const glm::dvec3 turned = glm::cross(away, first);
-    const double w = glm::dot(direction, turned) / determinant;
-    if (!(v >= 0.0 && w >= 0.0 && v + w <= 1.0)) return std::nullopt;
-    return LineHit{glm::dot(second, turned) / determinant, v, w};
-}
-
-std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, std::uint32_t face) {
-    std::array<glm::dvec3, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = glm::dvec3(mesh.positions()[index(mesh.triangles()[face][i])]);
-    return corners;
-}
 
 // The rectangle of the picture that the mesh covers, as shares of half its size; empty beside it.
 struct CoveredRectangle {

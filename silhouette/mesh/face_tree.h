@@ -146,19 +146,23 @@ private:
     bool any_leaf(IsOutside&& is_outside, Leaf&& leaf) const {
         std::array<Node, 64> stack;  // The tree has at most 2^30 faces: 31 levels.
         std::size_t size = 0;
-        stack[size++] = {0, 0, static_cast<std::uint32_t>(order_.size())};
-        while (size > 0) {
-            const Node node = stack[--size];
-            if (is_outside(node)) continue;
+        Node node{0, 0, static_cast<std::uint32_t>(order_.size())};
+        if (is_outside(node)) return false;
+        for (;;) {
             if (is_leaf(node)) {
                 if (leaf(node)) return true;
-                continue;
+            } else {
+                const auto [low, high] = children_of(node);
+                const bool has_low = !is_outside(low), has_high = !is_outside(high);
+                if (has_low && has_high) stack[size++] = high;
+                if (has_low || has_high) {
+                    node = has_low ? low : high;
+                    continue;
+                }
             }
-            const auto [low, high] = children_of(node);
-            stack[size++] = high;
-            stack[size++] = low;
+            if (size == 0) return false;
+            node = stack[--size];
         }
-        return false;
     }
 
     class Builder;

@@ -85,7 +85,7 @@ bool are_apart(const Segment& segment, const Corners& t) {
 // The pairs of faces whose boxes overlap.
 class FacePairs {
 public:
-    explicit FacePairs(const Mesh& mesh) : mesh_(mesh), tree_(mesh) {}
+    FacePairs(const Mesh& mesh, const FaceTree& tree) : mesh_(mesh), tree_(tree) {}
 
     // Whether the face at `place` in the order of the tree intersects a later face outside their shared
     // corners and edges. Adds the number of tested pairs to `pairs`.
@@ -140,7 +140,7 @@ private:
     }
 
     const Mesh& mesh_;
-    FaceTree tree_;
+    const FaceTree& tree_;
 };
 
 // Whether every set of faces connected by edges encloses a positive volume.
@@ -179,14 +179,14 @@ bool shells_turn_outwards(const Mesh& mesh) {
     return true;
 }
 
-}  // namespace
+bool may_be_solid(const Mesh& mesh) {
+    return mesh.face_count() > 0 &&
+           mesh.edges_of_class(EdgeClass::regular).size() == mesh.edge_count() &&
+           std::ranges::all_of(mesh.planes(), &Plane::has_normal) && shells_turn_outwards(mesh);
+}
 
-bool is_solid(const Mesh& mesh, const LongCall& call) {
-    if (mesh.face_count() == 0 ||
-        mesh.edges_of_class(EdgeClass::regular).size() != mesh.edge_count() ||
-        !std::ranges::all_of(mesh.planes(), &Plane::has_normal) || !shells_turn_outwards(mesh))
-        return false;
-    const FacePairs faces(mesh);
+bool meets_itself_nowhere(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {
+    const FacePairs faces(mesh, tree);
     const std::uint64_t max_pairs = std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs);
     std::atomic<std::uint64_t> all_pairs = 0;
     std::atomic<bool> is_none = false;
@@ -205,6 +205,16 @@ bool is_solid(const Mesh& mesh, const LongCall& call) {
         first = last;
     }
     return !is_none && all_pairs <= max_pairs;
+}
+
+}  // namespace
+
+bool is_solid(const Mesh& mesh, const LongCall& call) {
+    return may_be_solid(mesh) && meets_itself_nowhere(mesh, FaceTree(mesh), call);
+}
+
+bool is_solid(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {
+    return may_be_solid(mesh) && meets_itself_nowhere(mesh, tree, call);
 }
 
 }  // namespace rimline

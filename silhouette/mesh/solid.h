@@ -10,6 +10,8 @@
 
 namespace rimline {
 
+class FaceTree;
+
 /// Whether a mesh bounds a solid: every edge is regular, every shell of faces encloses a positive volume, and
 /// two faces meet only in the corners and edges that they share. The winding number of a point is then the
 /// number of shells around it, so a ray from outside all shells hits the front of a face first.
@@ -24,5 +26,7 @@ namespace rimline {
 /// O(n log n), about a microsecond per face if faces are not much longer than wide. Uses all threads of
 /// oneTBB. Throws Error{cancelled}.
 bool is_solid(const Mesh& mesh, const LongCall& call = {});
+/// The same with the tree of the mesh's faces, where there is one.
+bool is_solid(const Mesh& mesh, const FaceTree& tree, const LongCall& call = {});
 
 }  // namespace rimline

@@ -14,7 +14,7 @@ from includes import headers_included_by, included_headers
 
 # As many as there are today. A new public header is a decision: raise it with the list in
 # tools/package/public_headers.cmake.
-MAX_PUBLIC = 67
+MAX_PUBLIC = 68
 MAX_OF_RENDERER = 15
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/measure/view_ratios.h"
 #include "engine/view_defaults.h"
 #include "silhouette/field/best_views.h"
 #include "silhouette/field/sun_choice.h"
@@ -29,7 +30,7 @@ public:
     Stage(const std::string& model, const Mesh& mesh, const Device& device, glm::vec3 up)
         : model_(model),
           octree_(mesh),
-          pass_(device.context(), octree_),
+          ratios_(device.context(), octree_),
           renderer_(device.context()) {
         picture_.up = up;
     }
@@ -39,7 +40,10 @@ public:
         const TangentialField field = make_view_field(octree_.mesh(), {}, function);
         BestViewsOptions options;
         options.count = k_views;
-        if (has_ratio) options.visible_ratios = visible_ratios_of(pass_, context);
+        if (has_ratio)
+            options.visible_ratios = [&](std::span<const glm::dvec3> eyes) {
+                return ratios_.measure(eyes, context.stop);
+            };
         std::vector<glm::dvec3> eyes;
         for (const BestView& view : find_best_views(field, options, {context.stop, {}}).views)
             eyes.push_back(view.eye);
@@ -65,7 +69,7 @@ public:
 private:
     const std::string& model_;
     HoughOctree octree_;
-    VisibleRatioPass pass_;
+    ViewRatios ratios_;
     Renderer renderer_;  // One a mesh: a renderer identifies meshes by address.
     PictureOptions picture_;
 };

@@ -7,7 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
-#include "engine/measure/visible_ratio.h"
+#include "engine/measure/view_ratios.h"
 #include "engine/view_defaults.h"
 #include "silhouette/field/best_views.h"
 #include "silhouette/field/sun_choice.h"
@@ -50,7 +50,10 @@ Choices choose_all(const Mesh& mesh, const Device& device, const ViewsBenchOptio
     const TangentialField field = make_view_field(mesh);
     BestViewsOptions views;
     views.count = is_variant ? 1 : options.views;
-    views.visible_ratios = visible_ratios_of(pass, context);
+    ViewRatios ratios(device.context(), octree, context.stop);
+    views.visible_ratios = [&](std::span<const glm::dvec3> eyes) {
+        return ratios.measure(eyes, context.stop);
+    };
     Choices choices;
     choices.weighted = find_best_views(field, views, {context.stop, {}});
     choices.ms =

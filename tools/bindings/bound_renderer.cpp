@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/measure/visible_ratio.h"
+#include "engine/measure/view_ratios.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/up_option.h"
 #include "tools/output/still_scene.h"
@@ -67,13 +67,8 @@ void BoundRenderer::measure(BoundMesh& mesh, const LongCall& call,
                             const std::function<void(const VisibleRatios& ratios)>& use) {
     const HoughOctree& octree = mesh.octree(call);
     const std::lock_guard lock(mutex_);
-    VisibleRatioPass pass(device_.context(), octree, {}, call.stop);
-    use([&](std::span<const glm::dvec3> eyes) {
-        std::vector<double> ratios;
-        for (const VisibleRatio& ratio : pass.measure(eyes, {call.stop, {}}))
-            ratios.push_back(ratio.ratio());
-        return ratios;
-    });
+    ViewRatios ratios(device_.context(), octree, call.stop);
+    use([&](std::span<const glm::dvec3> eyes) { return ratios.measure(eyes, call.stop); });
 }
 
 }  // namespace rimline::tools

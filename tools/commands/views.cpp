@@ -61,9 +61,7 @@ public:
             "the visible share of its silhouette, less from below and a little less from behind. "
             "For each "
             "next\n"
-            "view only those votes count that the views before it do not have. --no-ratio needs no "
-            "device. "
-            "Each\n"
+            "view only those votes count that the views before it do not have. Each\n"
             "picture is taken from its view and shows the whole model. Files are written when all "
             "pictures "
             "are drawn.\n\n"
@@ -110,14 +108,17 @@ private:
             Renderer renderer(drawn.device->context());
             const std::vector<Picture> pictures =
                 draw_views(renderer, scene, views_, picture_.size, context);
-            const std::vector<Picture> cells =
-                draw_views(renderer, scene, views_, cell_size(columns), context);
+            // Of small pictures the sheet's are the same.
+            std::vector<Picture> smaller;
+            if (cell_size(columns) != picture_.size)
+                smaller = draw_views(renderer, scene, views_, cell_size(columns), context);
             context.checkpoint();
             folder.remove_numbered("view_");
             for (std::size_t i = 0; i < pictures.size(); ++i)
                 write(folder, "view_" + std::to_string(i + 1) + ".png", pictures[i]);
             write(folder, "contact_sheet.png",
-                  make_contact_sheet(cells, columns, k_sheet_gap, sheet_color()));
+                  make_contact_sheet(smaller.empty() ? pictures : smaller, columns, k_sheet_gap,
+                                     sheet_color()));
         });
     }
 

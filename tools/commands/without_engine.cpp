@@ -1,11 +1,12 @@
-// The commands that need Vulkan in a build without the engine. Views and paths are chosen by votes alone and
-// not drawn.
+// The commands that need Vulkan in a build without the engine. Views and paths are chosen, but not drawn.
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "silhouette/field/ray_ratios.h"
 #include "tools/absent_part.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/model_octree.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/options/view_choice.h"
@@ -18,9 +19,19 @@ namespace rimline::tools {
 namespace {
 
 constexpr double k_aspect = 4.0 / 3.0;  // Of the pictures that `render` draws.
-constexpr const char* k_votes_footer =
-    "This rimline was built without the engine: it draws nothing, and views are chosen by votes "
-    "alone.";
+constexpr const char* k_footer = "This rimline was built without the engine: it draws nothing.";
+
+ChosenViews choose_views(const ViewChoice& choice, const std::string& model, const Mesh& mesh,
+                         std::uint32_t min_count, const Context& context) {
+    const glm::dvec3 up = choose_up(mesh, {}, false).up;
+    if (choice.no_ratio) return choice.choose(model, mesh, up, {}, min_count, context);
+    const HoughOctree octree = build_octree(model, mesh, context);
+    const RayRatios rays(octree, {}, {context.stop, {}});
+    return choice.choose(
+        model, mesh, up,
+        [&](std::span<const glm::dvec3> eyes) { return rays.measure(eyes, context.stop); },
+        min_count, context);
+}
 
 class ViewsCommand final : public Command {
 public:
@@ -29,14 +40,12 @@ public:
     void add_options(CLI::App& app) override {
         model_.add_to(app);
         choice_.add_to(app, 1);
-        app.footer(k_votes_footer);
+        app.footer(k_footer);
     }
     ExitStatus run(const Context& context) override {
         const Mesh mesh = model_.load_mesh(context);
-        const ChosenViews chosen = about_model(model_.model, [&] {
-            return choice_.choose(model_.model, mesh, choose_up(mesh, {}, false).up, {}, 1,
-                                  context);
-        });
+        const ChosenViews chosen = about_model(
+            model_.model, [&] { return choose_views(choice_, model_.model, mesh, 1, context); });
         if (context.json) {
             nlohmann::ordered_json result = views_json(model_.model, mesh, chosen);
             for (std::size_t i = 0; i < chosen.best.views.size(); ++i) {
@@ -67,13 +76,12 @@ public:
         model_.add_to(app);
         choice_.add_to(app, 2);
         plan_.add_to(app);
-        app.footer(k_votes_footer);
+        app.footer(k_footer);
     }
     ExitStatus run(const Context& context) override {
         const Mesh mesh = model_.load_mesh(context);
         about_model(model_.model, [&] {
-            const ChosenViews chosen =
-                choice_.choose(model_.model, mesh, choose_up(mesh, {}, false).up, {}, 2, context);
+            const ChosenViews chosen = choose_views(choice_, model_.model, mesh, 2, context);
             context.times.end("choosing the views");
             const PlannedPath planned = plan_.plan(chosen, choose_up(mesh, {}, false).up, context);
             context.times.end("planning");

@@ -74,7 +74,7 @@ def tables(program):
     replace("measures", "\n".join(views[1:]))
     replace("lights", "\n".join(["| | light | turned away | unlit, cast shadows too | contrast |", "|---|---|---|---|---|",
                                  *lights]))
-    replace("work", "\n".join(["| | drawn | candidates | lattice, view by view | fewer |",
+    replace("work", "\n".join(["| | measured | candidates | lattice, view by view | fewer |",
                                "|---|---|---|---|---|", *work]))
 
 

@@ -75,6 +75,7 @@ CLI::Option* add_device(CLI::App& app, std::string& value, const std::string& de
 
 struct ImageSize {
     std::uint32_t width, height;
+    bool operator==(const ImageSize&) const noexcept = default;
 };
 constexpr std::uint32_t k_max_image_side = 16384;
 /// `WxH`, each from 1 to k_max_image_side.

@@ -24,8 +24,7 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
         ->capture_default_str()
         ->group("Views");
     app.add_flag("--no-ratio", no_ratio,
-                 "Use votes only: do not draw candidates to measure the visible share of their "
-                 "silhouettes")
+                 "Use votes only: do not measure the visible share of the silhouettes")
         ->group("Views");
 }
 
@@ -110,7 +109,7 @@ void print_views(const ChosenViews& chosen) {
     if (chosen.is_inside_out)
         std::printf("  winding     inside out: faces are taken the other way round\n");
     if (chosen.is_weighted)
-        std::printf("  drawn       %llu of %llu candidates\n",
+        std::printf("  measured    %llu of %llu candidates\n",
                     static_cast<unsigned long long>(chosen.best.renders),
                     static_cast<unsigned long long>(chosen.best.candidates));
     std::printf("  time        %.1f ms\n", chosen.ms);

@@ -27,7 +27,7 @@ struct ViewChoice {
     std::uint32_t count = 4;
     bool by_area = false;        ///< Weights the votes of planes by the areas of their faces.
     std::string below = "less";  ///< Views from below count less, or fully.
-    bool no_ratio = false;       ///< Votes only, as always in a build without the engine.
+    bool no_ratio = false;       ///< Votes only.
 
     /// `min_count` is the least value of -k.
     void add_to(CLI::App& app, std::uint32_t min_count);

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/measure/view_ratios.h"
 #include "engine/view_defaults.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
@@ -12,16 +13,6 @@
 #include "tools/progress.h"
 
 namespace rimline::tools {
-
-VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context) {
-    return [&pass, stop = context.stop](std::span<const glm::dvec3> eyes) {
-        std::vector<double> ratios;
-        ratios.reserve(eyes.size());
-        for (const VisibleRatio& ratio : pass.measure(eyes, {stop, {}}))
-            ratios.push_back(ratio.ratio());
-        return ratios;
-    };
-}
 
 ViewDevice::ViewDevice(const std::string& model, const Mesh& mesh, const PictureOptions& options,
                        bool draws, const Context& context) {
@@ -88,8 +79,11 @@ ChosenViews choose_views(const ViewChoice& choice, const std::string& model, con
                          std::uint32_t min_count, const Context& context) {
     check_viewing_range(model, mesh);
     if (choice.no_ratio) return choice.choose(model, mesh, up, {}, min_count, context);
-    VisibleRatioPass pass(view_device.device->context(), *view_device.octree, {}, context.stop);
-    return choice.choose(model, mesh, up, visible_ratios_of(pass, context), min_count, context);
+    ViewRatios ratios(view_device.device->context(), *view_device.octree, context.stop);
+    return choice.choose(
+        model, mesh, up,
+        [&](std::span<const glm::dvec3> eyes) { return ratios.measure(eyes, context.stop); },
+        min_count, context);
 }
 
 }  // namespace rimline::tools

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/measure/visible_ratio.h"
 #include "engine/renderer.h"
 #include "silhouette/field/best_views.h"
 #include "silhouette/hough/hough_octree.h"
@@ -23,9 +22,6 @@
 #include "tools/output/shown_lines.h"
 
 namespace rimline::tools {
-
-/// Measures with `pass`, which must outlive the function. Ctrl-C cancels it.
-VisibleRatios visible_ratios_of(VisibleRatioPass& pass, const Context& context);
 
 /// The device and the octree of `views` and `path`. Without ratios and pictures these need no device.
 struct ViewDevice {

@@ -34,6 +34,7 @@ set(rimline_silhouette_headers
     silhouette/field/named_functions.h
     silhouette/field/origins.h
     silhouette/field/points_of_interest.h
+    silhouette/field/ray_ratios.h
     silhouette/field/sun_choice.h
     silhouette/field/tangential_field.h
     silhouette/field/tangential_function.h

@@ -15,7 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/measure/view_ratios.h"
 #include "engine/scene.h"
+#include "silhouette/field/ray_ratios.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
@@ -109,14 +111,14 @@ MeshSource plate(float z) {
     return source;
 }
 
-struct RayRatios {
+struct LengthRatios {
     double pixels;  ///< Of the pixels that a line passes through, those where a ray sees it.
     double length;  ///< Of the lines' length on the screen.
 };
 
 // Of the samples along all silhouette edges and borders, a quarter of a pixel apart, those that rays find
 // visible, an edge's own faces left out.
-RayRatios ray_ratios(const Model& model, const glm::dvec3& eye, std::uint32_t side) {
+LengthRatios length_ratios(const Model& model, const glm::dvec3& eye, std::uint32_t side) {
     const Mesh& mesh = model.mesh;
     const HomogeneousPoint point = HomogeneousPoint::viewpoint(glm::vec3(eye));
     Scene scene;
@@ -212,6 +214,34 @@ TEST_CASE("a mask counted on the CPU equals the queries on every model whichever
     });
 }
 
+TEST_CASE("ratios by rays are those of pictures, but for rounding at corners") {
+    RIMLINE_OPEN_GPU(gpu);
+    for_each_model([&](const Model& model, const std::string&) {
+        const std::vector<glm::dvec3> eyes = shell(model.mesh, 20);
+        const std::vector<double> by_rays = RayRatios(model.octree).measure(eyes);
+        const std::vector<VisibleRatio> drawn =
+            VisibleRatioPass(gpu->context(), model.octree).measure(eyes);
+        for (std::size_t i = 0; i < eyes.size(); ++i) {
+            CAPTURE(i);
+            CHECK(std::abs(by_rays[i] - drawn[i].ratio()) < 0.004);
+        }
+        // Inside, where lines pass the near plane.
+        const std::vector<glm::dvec3> awkward = awkward_eyes(model.mesh);
+        const std::vector<double> ratios = RayRatios(model.octree).measure(awkward);
+        const std::vector<VisibleRatio> pictures =
+            VisibleRatioPass(gpu->context(), model.octree).measure(awkward);
+        for (std::size_t i = 0; i < awkward.size(); ++i) {
+            CAPTURE(i);
+            CHECK(std::abs(ratios[i] - pictures[i].ratio()) < 0.03);
+        }
+    });
+    const Model model(make_built_in_shape("knot", 2000));
+    const std::vector<glm::dvec3> eyes = shell(model.mesh, 5);
+    const std::vector<double> chosen = ViewRatios(gpu->context(), model.octree).measure(eyes);
+    for (std::size_t i = 0; i < eyes.size(); ++i)
+        CHECK(std::abs(chosen[i] - RayRatios(model.octree).measure(eyes)[i]) < 0.004);
+}
+
 TEST_CASE("pictures of any side are counted the same by query and by the CPU") {
     RIMLINE_OPEN_GPU(gpu);
     if (!gpu->context().features.occlusion_query_precise)
@@ -266,7 +296,7 @@ TEST_CASE("backs hide lines where a shell that crosses itself shows them") {
         VisibleRatioPass(gpu->context(), model.octree, {.fov_deg = k_fov_deg}).measure(eyes);
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         CAPTURE(i);
-        CHECK(std::abs(ratios[i].ratio() - ray_ratios(model, eyes[i], 256).pixels) < 0.05);
+        CHECK(std::abs(ratios[i].ratio() - length_ratios(model, eyes[i], 256).pixels) < 0.05);
     }
 }
 
@@ -281,7 +311,7 @@ TEST_CASE("the ratio is the one that rays along the edges see" * doctest::test_s
             VisibleRatioPass(gpu->context(), model.octree, {.fov_deg = k_fov_deg}).measure(eyes);
         double of_model = 0.0;
         for (std::size_t i = 0; i < eyes.size(); ++i) {
-            const RayRatios rays = ray_ratios(model, eyes[i], 256);
+            const LengthRatios rays = length_ratios(model, eyes[i], 256);
             of_model += std::abs(ratios[i].ratio() - rays.pixels);
             length_difference += std::abs(ratios[i].ratio() - rays.length);
         }
