@@ -79,7 +79,7 @@ struct RayRatios::View {
     glm::dmat3 eye_from_object;  // x right, y down, z towards the viewer.
     double focal_px;
     double near;
-    bool culls_backs;
+    bool hides_valleys;
 };
 
 struct RayRatios::Scratch {
@@ -115,7 +115,7 @@ RayRatios::View RayRatios::view_from(const glm::dvec3& eye) const {
             .eye_from_object = glm::transpose(glm::dmat3(right, glm::cross(right, back), back)),
             .focal_px = 0.5 * options_.side_px / std::tan(0.5 * glm::radians(options_.fov_deg)),
             .near = k_near_radii * mesh_.radius(),
-            .culls_backs = faces_->is_solid && glm::distance(from, center) > mesh_.radius()};
+            .hides_valleys = faces_->is_solid && glm::distance(from, center) > mesh_.radius()};
 }
 
 // Finds the pixels of all lines.
@@ -155,7 +155,7 @@ void RayRatios::cover_pixels(const View& view, Scratch& scratch) const {
     };
     const auto is_valley = [&](EdgeId edge) {
         const std::uint32_t word = index(edge) / 32;
-        return view.culls_backs && word < faces_->concave_bits.size() &&
+        return view.hides_valleys && word < faces_->concave_bits.size() &&
                (faces_->concave_bits[word] >> (index(edge) % 32) & 1u) != 0;
     };
     TraversalCounters counters;
@@ -180,7 +180,6 @@ bool RayRatios::is_visible(const View& view, std::uint32_t pixel, float line_nea
         if (!hit || hit->distance < view.near) return false;
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double height = glm::dot(normal, view.eye - corners[0]);
-        if (view.culls_backs && height <= 0.0) return false;
         // The change of nearness from a pixel to the next.
         const glm::dvec2 change(view.eye_from_object * normal);
         const double slope =
