@@ -44,7 +44,6 @@ public:
                  .light_count = light_count,
                  .shadows = scene_.shadows,
                  .is_orthographic = scene_.camera.is_orthographic(),
-                 .style = static_cast<std::uint32_t>(scene_.style),
                  .instances = {},
                  .inks = {},
                  .shadow_batches = {}};
@@ -106,15 +105,12 @@ private:
         InstanceState& state = state_of(i);
         DrawnInstance drawn{.data = 0,
                             .indices = state.mesh->indices(),
-                            .vertex_count = state.mesh->vertex_count(),
                             .face_count = state.mesh->face_count(),
                             .border_count = state.mesh->border_count(),
                             .crease_count = 0,
                             .loose_count = state.mesh->loose_count(),
                             .has_lines = has_lines(scene_, instance),
-                            .output = surface_output(scene_, parts_.target, instance),
-                            .fades = instance.fade_radius > 0.0,
-                            .colors = surface_colors(scene_, instance),
+                            .surface = surface_kind(scene_, parts_.target, instance),
                             .textured_faces = {},
                             .inks = {},
                             .silhouette = {},
@@ -123,13 +119,13 @@ private:
         if (state.deforming) deform(i);
         const VkDeviceAddress slots = drawn.has_lines ? add_lines(i, drawn) : 0;
         drawn.data = put_instance(i, slots);
-        if (drawn.colors == SurfaceColors::textures)
+        if (drawn.surface.colors == SurfaceColors::textures)
             drawn.textured_faces = state.mesh->materials()->textures()->ranges();
         const Caster caster{shadow_view(view_, instance), caster_box(instance)};
         // A ground seen from below would show nothing but its back.
         drawn.shows_backs =
-            !drawn.fades && (!instance.is_solid || state.deforming ||
-                             !is_outside(caster.view, caster.box.low, caster.box.high));
+            !drawn.surface.fades && (!instance.is_solid || state.deforming ||
+                                     !is_outside(caster.view, caster.box.low, caster.box.high));
         for (std::size_t l = 0; l < scene_.lights.size(); ++l)
             drawn.lights.push_back(add_light(i, l, caster, drawn));
         list_.instances.push_back(std::move(drawn));

@@ -7,6 +7,7 @@
 
 #include "engine/frame/drawn_rect.h"
 #include "engine/frame/scene_data.h"
+#include "engine/frame/silhouette_points.h"
 #include "engine/vulkan/debug_names.h"
 
 namespace rimline {
@@ -70,12 +71,6 @@ BackdropMap backdrop_map(const FrameView& view, VkFormat format) {
         .absolute_slack = static_cast<float>(slack + (is_orthographic ? k_relative_slack : 0.0))};
 }
 
-SurfaceKind surface_kind_of(const Scene& scene, const PictureTarget& target,
-                            const SceneInstance& instance) {
-    return surface_kind(scene.style, surface_colors(scene, instance),
-                        surface_output(scene, target, instance));
-}
-
 }  // namespace
 
 FramePasses::FramePasses(const DeviceContext& context, const RendererOptions& options,
@@ -134,8 +129,20 @@ void FramePasses::prepare(const Scene& scene, const PictureTarget& target) {
     if (target.backdrop) backdrop_pass_.prepare(context_, *target.backdrop);
     composite_pass_.prepare(context_, composite_kind(scene, target));
     if (is_layer(scene, target)) ink_pass_.prepare_fold(context_);
-    for (const SceneInstance& instance : scene.instances)
-        surface_pass_.prepare(context_, surface_kind_of(scene, target, instance));
+    for (const SceneInstance& instance : scene.instances) {
+        surface_pass_.prepare(context_, surface_kind(scene, target, instance));
+        if (draws_edges(scene, instance)) line_pass_.prepare_edges(context_);
+        if (draws_segments(scene, instance)) line_pass_.prepare_segments(context_);
+    }
+}
+
+bool FramePasses::draws_edges(const Scene& scene, const SceneInstance& instance) const {
+    return outline_.method == OutlineMethod::lines && has_silhouette_lines(scene, instance);
+}
+
+bool FramePasses::draws_segments(const Scene& scene, const SceneInstance& instance) const {
+    return outline_.method == OutlineMethod::lines && has_lines(scene, instance) &&
+           !has_silhouette_lines(scene, instance);
 }
 
 bool FramePasses::is_prepared(const Scene& scene, const PictureTarget& target) const {
@@ -143,7 +150,9 @@ bool FramePasses::is_prepared(const Scene& scene, const PictureTarget& target) c
            (!is_layer(scene, target) || ink_pass_.is_fold_prepared()) &&
            (!target.backdrop || backdrop_pass_.is_prepared()) &&
            std::ranges::all_of(scene.instances, [&](const SceneInstance& instance) {
-               return surface_pass_.is_prepared(surface_kind_of(scene, target, instance));
+               return surface_pass_.is_prepared(surface_kind(scene, target, instance)) &&
+                      (!draws_edges(scene, instance) || line_pass_.has_edges()) &&
+                      (!draws_segments(scene, instance) || line_pass_.has_segments());
            });
 }
 

@@ -78,6 +78,8 @@ private:
 
     std::uint32_t scale_for(const PictureTarget& target) const;
     CompositeKind composite_kind(const Scene& scene, const PictureTarget& target) const;
+    bool draws_edges(const Scene& scene, const SceneInstance& instance) const;
+    bool draws_segments(const Scene& scene, const SceneInstance& instance) const;
     void record_shapes(Commands commands, const Frame& frame) const;
     void record_surfaces(Commands commands, const Frame& frame) const;
     void record_sobel(Commands commands, const Frame& frame) const;

@@ -102,10 +102,22 @@ bool is_layer(const Scene& scene, const PictureTarget& target) {
            !std::ranges::all_of(scene.instances, &SceneInstance::has_surfaces);
 }
 
-SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
-                             const SceneInstance& instance) {
-    if (!instance.has_surfaces) return SurfaceOutput::held_out;
-    return is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
+SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
+                         const SceneInstance& instance) {
+    SurfaceKind kind{.fades = instance.fade_radius > 0.0,
+                     .has_lights_apart = scene.shadows || scene.lights.size() != 1};
+    if (instance.has_surfaces) {
+        kind.style = scene.style;
+        kind.colors = surface_colors(scene, instance);
+        kind.output = is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
+    } else {
+        kind.output = SurfaceOutput::held_out;
+    }
+    // Strokes and the colors of corners are no functions of a vertex.
+    kind.shades_vertices = kind.has_lights_apart && kind.style != Style::hatch &&
+                           kind.colors == SurfaceColors::one &&
+                           instance.mesh().vertex_count() <= k_max_indexed_vertices;
+    return kind;
 }
 
 namespace {

@@ -28,8 +28,9 @@ SurfaceColors surface_colors(const Scene& scene, const SceneInstance& instance);
 
 /// Whether the scene is drawn as a layer (PictureUse): color premultiplied, alpha opacity.
 bool is_layer(const Scene& scene, const PictureTarget& target);
-SurfaceOutput surface_output(const Scene& scene, const PictureTarget& target,
-                             const SceneInstance& instance);
+/// The pipelines that an instance needs in this scene.
+SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
+                         const SceneInstance& instance);
 
 /// The share of a light in the light of a fully lit surface of this instance; 0 if it does not count there.
 float light_share(const Scene& scene, const SceneInstance& instance, std::size_t light);

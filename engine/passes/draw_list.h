@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/scene.h"
 #include "engine/shadow_choice.h"
 #include "engine/stream/every_edge_draw.h"
 #include "engine/stream/textured_faces.h"
@@ -43,6 +44,19 @@ enum class SurfaceColors {
     textures,  ///< These and its textures.
 };
 
+/// Surfaces that the same pipelines draw.
+struct SurfaceKind {
+    Style style = Style::ink;
+    SurfaceColors colors = SurfaceColors::one;
+    SurfaceOutput output = SurfaceOutput::picture;
+    bool fades = false;
+    /// Each light is drawn by itself, after the surface in shadow: the frame has shadows, or not one light.
+    bool has_lights_apart = true;
+    /// The surface in shadow is computed once for each vertex, not for each corner of a face.
+    bool shades_vertices = false;
+    auto operator<=>(const SurfaceKind&) const = default;
+};
+
 /// One instance as seen from one light.
 struct DrawnLight {
     std::uint32_t data = 0;  ///< Offset of its gpu::LightData in DrawData.
@@ -68,7 +82,6 @@ struct DrawnInk {
 struct DrawnInstance {
     std::uint32_t data = 0;             ///< Offset of its gpu::InstanceData in DrawData.
     VkBuffer indices = VK_NULL_HANDLE;  ///< Of its triangles' vertices, 32 bits each; three a face.
-    std::uint32_t vertex_count = 0;
     std::uint32_t face_count = 0;
     std::uint32_t border_count = 0;
     std::uint32_t crease_count = 0;  ///< Creases drawn as lines.
@@ -76,9 +89,7 @@ struct DrawnInstance {
     bool has_lines = false;
     /// Its lines are segments, instead of its silhouette, borders and creases.
     bool has_segments = false;
-    SurfaceOutput output = SurfaceOutput::picture;
-    bool fades = false;
-    SurfaceColors colors = SurfaceColors::one;
+    SurfaceKind surface;
     /// Of SurfaceColors::textures: ranges that hold all faces.
     std::span<const TexturedFaces> textured_faces;
     bool shows_backs = true;     ///< False: back faces are hidden behind front faces.
@@ -112,7 +123,6 @@ struct DrawList {
     std::size_t light_count = 0;
     bool shadows = false;
     bool is_orthographic = false;
-    std::uint32_t style = RIMLINE_STYLE_INK;  ///< A RIMLINE_STYLE_ value.
     std::vector<DrawnInstance> instances;
     /// The colors of lines, each once, in linear light. Lines of a later color lie over those of earlier
     /// ones.

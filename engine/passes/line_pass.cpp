@@ -35,30 +35,38 @@ GraphicsPipelineDescription description_of(LinePath path, VkFormat format,
 
 LinePass::LinePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                    VkFormat surface_format, LinePath path)
-    : path_(choose_line_path(path, context.type, context.features.geometry_shader)),
+    : surface_format_(surface_format),
+      path_(choose_line_path(path, context.type, context.features.geometry_shader)),
       depth_(context, "depth for lines", 1),
       layout_(make_pipeline_layout(context, "lines", sizeof(gpu::DrawConstants), k_draw_stages,
-                                   {draw_data, depth_.layout()})),
-      pipeline_(
-          make_graphics_pipeline(context, "lines", description_of(path_, surface_format, layout_))),
-      segments_(make_graphics_pipeline(context, "segments",
+                                   {draw_data, depth_.layout()})) {}
+
+void LinePass::prepare_edges(const DeviceContext& context) {
+    if (has_edges()) return;
+    if (path_ == LinePath::adjacency)
+        adjacency_ =
+            make_graphics_pipeline(context, "lines by adjacency",
+                                   {.vertex = line_adjacency_vert,
+                                    .geometry = line_adjacency_geom,
+                                    .fragment = line_frag,
+                                    .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
+                                    .formats = {.color = surface_format_},
+                                    .blend = Blend::maximum_alpha,
+                                    .layout = layout_});
+    edges_ =
+        make_graphics_pipeline(context, "lines", description_of(path_, surface_format_, layout_));
+}
+
+void LinePass::prepare_segments(const DeviceContext& context) {
+    if (has_segments()) return;
+    segments_ = make_graphics_pipeline(context, "segments",
                                        {.vertex = picture_line_vert,
                                         .geometry = {},
                                         .fragment = picture_line_frag,
                                         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
-                                        .formats = {.color = surface_format},
+                                        .formats = {.color = surface_format_},
                                         .blend = Blend::maximum_alpha,
-                                        .layout = layout_})) {
-    if (path_ != LinePath::adjacency) return;
-    adjacency_ =
-        make_graphics_pipeline(context, "lines by adjacency",
-                               {.vertex = line_adjacency_vert,
-                                .geometry = line_adjacency_geom,
-                                .fragment = line_frag,
-                                .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY,
-                                .formats = {.color = surface_format},
-                                .blend = Blend::maximum_alpha,
-                                .layout = layout_});
+                                        .layout = layout_});
 }
 
 void LinePass::record_list(Commands commands, std::uint32_t edge_count) const {
@@ -78,7 +86,7 @@ void LinePass::record_every_edge(Commands commands, const DrawList& list,
             set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
             commands->CmdBindIndexBuffer(commands, every.adjacency, 0, VK_INDEX_TYPE_UINT32);
             commands->CmdDrawIndexed(commands, every.adjacency_index_count, 1, 0, 0, 0);
-            commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+            commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, edges_);
         }
     } else {
         set_draw(commands, layout_, list, instance, nullptr, RIMLINE_LINES_TESTED);
@@ -111,6 +119,7 @@ void LinePass::record(Commands commands, const DrawList& list, std::size_t ink) 
     commands->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 1, 1, &set,
                                     0, nullptr);
     const auto record_with = [&](VkPipeline pipeline, bool has_segments, const auto& record_ink) {
+        if (pipeline == VK_NULL_HANDLE) return;
         commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
         for (const DrawnInstance& instance : list.instances) {
             if (!instance.has_lines || instance.has_segments != has_segments) continue;
@@ -118,7 +127,7 @@ void LinePass::record(Commands commands, const DrawList& list, std::size_t ink) 
                 if (drawn.ink == ink) record_ink(instance, drawn);
         }
     };
-    record_with(pipeline_, false, [&](const DrawnInstance& instance, const DrawnInk& drawn) {
+    record_with(edges_, false, [&](const DrawnInstance& instance, const DrawnInk& drawn) {
         record_edges(commands, list, instance, drawn.material_ink);
     });
     record_with(segments_, true, [&](const DrawnInstance& instance, const DrawnInk& drawn) {

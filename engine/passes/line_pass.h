@@ -21,6 +21,13 @@ public:
     /// Not automatic.
     LinePath path() const noexcept { return path_; }
 
+    /// Make the pipelines of lines of meshes, and of lines of a caller, if there are none yet. Needed before a list with
+    /// such lines is recorded.
+    void prepare_edges(const DeviceContext& context);
+    void prepare_segments(const DeviceContext& context);
+    bool has_edges() const noexcept { return edges_ != VK_NULL_HANDLE; }
+    bool has_segments() const noexcept { return segments_ != VK_NULL_HANDLE; }
+
     /// The finished depth of the surfaces, one sample a pixel.
     void set_surface_depth(const Image& depth) { depth_.set({&depth}); }
 
@@ -35,11 +42,12 @@ private:
     void record_every_edge(Commands commands, const DrawList& list,
                            const DrawnInstance& instance) const;
 
+    VkFormat surface_format_;
     LinePath path_;
     SampledImages depth_;
     OwnedPipelineLayout layout_;
-    OwnedPipeline pipeline_;
-    OwnedPipeline segments_;   // For lines of a caller; needs no geometry shaders.
+    OwnedPipeline edges_;
+    OwnedPipeline segments_;   // Needs no geometry shaders.
     OwnedPipeline adjacency_;  // Only with LinePath::adjacency.
 };
 

@@ -17,10 +17,6 @@ namespace rimline {
 
 namespace {
 
-bool can_draw_by_vertices(const DrawnInstance& instance) {
-    return instance.vertex_count <= k_max_indexed_vertices;
-}
-
 void bind(Commands commands, VkPipeline pipeline, const DrawnInstance& instance) {
     commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     commands->CmdSetCullMode(commands,
@@ -28,11 +24,6 @@ void bind(Commands commands, VkPipeline pipeline, const DrawnInstance& instance)
 }
 
 }  // namespace
-
-SurfaceKind surface_kind(Style style, SurfaceColors colors, SurfaceOutput output) {
-    if (output == SurfaceOutput::held_out) return {Style::ink, SurfaceColors::one, output};
-    return {style, colors, output};
-}
 
 SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                          const AttachmentFormats& formats)
@@ -56,8 +47,8 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
         shading = surface_textured_frag;
     }
     const StencilUse lit = is_held_out ? StencilUse::not_zero : StencilUse::zero;
-    const auto make = [&](bool has_shade, bool has_light, bool fades, SpirvCode vertex) {
-        const std::array<std::uint32_t, 5> constants{number, has_shade, has_light, fades,
+    const auto make = [&](bool has_shade, bool has_light, SpirvCode vertex) {
+        const std::array<std::uint32_t, 5> constants{number, has_shade, has_light, kind.fades,
                                                      kind.output == SurfaceOutput::layer};
         return make_graphics_pipeline(
             context,
@@ -76,32 +67,19 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
              .sets_cull = true,
              .layout = layout_});
     };
-    const auto make_by_vertices = [&](bool fades) {
-        return kind.style == Style::hatch || kind.colors != SurfaceColors::one
-                   ? OwnedPipeline()
-                   : make(true, false, fades, surface_unlit_vert);
-    };
-    const auto make_by_corners = [&](bool has_shade, bool has_light, bool fades) {
-        return make(has_shade, has_light, fades, corners);
-    };
-    pipelines_.emplace(
-        kind,
-        Pipelines{
-            .unlit = {make_by_corners(true, false, false), make_by_corners(true, false, true)},
-            .lit = {make_by_corners(false, true, false), make_by_corners(false, true, true)},
-            .shadowless = {make_by_corners(true, true, false), make_by_corners(true, true, true)},
-            .unlit_by_vertices = {make_by_vertices(false), make_by_vertices(true)}});
-}
-
-const SurfacePass::Pipelines& SurfacePass::pipelines_of(const DrawList& list,
-                                                        const DrawnInstance& instance) const {
-    return pipelines_.at(
-        surface_kind(static_cast<Style>(list.style), instance.colors, instance.output));
+    Pipelines pipelines;
+    if (kind.has_lights_apart) {
+        pipelines.unlit = make(true, false, kind.shades_vertices ? surface_unlit_vert : corners);
+        pipelines.lit = make(false, true, corners);
+    } else {
+        pipelines.shadowless = make(true, true, corners);
+    }
+    pipelines_.emplace(kind, std::move(pipelines));
 }
 
 // Of all faces, with their corners one by one.
 void SurfacePass::draw_corners(Commands commands, const DrawnInstance& instance) const {
-    if (instance.colors != SurfaceColors::textures || instance.output == SurfaceOutput::held_out) {
+    if (instance.surface.colors != SurfaceColors::textures) {
         commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
         return;
     }
@@ -112,10 +90,10 @@ void SurfacePass::draw_corners(Commands commands, const DrawnInstance& instance)
     }
 }
 
-void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines pipelines,
-                         std::size_t light) const {
+void SurfacePass::record(Commands commands, const DrawList& list,
+                         OwnedPipeline Pipelines::*pipeline, std::size_t light) const {
     for (const DrawnInstance& instance : list.instances) {
-        bind(commands, (pipelines_of(list, instance).*pipelines)[instance.fades], instance);
+        bind(commands, pipelines_.at(instance.surface).*pipeline, instance);
         const DrawnLight& drawn = instance.lights[light];
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 0);
         draw_corners(commands, instance);
@@ -124,13 +102,9 @@ void SurfacePass::record(Commands commands, const DrawList& list, LightPipelines
 
 void SurfacePass::record_unlit(Commands commands, const DrawList& list) const {
     for (const DrawnInstance& instance : list.instances) {
-        const Pipelines& pipelines = pipelines_of(list, instance);
-        const VkPipeline by_vertices = pipelines.unlit_by_vertices[instance.fades];
-        const bool indexed = by_vertices != VK_NULL_HANDLE && can_draw_by_vertices(instance);
-        bind(commands, indexed ? by_vertices : VkPipeline(pipelines.unlit[instance.fades]),
-             instance);
+        bind(commands, pipelines_.at(instance.surface).unlit, instance);
         set_draw(commands, layout_, list, instance, nullptr, 0);
-        if (indexed) {
+        if (instance.surface.shades_vertices) {
             commands->CmdBindIndexBuffer(commands, instance.indices, 0, VK_INDEX_TYPE_UINT32);
             commands->CmdDrawIndexed(commands, 3 * instance.face_count, 1, 0, 0, 0);
         } else {

@@ -16,17 +16,6 @@
 
 namespace rimline {
 
-/// Surfaces that the same pipelines draw.
-struct SurfaceKind {
-    Style style;
-    SurfaceColors colors;
-    SurfaceOutput output = SurfaceOutput::picture;
-    auto operator<=>(const SurfaceKind&) const = default;
-};
-
-/// The kind of a surface of these properties; all that are held out are of one kind.
-SurfaceKind surface_kind(Style style, SurfaceColors colors, SurfaceOutput output);
-
 class SurfacePass {
 public:
     SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
@@ -47,18 +36,14 @@ public:
     void record_lit(Commands commands, const DrawList& list, std::size_t light) const;
 
 private:
-    // Of one kind. Index 1 is for instances that fade.
+    // Of one kind: the first two where it has lights apart, else the last.
     struct Pipelines {
-        OwnedPipeline unlit[2], lit[2], shadowless[2];
-        // Null if the style shades with strokes, or for the colors of a mesh.
-        OwnedPipeline unlit_by_vertices[2];
+        OwnedPipeline unlit, lit, shadowless;
     };
-    using LightPipelines = OwnedPipeline (Pipelines::*)[2];
 
-    void record(Commands commands, const DrawList& list, LightPipelines pipelines,
+    void record(Commands commands, const DrawList& list, OwnedPipeline Pipelines::*pipeline,
                 std::size_t light) const;
     void draw_corners(Commands commands, const DrawnInstance& instance) const;
-    const Pipelines& pipelines_of(const DrawList& list, const DrawnInstance& instance) const;
 
     AttachmentFormats formats_;
     OwnedDescriptorSetLayout texture_;

@@ -151,8 +151,15 @@ RIMLINE_FAULT_SCENARIO("pictures of clouds") {
 RIMLINE_FAULT_SCENARIO("pictures of lines that are tested in every frame") {
     const auto data = stage.make<DrawData>(stage.context(), 2u);
     for (const LinePath path :
-         {LinePath::pulling, LinePath::all_edges, LinePath::quads, LinePath::adjacency})
-        stage.make<LinePass>(stage.context(), data->layout(), k_surface_format, path);
+         {LinePath::pulling, LinePath::all_edges, LinePath::quads, LinePath::adjacency}) {
+        const auto pass =
+            stage.make<LinePass>(stage.context(), data->layout(), k_surface_format, path);
+        stage.step([&] {
+            pass->prepare_edges(stage.context());
+            pass->prepare_segments(stage.context());
+            return 0;
+        });
+    }
     RendererOptions options = k_plain;
     options.line_path = LinePath::adjacency;
     const auto renderer =
