@@ -52,17 +52,24 @@ void LineGeometry::find_bends() {
 // A plane comes from a cross product in double, whose terms have rounding errors of 2^-52.
 void LineGeometry::find_slivers() {
     constexpr double k_min_share = 0x1p-24;
-    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
-        const Triangle& t = mesh_.triangles()[f];
-        const glm::dvec3 a(mesh_.positions()[index(t[0])]);
-        const glm::dvec3 u = glm::dvec3(mesh_.positions()[index(t[1])]) - a;
-        const glm::dvec3 v = glm::dvec3(mesh_.positions()[index(t[2])]) - a;
-        const glm::dvec3 n = glm::abs(glm::cross(u, v));
-        const glm::dvec3 p = glm::abs(u), q = glm::abs(v);
-        const double terms = p.y * q.z + p.z * q.y + p.z * q.x + p.x * q.z + p.x * q.y + p.y * q.x;
-        if (n.x + n.y + n.z < k_min_share * terms || !mesh_.plane(FaceId{f}).has_normal())
-            slivers_.push_back(f);
-    }
+    std::vector<std::uint8_t> is_sliver(mesh_.face_count());
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint32_t>(0, mesh_.face_count(), 4096), [&](const auto& run) {
+            for (std::uint32_t f = run.begin(); f < run.end(); ++f) {
+                const Triangle& t = mesh_.triangles()[f];
+                const glm::dvec3 a(mesh_.positions()[index(t[0])]);
+                const glm::dvec3 u = glm::dvec3(mesh_.positions()[index(t[1])]) - a;
+                const glm::dvec3 v = glm::dvec3(mesh_.positions()[index(t[2])]) - a;
+                const glm::dvec3 n = glm::abs(glm::cross(u, v));
+                const glm::dvec3 p = glm::abs(u), q = glm::abs(v);
+                const double terms =
+                    p.y * q.z + p.z * q.y + p.z * q.x + p.x * q.z + p.x * q.y + p.y * q.x;
+                is_sliver[f] =
+                    n.x + n.y + n.z < k_min_share * terms || !mesh_.plane(FaceId{f}).has_normal();
+            }
+        });
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
+        if (is_sliver[f] != 0) slivers_.push_back(f);
 }
 
 void LineGeometry::find_special_edges(std::span<const std::uint8_t> is_flat) {

@@ -1,6 +1,9 @@
 #include "silhouette/mesh/upright.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -238,23 +241,30 @@ UprightEvidence measure_upright(const Mesh& mesh) {
     if (mesh.face_count() == 0 || !(mesh.radius() > 0.0)) return evidence;
     const UnitShape shape = unit_shape_of(mesh);
     evidence.extent = shape.high - shape.low;
-    const std::array<double, 6> flat = flat_areas(mesh, shape);
-    for (int axis = 0; axis < 3; ++axis) {
+    std::array<double, 3> footprints{};
+    const auto measure_axis = [&](int axis) {
         const double footprint = area_of(footprint_of(shape, axis));
-        if (!(footprint > 0.0)) continue;
-        for (int down = 0; down < 2; ++down) {
-            const auto direction = std::size_t(2 * axis + down);
-            evidence.standing[direction] =
+        footprints[std::size_t(axis)] = footprint;
+        if (!(footprint > 0.0)) return;
+        for (int down = 0; down < 2; ++down)
+            evidence.standing[std::size_t(2 * axis + down)] =
                 standing_of(shape, axis, down ? -1.0 : 1.0, footprint, k_contact_share);
-            evidence.standing[direction].flat = flat[direction] / footprint;
-        }
         if (axis == 1) evidence.uneven_y = standing_of(shape, axis, 1.0, footprint, k_uneven_share);
-    }
-    AreaGrid grid;
-    for (const Triangle& t : mesh.triangles())
-        add_triangle(grid, shape.positions[index(t[0])], shape.positions[index(t[1])],
-                     shape.positions[index(t[2])]);
-    for (int axis = 0; axis < 3; ++axis) evidence.symmetry[std::size_t(axis)] = grid.symmetry(axis);
+    };
+    const auto measure_symmetry = [&] {
+        AreaGrid grid;
+        for (const Triangle& t : mesh.triangles())
+            add_triangle(grid, shape.positions[index(t[0])], shape.positions[index(t[1])],
+                         shape.positions[index(t[2])]);
+        for (int axis = 0; axis < 3; ++axis)
+            evidence.symmetry[std::size_t(axis)] = grid.symmetry(axis);
+    };
+    std::array<double, 6> flat{};
+    tbb::parallel_invoke([&] { measure_axis(0); }, [&] { measure_axis(1); },
+                         [&] { measure_axis(2); }, measure_symmetry,
+                         [&] { flat = flat_areas(mesh, shape); });
+    for (std::size_t i = 0; i < 6; ++i)
+        if (footprints[i / 2] > 0.0) evidence.standing[i].flat = flat[i] / footprints[i / 2];
     return evidence;
 }
 
