@@ -20,8 +20,10 @@ constexpr double k_double_lengths = 6.0;
 constexpr double k_outline_spacing = 0.25, k_max_outline_places = 24.0;
 constexpr LineStubble::OutlineTest k_has_outline{.gap_share = 0.5, .least_share = 0.0};
 constexpr LineStubble::OutlineTest k_is_outline{.gap_share = 0.125, .least_share = 0.5};
-// Doubles run in about the same direction: within 45 degrees.
+// Doubles run in about the same direction, and beside each other: within 45 degrees. In shares of the gap, at places of
+// this spacing, unless they touch.
 constexpr double k_min_square_cos = 0.5;
+constexpr double k_double_spacing = 0.25, k_touching = 0.125;
 constexpr std::uint32_t k_no_stroke = 0xffffffffu;
 
 }  // namespace
@@ -40,14 +42,10 @@ void LineStubble::fill(double gap, const LineDrawing& drawing) {
                 const std::size_t at = part.is_reversed ? points.size() - 1 - i : i;
                 const glm::dvec2& from = points[at].position;
                 const glm::dvec2& to = points[part.is_reversed ? at - 1 : at + 1].position;
-                segments_.push_back({from, to, s, false, false});
+                segments_.push_back({from, to, s});
                 low = glm::min(low, glm::min(from, to));
                 high = glm::max(high, glm::max(from, to));
             }
-        }
-        if (!stroke.is_closed && segments_.size() > first_segments_.back()) {
-            segments_[first_segments_.back()].begins_stroke = true;
-            segments_.back().ends_stroke = true;
         }
         first_segments_.push_back(static_cast<std::uint32_t>(segments_.size()));
         lengths_.push_back(stroke.length);
@@ -61,14 +59,14 @@ void LineStubble::fill(double gap, const LineDrawing& drawing) {
     grid_.finish();
 }
 
-double LineStubble::share_at(const Segment& segment, const glm::dvec2& place) {
+glm::dvec2 LineStubble::nearest_on(const Segment& segment, const glm::dvec2& place) {
     const glm::dvec2 way = segment.to - segment.from;
-    return glm::dot(place - segment.from, way) / std::max(glm::dot(way, way), 1e-300);
+    const double share = glm::dot(place - segment.from, way) / std::max(glm::dot(way, way), 1e-300);
+    return glm::mix(segment.from, segment.to, std::clamp(share, 0.0, 1.0));
 }
 
 double LineStubble::distance_to(const Segment& segment, const glm::dvec2& place) {
-    const double share = std::clamp(share_at(segment, place), 0.0, 1.0);
-    return glm::distance(place, glm::mix(segment.from, segment.to, share));
+    return glm::distance(place, nearest_on(segment, place));
 }
 
 template <typename IsAsked>
@@ -91,16 +89,17 @@ bool LineStubble::is_held(const glm::dvec2& place, std::uint32_t stroke, double 
 bool LineStubble::has_other_along(const Segment& own, const glm::dvec2& place, double reach) const {
     const glm::dvec2 way = own.to - own.from;
     const double square = glm::dot(way, way);
+    const auto is_along = [&](const glm::dvec2& other, double min_square_cos) {
+        const double dot = glm::dot(way, other);
+        return dot * dot >= min_square_cos * square * glm::dot(other, other);
+    };
     return any_near(place, [&](const Segment& segment) {
         if (segment.stroke == own.stroke || stays_[segment.stroke] == 0) return false;
-        // Before the end of a stroke lies no double of it, but what goes on from there.
-        const double share = share_at(segment, place);
-        if ((segment.begins_stroke && share < 0.0) || (segment.ends_stroke && share > 1.0))
-            return false;
-        const glm::dvec2 other = segment.to - segment.from;
-        const double dot = glm::dot(way, other);
-        return dot * dot >= k_min_square_cos * square * glm::dot(other, other) &&
-               distance_to(segment, place) <= reach;
+        const glm::dvec2 aside = nearest_on(segment, place) - place;
+        const double distance = glm::length(aside);
+        // Before and behind a stroke lies no double of it, but what goes on from there.
+        return distance <= reach && is_along(segment.to - segment.from, k_min_square_cos) &&
+               (distance <= k_touching * reach || !is_along(aside, 1.0 - k_min_square_cos));
     });
 }
 
@@ -147,10 +146,11 @@ bool LineStubble::is_at_outline(std::uint32_t stroke, const LineFrame& frame,
 bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) const {
     if (!(options.gap > 0.0) || lengths_[stroke] >= k_double_lengths * options.stubble)
         return false;
-    // At places no farther from each other than the strokes are.
+    // Between places lies no gap that shows.
     for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
         const Segment& own = segments_[i];
-        const int parts = 1 + static_cast<int>(glm::distance(own.from, own.to) / options.gap);
+        const int parts = 1 + static_cast<int>(glm::distance(own.from, own.to) /
+                                               (k_double_spacing * options.gap));
         for (int part = 0; part <= parts; ++part)
             if (!has_other_along(own, glm::mix(own.from, own.to, double(part) / parts),
                                  options.gap))

@@ -38,11 +38,9 @@ private:
     struct Segment {
         glm::dvec2 from, to;
         std::uint32_t stroke;
-        bool begins_stroke, ends_stroke;  // At an end of the stroke, which is open.
     };
 
-    // Of the place nearest on the segment's line.
-    static double share_at(const Segment& segment, const glm::dvec2& place);
+    static glm::dvec2 nearest_on(const Segment& segment, const glm::dvec2& place);
     static double distance_to(const Segment& segment, const glm::dvec2& place);
 
     void fill(double gap, const LineDrawing& drawing);
@@ -55,7 +53,7 @@ private:
     bool is_double(std::uint32_t stroke, const LineOptions& options) const;
     // Whether another stroke passes within `reach` of a place.
     bool is_held(const glm::dvec2& place, std::uint32_t stroke, double reach) const;
-    // Whether one in stays_ passes within `reach` of a segment's place, in about its direction.
+    // Whether one in stays_ passes beside a segment's place within `reach`, in about its direction.
     bool has_other_along(const Segment& own, const glm::dvec2& place, double reach) const;
     // Whether is_asked(segment) is true of a segment near to the place.
     template <typename IsAsked>

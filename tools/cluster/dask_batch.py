@@ -6,14 +6,13 @@
 
 Workers share this folder, the models, the outputs and the program. A thread of a worker does one model at a time. Dask
 starts a shard again when its worker was lost, and up to --retries times when models failed: these alone are tried
-again. Tasks go on when this program is killed: the same command again finds them, and merges. Ctrl-C cancels those that
-have not begun. The exit status is that of `rimline batch`: 1 if a model failed or is left to do.
+again. Tasks go on when this program is killed: the same command again waits for them, and merges. Ctrl-C cancels those
+that have not begun. The exit status is that of `rimline batch`: 1 if a model failed or is left to do.
 
 In Python, with a `distributed.Client`: run_batch(client, 64, ["models", "-o", "out", "--", "info"]).
 """
 
 import argparse
-import hashlib
 import os
 import shutil
 import subprocess
@@ -41,15 +40,15 @@ def run_shard(program, folder, shard, arguments):
 
 
 def submit_shards(client, shards, arguments, program="rimline", retries=2):
-    """Submits the shards and returns their futures. Those that the scheduler has of an equal call, also of a client
-    that is gone, are these: nothing is done twice at a time. They go on without a client."""
+    """Submits the shards and returns their futures. They go on without a client. Those of an equal call, also of a client
+    that is gone, are others: a shard waits while another process does it, and then finds it done."""
     path = shutil.which(program)
     if path is None:
         raise FileNotFoundError(f"there is no program {program}: name it with --program")
     path, folder = os.path.abspath(path), os.getcwd()
-    name = hashlib.sha256("\0".join([folder, str(shards), *arguments]).encode(errors="surrogateescape")).hexdigest()
-    futures = [client.submit(run_shard, path, folder, f"{shard}/{shards}", list(arguments), retries=retries,
-                             key=f"rimline-{name[:16]}-{shard}-of-{shards}") for shard in range(1, shards + 1)]
+    # With keys of their own. A result that the scheduler has of an earlier call says nothing of what is to do now.
+    futures = [client.submit(run_shard, path, folder, f"{shard}/{shards}", list(arguments), retries=retries, pure=False)
+               for shard in range(1, shards + 1)]
     fire_and_forget(futures)
     return futures
 
@@ -68,9 +67,9 @@ def run_batch(client, shards, arguments, program="rimline", retries=2):
             if future.status == "error":
                 error = future.exception()
                 print(error if isinstance(error, ShardFailed) else repr(error), file=sys.stderr)
-    except KeyboardInterrupt:
+    finally:
+        # What has ended, too: the scheduler would do it again if its worker were lost.
         client.cancel(futures, force=True)
-        raise
     return merge(arguments, program)
 
 

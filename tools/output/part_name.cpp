@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -45,7 +46,18 @@ std::optional<pid_t> process_of(std::string_view name) {
     return process && *process > 0 && name.size() > 1 ? process : std::nullopt;
 }
 
-bool has_process_ended(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+// A process that has ended keeps its number until its parent asks for it, which may take long or never come.
+bool is_zombie(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    const std::size_t name_end = text.rfind(") ");
+    return name_end != std::string::npos && text.compare(name_end + 2, 1, "Z") == 0;
+}
+
+bool has_process_ended(pid_t process) {
+    return (kill(process, 0) != 0 && errno == ESRCH) || is_zombie(process);
+}
 
 bool is_locked(const fs::path& file) {
     const int descriptor = open(file.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

@@ -232,7 +232,10 @@ TEST_CASE("a stubble of nearly zero leaves all strokes") {
     CHECK(removed > 100);
 }
 
-// Strokes of straight lines before a square from (-10, -10) to (10, 10).
+// A polyline is closed if it ends where it begins.
+using Polyline = std::vector<glm::dvec2>;
+
+// Strokes before a square from (-10, -10) to (10, 10).
 class StrokesBeforeSquare {
 public:
     StrokesBeforeSquare()
@@ -246,16 +249,19 @@ public:
         std::size_t count;
         bool is_first_kept;
     };
-    Kept keep(const std::vector<std::array<glm::dvec2, 2>>& lines) const {
+    Kept keep(const std::vector<Polyline>& lines) const {
         LineDrawing drawing;
         for (std::uint32_t i = 0; i < lines.size(); ++i) {
-            const auto& [from, to] = lines[i];
-            const double length = glm::distance(from, to);
-            drawing.points.push_back({from, 0.0, 0.0});
-            drawing.points.push_back({to, 0.0, length});
-            drawing.runs.push_back({i, 2 * i, 2 * i + 2, 0, length});
+            const auto first = static_cast<std::uint32_t>(drawing.points.size());
+            double length = 0.0;
+            for (std::size_t k = 0; k < lines[i].size(); ++k) {
+                if (k > 0) length += glm::distance(lines[i][k - 1], lines[i][k]);
+                drawing.points.push_back({lines[i][k], 0.0, length});
+            }
+            const auto last = static_cast<std::uint32_t>(drawing.points.size());
+            drawing.runs.push_back({i, first, last, 0, length});
             drawing.stroke_parts.push_back({i, false});
-            drawing.strokes.push_back({i, i + 1, false, length});
+            drawing.strokes.push_back({i, i + 1, lines[i].front() == lines[i].back(), length});
         }
         LineFrame frame;
         frame.surface = &surface_.geometry();
@@ -274,12 +280,8 @@ private:
     LineView view_;
 };
 
-constexpr std::array<glm::dvec2, 2> horizontal(double from, double to, double y) {
-    return {glm::dvec2(from, y), glm::dvec2(to, y)};
-}
-constexpr std::array<glm::dvec2, 2> vertical(double x, double from, double to) {
-    return {glm::dvec2(x, from), glm::dvec2(x, to)};
-}
+Polyline horizontal(double from, double to, double y) { return {{from, y}, {to, y}}; }
+Polyline vertical(double x, double from, double to) { return {{x, from}, {x, to}}; }
 
 TEST_CASE("a stroke with two loose ends goes if it is shorter than twice the stubble") {
     const StrokesBeforeSquare strokes;
@@ -328,6 +330,20 @@ TEST_CASE("a double beside a longer stroke goes") {
     // Of two equal ones the first stays, and so does one that is beside what goes.
     CHECK(strokes.keep({horizontal(0, 5, 0), horizontal(0, 5, 0.05)}).count == 1);
     CHECK(strokes.keep({horizontal(0, 5, 0.16), horizontal(0, 5.5, 0.08), longer}).is_first_kept);
+}
+
+// The first bridges a gap between two longer strokes at the outline. There a loop lies that holds neither, and the last
+// segments of the longer ones are short.
+TEST_CASE("a stroke stays where others lie before and behind a part of it, not beside") {
+    const StrokesBeforeSquare strokes;
+    const auto bridge = [&](double from, double to) {
+        const Polyline left{{-8, 10}, {from - 0.01, 10}, {from, 10}};
+        const Polyline right{{to, 10}, {to + 0.01, 10}, {9, 10}};
+        const Polyline loop{{0.47, 10}, {0.53, 10}, {0.5, 9.99}, {0.47, 10}};
+        return strokes.keep({horizontal(0, 1, 9.98), left, right, loop});
+    };
+    CHECK(bridge(0.38, 0.62).is_first_kept);
+    CHECK(!bridge(0.49, 0.51).is_first_kept);
 }
 
 // The side of the square at x = 10 is its outline. It has three pieces, and the one in the middle is a double of a longer

@@ -5,10 +5,12 @@ again, and a node: the nanny with all below it. Then the merged manifest and the
 Status 77 means skipped: no Python has `distributed`.
 """
 
+import itertools
 import json
 import os
 import pathlib
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -122,15 +124,15 @@ class Cluster:
                                 stdout=self.log, stderr=self.log)
 
 
-def kills(cluster, killed):
+def kills(cluster, output, killed):
     """Kills one of each and counts them. A batch that ends before, on a fast machine, has fewer to count."""
-    first = cluster.submit("@list", "-o", "round", *SUBCOMMAND)
+    first = cluster.submit("@list", "-o", output, *SUBCOMMAND)
     time.sleep(random.uniform(0, 3))
     if first.poll() is None:
         first.kill()
         killed["clients"] += 1
     first.wait()
-    client = cluster.submit("@list", "-o", "round", *SUBCOMMAND)
+    client = cluster.submit("@list", "-o", output, *SUBCOMMAND)
 
     def busy():
         """A node that does a model, and that model's process, after a random time. Nothing when the batch is over."""
@@ -151,10 +153,8 @@ def kills(cluster, killed):
     assert client.wait(180) == 0, "the batch failed"
 
 
-def whole_once(folder):
-    subprocess.run([sys.executable, ROOT / "tests/tools/cluster/whole_once.py", "round", "expected"], cwd=folder, check=True)
-    for path in (folder / "round").rglob("*"):
-        path.unlink()
+def whole_once(folder, output):
+    subprocess.run([sys.executable, ROOT / "tests/tools/cluster/whole_once.py", output, "expected"], cwd=folder, check=True)
 
 
 def plain(folder):
@@ -171,11 +171,19 @@ def main():
         try:
             assert plain(folder) == 0
             killed = dict.fromkeys(("clients", "models", "workers", "nodes"), 0)
-            while min(killed.values()) < ROUNDS:
-                kills(cluster, killed)
-                whole_once(folder)
+            # Tasks of a client that was killed may end later than those of the next one. So each round has a folder.
+            for number in itertools.count():
+                if min(killed.values()) >= ROUNDS:
+                    break
+                kills(cluster, f"round{number}", killed)
+                whole_once(folder, f"round{number}")
                 print("killed " + ", ".join(f"{n} {what}" for what, n in killed.items()) +
                       ": nothing lost, doubled or cut", flush=True)
+            # The same command does again what was deleted.
+            for _ in range(2):
+                shutil.rmtree(folder / "again", ignore_errors=True)
+                assert cluster.submit("@list", "-o", "again", *SUBCOMMAND).wait(180) == 0
+                whole_once(folder, "again")
             # A model that fails is tried so often and no more, and is in the manifest once.
             (folder / "bad.obj").write_text("f 1 2 3\n")
             (folder / "list").write_text("bad.obj\nshape:box\n")
@@ -183,11 +191,11 @@ def main():
             for path in (folder / "expected").glob("*.svg"):
                 path.unlink()
             assert plain(folder) == 1
-            assert cluster.submit("@list", "-o", "round", *SUBCOMMAND, retries=2).wait(120) == 1
-            lines = [line for path in (folder / "round").glob("manifest.*-of-4.jsonl")
+            assert cluster.submit("@list", "-o", "bad", *SUBCOMMAND, retries=2).wait(120) == 1
+            lines = [line for path in (folder / "bad").glob("manifest.*-of-4.jsonl")
                      for line in path.read_text().splitlines() if '"input":"bad.obj"' in line]
             assert len(lines) == 3, lines
-            whole_once(folder)
+            whole_once(folder, "bad")
         except BaseException:
             cluster.log.flush()
             sys.stderr.write((folder / "dask.log").read_text()[-4000:])

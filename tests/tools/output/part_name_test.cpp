@@ -64,6 +64,19 @@ TEST_CASE("part files of processes that have ended are removed and nothing else"
     }
 }
 
+TEST_CASE("a process whose parent has not asked for it has ended") {
+    const ScratchFolder folder;
+    const pid_t child = fork();
+    if (child == 0) _exit(0);
+    siginfo_t info{};
+    REQUIRE(waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT) == 0);
+    const fs::path part = folder / (".a.svg." + std::to_string(child) + ".0.part");
+    write_bytes(part, "half");
+    remove_dead_parts(folder / "");
+    CHECK_FALSE(fs::exists(part));
+    waitpid(child, nullptr, 0);
+}
+
 TEST_CASE("a part file that a program of another machine has locked stays") {
     const ScratchFolder folder;
     const fs::path part = folder / (".a.svg." + ended_process() + ".0.part");
