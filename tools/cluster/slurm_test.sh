@@ -107,18 +107,24 @@ are_idle() { [ "$(sinfo --noheader --Node --format=%t 2>/dev/null | sort -u)" = 
 until_true 60 "the start of the nodes" are_idle
 
 # The batch: models that take from a tenth of a second to one.
-for faces in 2000 20000 30000 40000 50000 60000 70000 80000 90000 100000 110000 120000 130000; do
+for faces in 8000 {80000..520000..40000}; do
     echo "shape:knot:$faces"
 done >"$work/list"
 cd "$work" || exit
 plain() { "$program" batch --threads 1 "$1" -o "$2" -- draw -o {out}/{stem}.svg; }
+milliseconds() { date +%s%3N; }
+start=$(milliseconds)
 plain @list expected >/dev/null || fail "the batch on one machine fails"
+model_ms=$((($(milliseconds) - start) / $(wc -l <list)))
 export RIMLINE=$program RIMLINE_RETRIES=20
 submit=("$OLDPWD/tools/cluster/slurm_batch.sh" 4 -- @list -o round -- draw -o {out}/{stem}.svg)
 is_over() { [ -z "$(squeue --noheader --format=%i)" ]; }
 
 # random_sleep MILLISECONDS: up to so many.
-random_sleep() { sleep "$(printf '0.%03d' $((RANDOM % $1)))"; }
+random_sleep() {
+    local ms=$((RANDOM % ($1 + 1)))
+    sleep "$(printf '%d.%03d' $((ms / 1000)) $((ms % 1000)))"
+}
 
 # The processes of models on a node, as the machine numbers them.
 models_on() {
@@ -138,7 +144,7 @@ find_model() {
 kill_shell() {
     setsid "${submit[@]}" >/dev/null 2>&1 &
     shell_process=$!
-    random_sleep 300
+    random_sleep "$submit_ms"
     {
         kill -9 -- "-$shell_process" && shells=$((shells + 1))
         wait "$shell_process"
@@ -148,13 +154,13 @@ kill_shell() {
 kill_model() {
     until_true 60 "a model's process" find_model
     [ -n "$model" ] || return 0
-    random_sleep 200
+    random_sleep "$model_ms"
     kill -9 "$model" 2>/dev/null && models=$((models + 1))
 }
 kill_node() {
     until_true 60 "a node with a model" find_model
     [ -n "$model" ] || return 0
-    random_sleep 200
+    random_sleep "$model_ms"
     {
         kill -9 "${node_process[$node]}"
         wait "${node_process[$node]}"
@@ -163,8 +169,15 @@ kill_node() {
     start_node "$node"
 }
 
+# Without kills, which tells how long a submission takes.
+start=$(milliseconds)
+"${submit[@]}" >/dev/null || fail "sbatch fails"
+submit_ms=$(($(milliseconds) - start))
+until_true 180 "the batch" is_over
+python3 "$OLDPWD/tests/tools/cluster/whole_once.py" round expected || fail "without kills: see above"
+
 shells=0 models=0 nodes=0
-# What is over before it is killed, as on a fast machine, does not count.
+# What is over before it is killed does not count.
 while [ $nodes -lt "$rounds" ] || [ $shells -lt "$rounds" ] || [ $models -lt "$rounds" ]; do
     rm -rf round
     kill_shell

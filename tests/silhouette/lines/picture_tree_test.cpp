@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 #include <utility>
 #include <vector>
 

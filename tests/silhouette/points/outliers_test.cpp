@@ -12,7 +12,7 @@ namespace {
 
 // `points` with others evenly distributed in a box from -0.2 to 1.2, but none nearer to z = 0 than 0.1: four spacings.
 std::vector<glm::dvec3> with_stray_points(std::vector<glm::dvec3> points, std::uint32_t count) {
-    Random random(7);
+    tests::Random random(7);
     while (count > 0) {
         const glm::dvec3 p(0.5 + 0.7 * tests::jitter(random), 0.5 + 0.7 * tests::jitter(random),
                            0.7 * tests::jitter(random));

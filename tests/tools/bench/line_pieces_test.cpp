@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
+
 #include "silhouette/lines/line_drawer.h"
 #include "silhouette/lines/line_oracle.h"
 #include "silhouette/mesh/brute_force.h"
