@@ -1,0 +1,140 @@
+// Silhouettes in three.js: objects whose lines follow a camera by change sets.
+//
+// A silhouette does not change under an affine map of model and viewpoint together. So the camera is taken into the
+// space of the object, and the object may be moved, scaled, sheared and mirrored without a new mesh.
+//
+// Lines have places: those of the borders first, then the slots of the tracker. All places up to `lineCount` are in
+// use, so the draw range is the silhouette exactly.
+
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineBasicMaterial, LineSegments, Matrix4, Sphere, Vector3 } from "three";
+
+/** The lines of a mesh for the camera that they were updated for. Objects that draw lines own one. */
+export class FollowedLines {
+  #mesh;
+  #ownsMesh;
+  #edges;
+  #borderCount;
+  #tracker = null;
+  #pages;
+
+  constructor(rimline, geometry, { mesh, borders = false } = {}) {
+    this.rimline = rimline;
+    this.#ownsMesh = mesh === undefined;
+    this.#mesh = mesh ?? meshOf(rimline, geometry);
+    this.#edges = this.#mesh.edges;
+    this.#borderCount = borders ? this.#mesh.borderCount : 0;
+    this.capacity = this.#mesh.edgeCount - this.#mesh.borderCount + this.#borderCount;
+    this.lineCount = 0;
+    this.#pages = new Uint8Array(Math.ceil(this.capacity / PAGE));
+    this.boundingSphere = new Sphere(new Vector3(...this.#mesh.center), this.#mesh.radius);
+  }
+
+  /**
+   * Moves to a camera. Calls `write(place, from, to)` for each line that changed, with its two vertices, and marks what
+   * that changed in `attribute`, which has `size` numbers for each line.
+   */
+  follow(camera, object, attribute, size, write) {
+    object.updateWorldMatrix(true, false);
+    camera.updateWorldMatrix(true, false);
+    if (object.matrixWorld.determinant() === 0) return; // It has no volume, so nobody sees it.
+    const point = pointOf(camera, object);
+    const place = (line, edge) => {
+      write(line, this.#edges[2 * edge], this.#edges[2 * edge + 1]);
+      this.#pages[Math.floor(line / PAGE)] = 1;
+    };
+    if (this.#tracker === null) {
+      this.#tracker = new this.rimline.Tracker(this.#mesh, point);
+      const firstBorder = this.#mesh.edgeCount - this.#mesh.borderCount;
+      for (let i = 0; i < this.#borderCount; ++i) place(i, firstBorder + i);
+      this.#tracker.silhouette.forEach((edge, slot) => place(this.#borderCount + slot, edge));
+    } else {
+      const { slots } = this.#tracker.moveTo(point);
+      for (let i = 0; i < slots.length; i += 2) place(this.#borderCount + slots[i], slots[i + 1]);
+    }
+    this.lineCount = this.#borderCount + this.#tracker.silhouette.length;
+    this.#mark(attribute, size);
+  }
+
+  // A call of the GPU's interface takes longer than the copy of some more lines: whole pages are written.
+  #mark(attribute, size) {
+    const pages = this.#pages;
+    const used = Math.ceil(this.lineCount / PAGE);
+    // The renderer clears the ranges that it has written. Where it draws nothing for long, one range is enough.
+    if (attribute.updateRanges.length > pages.length) {
+      attribute.clearUpdateRanges();
+      pages.fill(1, 0, used);
+    }
+    for (let page = 0; page < used; ++page) {
+      if (pages[page] === 0) continue;
+      const first = page;
+      while (page < used && pages[page] === 1) pages[page++] = 0;
+      const end = Math.min(page * PAGE, this.capacity);
+      attribute.addUpdateRange(size * first * PAGE, size * (end - first * PAGE));
+      attribute.needsUpdate = true;
+    }
+  }
+
+  dispose() {
+    this.#tracker?.dispose();
+    if (this.#ownsMesh) this.#mesh.dispose();
+  }
+}
+
+const PAGE = 128; // Lines.
+
+/** Lines one pixel wide, as WebGL has them, whose only numbers are pairs of vertices. */
+export class SilhouetteLines extends LineSegments {
+  #lines;
+
+  constructor(rimline, geometry, { material = new LineBasicMaterial({ color: 0x000000 }), ...options } = {}) {
+    const lines = new FollowedLines(rimline, geometry, options);
+    const index = new BufferAttribute(new Uint32Array(2 * lines.capacity), 1).setUsage(DynamicDrawUsage);
+    const drawn = new BufferGeometry().setAttribute("position", geometry.getAttribute("position")).setIndex(index);
+    drawn.boundingSphere = lines.boundingSphere;
+    drawn.setDrawRange(0, 0);
+    super(drawn, material);
+    this.#lines = lines;
+  }
+
+  /** The number of lines that are drawn: borders, if there are any, and the silhouette. */
+  get lineCount() {
+    return this.#lines.lineCount;
+  }
+
+  update(camera) {
+    const { index } = this.geometry;
+    this.#lines.follow(camera, this, index, 2, (line, from, to) => {
+      index.array[2 * line] = from;
+      index.array[2 * line + 1] = to;
+    });
+    this.geometry.setDrawRange(0, 2 * this.lineCount);
+  }
+
+  dispose() {
+    this.#lines.dispose();
+    this.geometry.dispose();
+  }
+}
+
+/** The mesh of a geometry, with or without index, for several lines to share. */
+export function meshOf(rimline, geometry) {
+  const position = geometry.getAttribute("position");
+  if (position === undefined || position.itemSize !== 3)
+    throw new TypeError("geometry: expected the attribute position, with three numbers for each vertex");
+  let positions = position.array;
+  if (!(position.isBufferAttribute && positions instanceof Float32Array)) {
+    positions = new Float32Array(3 * position.count);
+    for (let i = 0; i < position.count; ++i)
+      positions.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
+  }
+  return new rimline.Mesh(positions, geometry.index?.array);
+}
+
+// The camera in the space of the object: its eye, or for an orthographic one the direction towards it.
+function pointOf(camera, object) {
+  const objectFromWorld = new Matrix4().copy(object.matrixWorld).invert();
+  if (!camera.isOrthographicCamera)
+    return new Vector3().setFromMatrixPosition(camera.matrixWorld).applyMatrix4(objectFromWorld);
+  const objectFromCamera = objectFromWorld.multiply(camera.matrixWorld);
+  return { direction: new Vector3().setFromMatrixColumn(objectFromCamera, 2) };
+}

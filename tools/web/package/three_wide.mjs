@@ -1,0 +1,52 @@
+// Silhouettes of any width in three.js, by its own wide lines.
+
+import { DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribute } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { FollowedLines } from "./three.mjs";
+
+/** Lines as wide as their material says. They take three times the memory of SilhouetteLines. */
+export class WideSilhouetteLines extends LineSegments2 {
+  #lines;
+  #position;
+  #ends;
+
+  constructor(rimline, geometry, { material = new LineMaterial({ color: 0x000000, linewidth: 2 }), ...options } = {}) {
+    const lines = new FollowedLines(rimline, geometry, options);
+    const ends = new InstancedInterleavedBuffer(new Float32Array(6 * lines.capacity), 6).setUsage(DynamicDrawUsage);
+    const drawn = new LineSegmentsGeometry();
+    drawn.setAttribute("instanceStart", new InterleavedBufferAttribute(ends, 3, 0));
+    drawn.setAttribute("instanceEnd", new InterleavedBufferAttribute(ends, 3, 3));
+    drawn.boundingSphere = lines.boundingSphere;
+    drawn.instanceCount = 0;
+    super(drawn, material);
+    this.#lines = lines;
+    this.#position = geometry.getAttribute("position");
+    this.#ends = ends;
+  }
+
+  /** The number of lines that are drawn: borders, if there are any, and the silhouette. */
+  get lineCount() {
+    return this.#lines.lineCount;
+  }
+
+  update(camera) {
+    const { array } = this.#ends;
+    const position = this.#position;
+    this.#lines.follow(camera, this, this.#ends, 6, (line, from, to) => {
+      array[6 * line] = position.getX(from);
+      array[6 * line + 1] = position.getY(from);
+      array[6 * line + 2] = position.getZ(from);
+      array[6 * line + 3] = position.getX(to);
+      array[6 * line + 4] = position.getY(to);
+      array[6 * line + 5] = position.getZ(to);
+    });
+    this.geometry.instanceCount = this.lineCount;
+  }
+
+  dispose() {
+    this.#lines.dispose();
+    this.geometry.dispose();
+  }
+}
