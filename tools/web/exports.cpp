@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +76,8 @@ auto result_of(Call&& call) {
     try {
         return call();
     } catch (const std::bad_alloc&) {
+        fail("out of memory");
+    } catch (const std::length_error&) {  // An array of more than half of the 32-bit addresses.
         fail("out of memory");
     } catch (const std::exception& error) {
         fail(error.what());

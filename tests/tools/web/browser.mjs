@@ -79,9 +79,9 @@ class Browser {
     return result.value;
   }
 
-  /** PNG. */
-  async screenshot() {
-    return Buffer.from((await this.call("Page.captureScreenshot", { format: "png" })).data, "base64");
+  /** PNG, of the whole page or of `clip`: { x, y, width, height, scale }. */
+  async screenshot(clip) {
+    return Buffer.from((await this.call("Page.captureScreenshot", { format: "png", clip })).data, "base64");
   }
 
   /** Warnings, errors and exceptions of the page so far. */

@@ -26,6 +26,9 @@ export class SilhouetteLines extends LineSegments<BufferGeometry> {
   /** The number of lines that are drawn: borders, if they are asked for, and the silhouette. */
   readonly lineCount: number;
 
+  /** The number of lines that the last update wrote. */
+  readonly writtenCount: number;
+
   /**
    * Moves the lines to the camera, perspective or orthographic. To be called before each frame. Writes only the lines
    * that changed. The object may be moved, scaled, sheared or mirrored between calls.

@@ -6,7 +6,7 @@
 // Lines have places: those of the borders first, then the slots of the tracker. All places up to `lineCount` are in
 // use, so the draw range is the silhouette exactly.
 
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineBasicMaterial, LineSegments, Matrix4, Sphere, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
 
 /** The lines of a mesh for the camera that they were updated for. Objects that draw lines own one. */
 export class FollowedLines {
@@ -25,8 +25,10 @@ export class FollowedLines {
     this.#borderCount = borders ? this.#mesh.borderCount : 0;
     this.capacity = this.#mesh.edgeCount - this.#mesh.borderCount + this.#borderCount;
     this.lineCount = 0;
+    this.writtenCount = 0; // By the last call of follow().
     this.#pages = new Uint8Array(Math.ceil(this.capacity / PAGE));
-    this.boundingSphere = new Sphere(new Vector3(...this.#mesh.center), this.#mesh.radius);
+    if (geometry.boundingBox === null) geometry.computeBoundingBox();
+    if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
   }
 
   /**
@@ -38,9 +40,11 @@ export class FollowedLines {
     camera.updateWorldMatrix(true, false);
     if (object.matrixWorld.determinant() === 0) return; // It has no volume, so nobody sees it.
     const point = pointOf(camera, object);
+    this.writtenCount = 0;
     const place = (line, edge) => {
       write(line, this.#edges[2 * edge], this.#edges[2 * edge + 1]);
       this.#pages[Math.floor(line / PAGE)] = 1;
+      ++this.writtenCount;
     };
     if (this.#tracker === null) {
       this.#tracker = new this.rimline.Tracker(this.#mesh, point);
@@ -90,7 +94,8 @@ export class SilhouetteLines extends LineSegments {
     const lines = new FollowedLines(rimline, geometry, options);
     const index = new BufferAttribute(new Uint32Array(2 * lines.capacity), 1).setUsage(DynamicDrawUsage);
     const drawn = new BufferGeometry().setAttribute("position", geometry.getAttribute("position")).setIndex(index);
-    drawn.boundingSphere = lines.boundingSphere;
+    drawn.boundingBox = geometry.boundingBox;
+    drawn.boundingSphere = geometry.boundingSphere;
     drawn.setDrawRange(0, 0);
     super(drawn, material);
     this.#lines = lines;
@@ -99,6 +104,11 @@ export class SilhouetteLines extends LineSegments {
   /** The number of lines that are drawn: borders, if there are any, and the silhouette. */
   get lineCount() {
     return this.#lines.lineCount;
+  }
+
+  /** The number of lines that the last update wrote. */
+  get writtenCount() {
+    return this.#lines.writtenCount;
   }
 
   update(camera) {

@@ -8,6 +8,7 @@ import type { LineOptions } from "./three.mjs";
 export class WideSilhouetteLines extends LineSegments2 {
   constructor(rimline: Rimline, geometry: BufferGeometry, options?: LineOptions & { material?: LineMaterial });
   readonly lineCount: number;
+  readonly writtenCount: number;
   update(camera: Camera): void;
   dispose(): void;
 }

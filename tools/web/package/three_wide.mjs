@@ -18,7 +18,8 @@ export class WideSilhouetteLines extends LineSegments2 {
     const drawn = new LineSegmentsGeometry();
     drawn.setAttribute("instanceStart", new InterleavedBufferAttribute(ends, 3, 0));
     drawn.setAttribute("instanceEnd", new InterleavedBufferAttribute(ends, 3, 3));
-    drawn.boundingSphere = lines.boundingSphere;
+    drawn.boundingBox = geometry.boundingBox;
+    drawn.boundingSphere = geometry.boundingSphere;
     drawn.instanceCount = 0;
     super(drawn, material);
     this.#lines = lines;
@@ -29,6 +30,11 @@ export class WideSilhouetteLines extends LineSegments2 {
   /** The number of lines that are drawn: borders, if there are any, and the silhouette. */
   get lineCount() {
     return this.#lines.lineCount;
+  }
+
+  /** The number of lines that the last update wrote. */
+  get writtenCount() {
+    return this.#lines.writtenCount;
   }
 
   update(camera) {

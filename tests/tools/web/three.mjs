@@ -1,0 +1,201 @@
+// three.mjs BUILD THREE: the lines for three.js in Node. THREE is the name that npm installed it by.
+
+import assert from "node:assert/strict";
+import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import test, { after } from "node:test";
+import { pathToFileURL } from "node:url";
+
+const [build, three] = process.argv.slice(2);
+const installed = resolve(build, "package", "node_modules", three);
+
+// The package beside the three.js that it is to find.
+const folder = mkdtempSync(join(tmpdir(), "rimline-three-"));
+after(() => rmSync(folder, { recursive: true }));
+for (const file of ["package.json", "rimline.mjs", "rimline.wasm", "three.mjs", "three_wide.mjs"])
+  cpSync(join(build, "package", file), join(folder, file));
+mkdirSync(join(folder, "node_modules"));
+symlinkSync(installed, join(folder, "node_modules", "three"));
+const load = (file) => import(pathToFileURL(join(folder, file)));
+
+const THREE = await import(pathToFileURL(join(installed, "build", "three.module.js")));
+const { createRimline } = await load("rimline.mjs");
+const { SilhouetteLines, meshOf } = await load("three.mjs");
+const { WideSilhouetteLines } = await load("three_wide.mjs");
+const rimline = await createRimline();
+
+const knot = () => new THREE.TorusKnotGeometry(1, 0.3, 90, 12);
+
+// What the GPU holds of each kind of lines: the renderer's part, which copies ranges and clears them.
+class Copy {
+  constructor(lines) {
+    this.lines = lines;
+    this.attribute = lines.isLineSegments2 ? lines.geometry.getAttribute("instanceStart").data : lines.geometry.index;
+    this.array = this.attribute.array.slice();
+    this.version = this.attribute.version;
+  }
+  render() {
+    const { version, updateRanges, array } = this.attribute;
+    if (version !== this.version) {
+      assert.ok(updateRanges.length > 0);
+      for (const { start, count } of updateRanges) this.array.set(array.subarray(start, start + count), start);
+      this.attribute.clearUpdateRanges();
+      this.version = version;
+    }
+    const { isLineSegments2, geometry } = this.lines;
+    const size = isLineSegments2 ? 6 : 2;
+    const drawn = isLineSegments2 ? geometry.instanceCount : geometry.drawRange.count / 2;
+    assert.equal(drawn, this.lines.lineCount);
+    return Array.from({ length: drawn }, (_, i) => this.array.slice(size * i, size * (i + 1)).join()).sort();
+  }
+}
+
+// The same lines by the definition: mesh.silhouette() from a point in the space of the object.
+function expected(geometry, mesh, point, lines, withBorders = false) {
+  const edges = Array.from(mesh.silhouette(point));
+  for (let edge = mesh.edgeCount - mesh.borderCount; withBorders && edge < mesh.edgeCount; ++edge) edges.push(edge);
+  const position = geometry.getAttribute("position");
+  const text = (vertex) => [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
+  return edges.map((edge) => {
+    const ends = [...mesh.edges.subarray(2 * edge, 2 * edge + 2)];
+    return (lines.isLineSegments2 ? ends.flatMap(text) : ends).join();
+  }).sort();
+}
+
+const perspective = (x, y, z) => {
+  const camera = new THREE.PerspectiveCamera();
+  camera.position.set(x, y, z);
+  camera.lookAt(0, 0, 0);
+  return camera;
+};
+
+for (const Lines of [SilhouetteLines, WideSilhouetteLines]) {
+  test(`${Lines.name} hold the silhouette exactly after every move`, () => {
+    const geometry = knot();
+    const lines = new Lines(rimline, geometry);
+    const mesh = meshOf(rimline, geometry);
+    const copy = new Copy(lines);
+    for (let i = 0; i < 300; ++i) {
+      const jump = i % 50 === 49 ? 40 : 1;
+      const camera = perspective(5 * Math.cos(0.01 * i * jump), 0.02 * i - 3, 5 * Math.sin(0.01 * i * jump));
+      lines.update(camera);
+      assert.deepEqual(copy.render(), expected(geometry, mesh, camera.position, lines));
+    }
+  });
+
+  test(`${Lines.name} follow an orthographic camera, whose place does not matter`, () => {
+    const geometry = knot();
+    const lines = new Lines(rimline, geometry);
+    const mesh = meshOf(rimline, geometry);
+    const copy = new Copy(lines);
+    for (const distance of [1, 5, 1000]) {
+      const camera = new THREE.OrthographicCamera();
+      camera.position.set(distance, 2 * distance, 3 * distance);
+      camera.lookAt(0, 0, 0);
+      lines.update(camera);
+      const direction = camera.getWorldDirection(new THREE.Vector3()).negate();
+      const close = expected(geometry, mesh, { direction }, lines);
+      const drawn = copy.render();
+      assert.ok(drawn.length > 100 && drawn.filter((line) => !close.includes(line)).length <= 2);
+    }
+  });
+
+  test(`${Lines.name} draw borders where they are asked for`, () => {
+    const geometry = new THREE.PlaneGeometry(2, 2, 8, 8);
+    const position = geometry.getAttribute("position");
+    for (let i = 0; i < position.count; ++i) position.setZ(i, Math.sin(3 * position.getX(i)) * Math.cos(2 * position.getY(i)));
+    const mesh = meshOf(rimline, geometry);
+    assert.equal(mesh.borderCount, 32);
+    const without = new Lines(rimline, geometry, { mesh });
+    const withBorders = new Lines(rimline, geometry, { mesh, borders: true });
+    const copies = [new Copy(without), new Copy(withBorders)];
+    for (let i = 0; i < 20; ++i) {
+      const camera = perspective(4, i - 10, 2);
+      without.update(camera);
+      withBorders.update(camera);
+      assert.deepEqual(copies[0].render(), expected(geometry, mesh, camera.position, without));
+      assert.deepEqual(copies[1].render(), expected(geometry, mesh, camera.position, withBorders, true));
+    }
+    without.dispose();
+    withBorders.dispose();
+    assert.equal(mesh.borderCount, 32);
+  });
+
+  test(`${Lines.name} that nobody draws for long keep few ranges`, () => {
+    const lines = new Lines(rimline, knot());
+    const copy = new Copy(lines);
+    for (let i = 0; i < 500; ++i) lines.update(perspective(5 * Math.cos(0.05 * i), 1, 5 * Math.sin(0.05 * i)));
+    assert.ok(copy.attribute.updateRanges.length < 100, `${copy.attribute.updateRanges.length} ranges`);
+    const geometry = knot();
+    const camera = perspective(3, 4, 5);
+    lines.update(camera);
+    assert.deepEqual(copy.render(), expected(geometry, meshOf(rimline, geometry), camera.position, lines));
+  });
+}
+
+test("moved, sheared and mirrored objects have the silhouette of the mesh that lies where they are", () => {
+  const geometry = new THREE.IcosahedronGeometry(1, 6);
+  const scales = [[1, 1, 1], [3, 0.5, 1], [-1, 1, 1], [1, -2, -0.1], [-1, -1, -3]];
+  for (const [i, scale] of scales.entries()) {
+    const parent = new THREE.Group();
+    parent.position.set(3, -i, 2);
+    parent.rotation.set(0.3, i, -1);
+    parent.scale.set(1, 2, 0.7); // With the rotation below it, a shear.
+    const lines = new SilhouetteLines(rimline, geometry);
+    lines.rotation.set(i, 0.2, 0.5);
+    lines.scale.set(...scale);
+    parent.add(lines);
+    const copy = new Copy(lines);
+    for (const orthographic of [false, true]) {
+      const camera = orthographic ? new THREE.OrthographicCamera() : new THREE.PerspectiveCamera();
+      const rig = new THREE.Group().add(camera);
+      rig.position.set(11, 5, -7);
+      camera.position.set(1, 2, 3);
+      camera.rotation.set(0.4, 0.5, 0.6);
+      lines.update(camera);
+      const moved = meshOf(rimline, geometry.clone().applyMatrix4(lines.matrixWorld));
+      const eye = camera.getWorldPosition(new THREE.Vector3());
+      const towards = camera.getWorldDirection(new THREE.Vector3()).negate();
+      const unmoved = meshOf(rimline, geometry);
+      const drawn = copy.render();
+      const closed = expected(geometry, moved, orthographic ? { direction: towards } : eye, lines);
+      assert.ok(drawn.length > 20);
+      assert.equal(unmoved.edgeCount, moved.edgeCount);
+      assert.deepEqual(drawn, closed, `scale ${scale}, ${orthographic ? "orthographic" : "perspective"}`);
+    }
+  }
+});
+
+test("an object without volume keeps its lines, and wrong geometries are errors", () => {
+  const lines = new SilhouetteLines(rimline, knot());
+  lines.scale.set(1, 0, 1);
+  lines.update(perspective(5, 1, 0));
+  assert.equal(lines.lineCount, 0);
+  lines.scale.set(1, 1, 1);
+  lines.update(perspective(5, 1, 0));
+  const { lineCount } = lines;
+  assert.ok(lineCount > 0);
+  lines.scale.set(0, 0, 0);
+  lines.update(perspective(0, 5, 1));
+  assert.equal(lines.lineCount, lineCount);
+  lines.dispose();
+  lines.scale.set(1, 1, 1);
+  assert.throws(() => lines.update(perspective(5, 1, 0)), /disposed of/);
+  assert.throws(() => new SilhouetteLines(rimline, new THREE.BufferGeometry()), /^TypeError: geometry: expected the attribute position/);
+});
+
+test("positions may be normalized integers or interleaved", () => {
+  const geometry = new THREE.BoxGeometry(2, 2, 2).toNonIndexed();
+  const { array } = geometry.getAttribute("position");
+  const bytes = new THREE.BufferGeometry();
+  bytes.setAttribute("position", new THREE.BufferAttribute(Int8Array.from(array, (c) => 127 * c), 3, true));
+  const interleaved = new THREE.BufferGeometry();
+  const wide = new THREE.InterleavedBuffer(Float32Array.from({ length: 2 * array.length }, (_, i) => (i % 6 < 3 ? array[3 * Math.floor(i / 6) + (i % 6)] : 7)), 6);
+  interleaved.setAttribute("position", new THREE.InterleavedBufferAttribute(wide, 3, 0));
+  for (const other of [geometry, bytes, interleaved]) {
+    const lines = new SilhouetteLines(rimline, other);
+    lines.update(perspective(4, 5, 6));
+    assert.equal(lines.lineCount, 6);
+  }
+});

@@ -1,0 +1,181 @@
+// The page: a model, shaded, with silhouette lines that follow the camera.
+
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { createRimline } from "rimline";
+import { meshOf } from "rimline/three";
+import { WideSilhouetteLines } from "rimline/three_wide";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { SHAPES, readModel } from "./models.mjs";
+
+const element = (id) => document.getElementById(id);
+const rimline = await createRimline();
+
+const renderer = new THREE.WebGLRenderer({ canvas: element("canvas"), antialias: true });
+renderer.setPixelRatio(devicePixelRatio);
+const scene = new THREE.Scene();
+scene.background = new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue("--paper"));
+const perspective = new THREE.PerspectiveCamera(32);
+const orthographic = new THREE.OrthographicCamera();
+let camera = perspective;
+const controls = new OrbitControls(camera, renderer.domElement);
+controls.enableDamping = true;
+controls.autoRotateSpeed = 1.2;
+
+// Light from the sky, and a lamp that the viewer carries.
+scene.add(new THREE.HemisphereLight(0xffffff, 0xb9a98f, 2.1));
+const lamp = new THREE.DirectionalLight(0xfff4e2, 1.5);
+scene.add(lamp, lamp.target);
+
+// The surface lies a little behind its edges, so that it does not cover their lines.
+const surface = { color: 0xe6dcc8, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+const smooth = new THREE.MeshLambertMaterial(surface);
+const flat = new THREE.MeshLambertMaterial({ ...surface, flatShading: true });
+const ink = new LineMaterial({ color: 0x211d19 });
+
+let model = new THREE.Group();
+let parts = []; // { geometry, mesh, surface, lines }
+let radius = 1;
+let moves = { count: 0, time_ms: 0 }; // Since the counts were shown.
+
+function show(name, loaded) {
+  for (const part of parts) {
+    part.lines.dispose();
+    part.mesh.dispose();
+    part.geometry.dispose();
+  }
+  scene.remove(model);
+  model = new THREE.Group();
+  scene.add(model);
+  const begin = performance.now();
+  parts = loaded.map(({ geometry, matrix }) => {
+    const mesh = meshOf(rimline, geometry);
+    const surface = new THREE.Mesh(geometry, geometry.getAttribute("normal") ? smooth : flat);
+    surface.matrixAutoUpdate = false;
+    surface.matrix.copy(matrix);
+    model.add(surface);
+    return { geometry, mesh, surface };
+  });
+  element("name").textContent = name;
+  element("faces").textContent = count(sum((part) => part.mesh.faceCount));
+  element("edges").textContent = count(sum((part) => part.mesh.edgeCount));
+  element("error").hidden = true;
+  frameModel();
+  addLines();
+  element("built").textContent = `${(performance.now() - begin).toFixed(0)} ms`;
+}
+
+// Borders are chosen when lines are made.
+function addLines() {
+  for (const part of parts) {
+    if (part.lines) {
+      part.surface.remove(part.lines);
+      part.lines.dispose();
+    }
+    part.lines = new WideSilhouetteLines(rimline, part.geometry, { mesh: part.mesh, borders: element("borders").checked, material: ink });
+    part.surface.add(part.lines);
+  }
+  updateLines();
+}
+
+function updateLines() {
+  for (const { lines } of parts) lines.update(camera);
+}
+
+function frameModel() {
+  model.rotation.x = element("z_up").checked ? -Math.PI / 2 : 0;
+  const sphere = new THREE.Box3().setFromObject(model).getBoundingSphere(new THREE.Sphere());
+  radius = sphere.radius || 1;
+  controls.target.copy(sphere.center);
+  const direction = new THREE.Vector3(0.45, 0.28, 1).normalize();
+  for (const each of [perspective, orthographic]) {
+    each.position.copy(sphere.center).addScaledVector(direction, 3.8 * radius);
+    each.near = radius / 50;
+    each.far = 40 * radius;
+  }
+  orthographic.zoom = 1;
+  controls.minDistance = 1.05 * radius;
+  controls.maxDistance = 20 * radius;
+  resize();
+  controls.update();
+}
+
+function resize() {
+  const { innerWidth: width, innerHeight: height } = window;
+  renderer.setSize(width, height, false);
+  perspective.aspect = width / height;
+  const half = 1.1 * radius;
+  Object.assign(orthographic, { left: (-half * width) / height, right: (half * width) / height, top: half, bottom: -half });
+  // The middle of what the panel leaves free.
+  const shift = width > 800 ? -element("panel").offsetWidth / 2 : 0;
+  for (const each of [perspective, orthographic]) each.setViewOffset(width, height, shift, 0, width, height);
+}
+
+function draw() {
+  controls.update();
+  lamp.position.copy(camera.position).add(new THREE.Vector3(-radius, 2 * radius, 0).applyQuaternion(camera.quaternion));
+  lamp.target.position.copy(controls.target);
+  lamp.target.updateMatrixWorld();
+  ink.linewidth = Number(element("width").value);
+  if (!element("freeze").checked) {
+    const begin = performance.now();
+    updateLines();
+    moves.time_ms += performance.now() - begin;
+    ++moves.count;
+  }
+  renderer.render(scene, camera);
+}
+
+function showCounts() {
+  element("silhouette").textContent = count(sum(({ lines }) => lines.lineCount));
+  element("written").textContent = count(sum(({ lines }) => lines.writtenCount));
+  if (moves.count > 0) element("time").textContent = `${(moves.time_ms / moves.count).toFixed(2)} ms`;
+  moves = { count: 0, time_ms: 0 };
+}
+
+const sum = (numberOf) => parts.reduce((total, part) => total + numberOf(part), 0);
+const count = (number) => number.toLocaleString("en-US");
+
+async function openFile(file) {
+  element("name").textContent = `Reading ${file.name}…`;
+  try {
+    show(file.name, await readModel(file));
+  } catch (error) {
+    element("name").textContent = "";
+    element("error").textContent = error.message;
+    element("error").hidden = false;
+  }
+}
+
+function openShape() {
+  const name = element("shape").value;
+  show(name, [{ geometry: SHAPES[name](), matrix: new THREE.Matrix4() }]);
+}
+
+for (const name of Object.keys(SHAPES)) element("shape").add(new Option(name));
+element("shape").addEventListener("change", openShape);
+element("file").addEventListener("change", ({ target }) => target.files[0] && openFile(target.files[0]));
+element("borders").addEventListener("change", addLines);
+element("z_up").addEventListener("change", frameModel);
+element("turn").addEventListener("change", ({ target }) => (controls.autoRotate = target.checked));
+element("orthographic").addEventListener("change", ({ target }) => {
+  const other = target.checked ? orthographic : perspective;
+  other.position.copy(camera.position);
+  camera = controls.object = other;
+});
+addEventListener("resize", resize);
+for (const type of ["dragenter", "dragover"])
+  addEventListener(type, (event) => {
+    event.preventDefault();
+    document.body.classList.add("dragged");
+  });
+for (const type of ["dragleave", "drop"]) addEventListener(type, () => document.body.classList.remove("dragged"));
+addEventListener("drop", (event) => {
+  event.preventDefault();
+  if (event.dataTransfer.files[0]) openFile(event.dataTransfer.files[0]);
+});
+
+controls.autoRotate = element("turn").checked;
+openShape();
+renderer.setAnimationLoop(draw);
+setInterval(showCounts, 250);
