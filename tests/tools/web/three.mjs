@@ -70,6 +70,11 @@ const perspective = (x, y, z) => {
   return camera;
 };
 
+const worldMatrix = (object) => {
+  object.updateWorldMatrix(true, false);
+  return object.matrixWorld;
+};
+
 for (const Lines of [SilhouetteLines, WideSilhouetteLines]) {
   test(`${Lines.name} hold the silhouette exactly after every move`, () => {
     const geometry = knot();
@@ -154,16 +159,33 @@ test("moved, sheared and mirrored objects have the silhouette of the mesh that l
       camera.position.set(1, 2, 3);
       camera.rotation.set(0.4, 0.5, 0.6);
       lines.update(camera);
-      const moved = meshOf(rimline, geometry.clone().applyMatrix4(lines.matrixWorld));
+      const moved = meshOf(rimline, geometry.clone().applyMatrix4(worldMatrix(lines)));
       const eye = camera.getWorldPosition(new THREE.Vector3());
       const towards = camera.getWorldDirection(new THREE.Vector3()).negate();
       const unmoved = meshOf(rimline, geometry);
       const drawn = copy.render();
-      const closed = expected(geometry, moved, orthographic ? { direction: towards } : eye, lines);
+      const baked = expected(geometry, moved, orthographic ? { direction: towards } : eye, lines);
       assert.ok(drawn.length > 20);
       assert.equal(unmoved.edgeCount, moved.edgeCount);
-      assert.deepEqual(drawn, closed, `scale ${scale}, ${orthographic ? "orthographic" : "perspective"}`);
+      assert.deepEqual(drawn, baked, `scale ${scale}, ${orthographic ? "orthographic" : "perspective"}`);
     }
+  }
+});
+
+test("lines follow groups that move without matrixAutoUpdate", () => {
+  const geometry = knot();
+  const mesh = meshOf(rimline, geometry);
+  const group = new THREE.Group();
+  const fixed = new THREE.Group();
+  fixed.matrixAutoUpdate = false;
+  const lines = new SilhouetteLines(rimline, geometry, { mesh });
+  group.add(fixed.add(lines));
+  const copy = new Copy(lines);
+  for (const x of [0, 1, 2]) {
+    group.position.x = x;
+    fixed.matrix.makeTranslation(0, 0, x);
+    lines.update(perspective(5, 1, 2));
+    assert.deepEqual(copy.render(), expected(geometry, mesh, [5 - x, 1, 2 - x], lines));
   }
 });
 

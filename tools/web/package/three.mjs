@@ -36,10 +36,9 @@ export class FollowedLines {
    * that changed in `attribute`, which has `size` numbers for each line.
    */
   follow(camera, object, attribute, size, write) {
-    object.updateWorldMatrix(true, false);
-    camera.updateWorldMatrix(true, false);
-    if (object.matrixWorld.determinant() === 0) return; // It has no volume, so nobody sees it.
-    const point = pointOf(camera, object);
+    const worldFromObject = worldMatrixOf(object);
+    if (worldFromObject.determinant() === 0) return; // It has no volume, so nobody sees it.
+    const point = pointOf(camera, worldFromObject.invert());
     this.writtenCount = 0;
     const place = (line, edge) => {
       write(line, this.#edges[2 * edge], this.#edges[2 * edge + 1]);
@@ -140,11 +139,20 @@ export function meshOf(rimline, geometry) {
   return new rimline.Mesh(positions, geometry.index?.array);
 }
 
-// The camera in the space of the object: its eye, or for an orthographic one the direction towards it.
-function pointOf(camera, object) {
-  const objectFromWorld = new Matrix4().copy(object.matrixWorld).invert();
-  if (!camera.isOrthographicCamera)
-    return new Vector3().setFromMatrixPosition(camera.matrixWorld).applyMatrix4(objectFromWorld);
-  const objectFromCamera = objectFromWorld.multiply(camera.matrixWorld);
-  return { direction: new Vector3().setFromMatrixColumn(objectFromCamera, 2) };
+// The camera in the space of an object: its eye, or for an orthographic one the direction towards it.
+function pointOf(camera, objectFromWorld) {
+  const objectFromCamera = objectFromWorld.multiply(worldMatrixOf(camera));
+  if (camera.isOrthographicCamera) return { direction: new Vector3().setFromMatrixColumn(objectFromCamera, 2) };
+  return new Vector3().setFromMatrixPosition(objectFromCamera);
+}
+
+// What a renderer would use now. `matrixWorld` is older where something moved since the last frame.
+function worldMatrixOf(object) {
+  const matrix = new Matrix4();
+  for (let part = object; part !== null; part = part.parent) {
+    if (!part.matrixWorldAutoUpdate) return matrix.premultiply(part.matrixWorld);
+    if (part.matrixAutoUpdate) part.updateMatrix();
+    matrix.premultiply(part.matrix);
+  }
+  return matrix;
 }

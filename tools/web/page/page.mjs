@@ -84,6 +84,7 @@ function updateLines() {
 
 function frameModel() {
   model.rotation.x = element("z_up").checked ? -Math.PI / 2 : 0;
+  model.updateMatrixWorld(true);
   const sphere = new THREE.Box3().setFromObject(model).getBoundingSphere(new THREE.Sphere());
   radius = sphere.radius || 1;
   controls.target.copy(sphere.center);
@@ -142,7 +143,7 @@ async function openFile(file) {
     show(file.name, await readModel(file));
   } catch (error) {
     element("name").textContent = "";
-    element("error").textContent = error.message;
+    element("error").textContent = error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`;
     element("error").hidden = false;
   }
 }
