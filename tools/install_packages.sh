@@ -8,6 +8,7 @@
 #   tools/install_packages.sh tests       to build and run everything
 #   tools/install_packages.sh fuzz        to build and run the fuzz targets
 #   tools/install_packages.sh cluster     to run the tests of Slurm and Dask too
+#   tools/install_packages.sh web         to build and test the package for browsers too
 set -u
 source "$(dirname "$0")/steps.sh"
 
@@ -22,6 +23,7 @@ cpu_tests=(ccache doctest-dev libgmp-dev python3 librsvg2-bin poppler-utils pyth
 engine_tests=(dpkg-dev libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb "${python[@]}"
     python3-pytest python3-pip python3-setuptools python3-wheel mypy "${site[@]}")
 fuzz=(clang-16 libclang-rt-16-dev python3)
+web=(emscripten nodejs chromium)
 cluster=(slurm-wlm munge procps util-linux python3 python3-distributed)
 
 case "${1:-}" in
@@ -31,7 +33,11 @@ case "${1:-}" in
     tests) wanted=("${cpu[@]}" "${engine[@]}" "${cpu_tests[@]}" "${engine_tests[@]}") ;;
     fuzz) wanted=("${cpu[@]}" "${fuzz[@]}") ;;
     cluster) wanted=("${cluster[@]}") ;;
-    *) stop "usage: $script_name cpu|cpu-tests|demo|tests|fuzz|cluster" ;;
+    web)
+        wanted=("${cpu[@]}" "${web[@]}")
+        command -v npm >/dev/null || wanted+=(npm)  # Other nodejs packages than Debian's contain it.
+        ;;
+    *) stop "usage: $script_name cpu|cpu-tests|demo|tests|fuzz|cluster|web" ;;
 esac
 
 command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||

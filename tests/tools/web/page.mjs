@@ -6,9 +6,10 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import test from "node:test";
 import { setTimeout } from "node:timers/promises";
+import { fileURLToPath } from "node:url";
 
-import { withBrowser } from "./browser.mjs";
-import { chromium, models, skip } from "./machine.mjs";
+import { withBrowser } from "../../../tools/web/chromium/browser.mjs";
+import { chromium, models, skip } from "../../../tools/web/chromium/machine.mjs";
 
 const [build, program, folder] = process.argv.slice(2);
 if (!chromium) skip("no Chromium: tools/install_packages.sh web");
@@ -30,7 +31,7 @@ const FILES = {
 for (const [name, lines] of Object.entries(FILES)) writeFileSync(join(made, name), `${lines.join("\n")}\n`);
 execFileSync(program, ["convert", "shape:knot:20000", "-o", join(made, "knot.glb")]);
 
-await withBrowser({ build, made, tests: import.meta.dirname, ...Object.fromEntries(models().map((model) => [`of_${basename(model)}`, dirname(model)])) }, async (browser) => {
+await withBrowser({ build, made, tests: fileURLToPath(new URL(".", import.meta.url)), ...Object.fromEntries(models().map((model) => [`of_${basename(model)}`, dirname(model)])) }, async (browser) => {
   await browser.open("/build/page/index.html");
   const numberOf = async (id) => Number((await browser.evaluate(`document.getElementById("${id}").textContent`)).replaceAll(",", ""));
   const until = async (condition) => {

@@ -4,9 +4,10 @@
 import { execFileSync } from "node:child_process";
 import { mkdirSync, rmSync } from "node:fs";
 import { basename, join } from "node:path";
+import { fileURLToPath } from "node:url";
 
-import { withBrowser } from "./browser.mjs";
-import { chromium, models, skip } from "./machine.mjs";
+import { withBrowser } from "../../../tools/web/chromium/browser.mjs";
+import { chromium, models, skip } from "../../../tools/web/chromium/machine.mjs";
 
 const [build, reference, folder] = process.argv.slice(2);
 if (!chromium) skip("no Chromium: tools/install_packages.sh web");
@@ -15,7 +16,7 @@ const all = [...shapes.map((shape) => `shape:${shape}`), ...models()];
 
 const written = join(folder, "references");
 mkdirSync(written, { recursive: true });
-await withBrowser({ build, written, tests: import.meta.dirname }, async (browser) => {
+await withBrowser({ build, written, tests: fileURLToPath(new URL(".", import.meta.url)) }, async (browser) => {
   await browser.open("/");
   for (const model of all) {
     const name = basename(model).replaceAll(":", "_");

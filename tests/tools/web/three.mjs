@@ -127,11 +127,11 @@ for (const Lines of [SilhouetteLines, WideSilhouetteLines]) {
     assert.equal(mesh.borderCount, 32);
   });
 
-  test(`${Lines.name} that nobody draws for long keep few ranges`, () => {
+  test(`${Lines.name} that nobody draws for long keep one range`, () => {
     const lines = new Lines(rimline, knot());
     const copy = new Copy(lines);
     for (let i = 0; i < 500; ++i) lines.update(perspective(5 * Math.cos(0.05 * i), 1, 5 * Math.sin(0.05 * i)));
-    assert.ok(copy.attribute.updateRanges.length < 100, `${copy.attribute.updateRanges.length} ranges`);
+    assert.equal(copy.attribute.updateRanges.length, 1);
     const geometry = knot();
     const camera = perspective(3, 4, 5);
     lines.update(camera);

@@ -15,7 +15,6 @@ export class FollowedLines {
   #edges;
   #borderCount;
   #tracker = null;
-  #pages;
 
   constructor(rimline, geometry, { mesh, borders = false } = {}) {
     this.rimline = rimline;
@@ -26,23 +25,24 @@ export class FollowedLines {
     this.capacity = this.#mesh.edgeCount - this.#mesh.borderCount + this.#borderCount;
     this.lineCount = 0;
     this.writtenCount = 0; // By the last call of follow().
-    this.#pages = new Uint8Array(Math.ceil(this.capacity / PAGE));
     if (geometry.boundingBox === null) geometry.computeBoundingBox();
     if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
   }
 
   /**
-   * Moves to a camera. Calls `write(place, from, to)` for each line that changed, with its two vertices, and marks what
-   * that changed in `attribute`, which has `size` numbers for each line.
+   * Moves to a camera. Calls `write(place, from, to)` for each line that changed, with its two vertices, and marks their
+   * range in `attribute`, which has `size` numbers for each line.
    */
   follow(camera, object, attribute, size, write) {
     const worldFromObject = worldMatrixOf(object);
     if (worldFromObject.determinant() === 0) return; // It has no volume, so nobody sees it.
     const point = pointOf(camera, worldFromObject.invert());
+    let [first, end] = pendingRange(attribute, size);
     this.writtenCount = 0;
     const place = (line, edge) => {
       write(line, this.#edges[2 * edge], this.#edges[2 * edge + 1]);
-      this.#pages[Math.floor(line / PAGE)] = 1;
+      first = Math.min(first, line);
+      end = Math.max(end, line + 1);
       ++this.writtenCount;
     };
     if (this.#tracker === null) {
@@ -55,26 +55,11 @@ export class FollowedLines {
       for (let i = 0; i < slots.length; i += 2) place(this.#borderCount + slots[i], slots[i + 1]);
     }
     this.lineCount = this.#borderCount + this.#tracker.silhouette.length;
-    this.#mark(attribute, size);
-  }
-
-  // A call of the GPU's interface takes longer than the copy of some more lines: whole pages are written.
-  #mark(attribute, size) {
-    const pages = this.#pages;
-    const used = Math.ceil(this.lineCount / PAGE);
-    // The renderer clears the ranges that it has written. Where it draws nothing for long, one range is enough.
-    if (attribute.updateRanges.length > pages.length) {
-      attribute.clearUpdateRanges();
-      pages.fill(1, 0, used);
-    }
-    for (let page = 0; page < used; ++page) {
-      if (pages[page] === 0) continue;
-      const first = page;
-      while (page < used && pages[page] === 1) pages[page++] = 0;
-      const end = Math.min(page * PAGE, this.capacity);
-      attribute.addUpdateRange(size * first * PAGE, size * (end - first * PAGE));
-      attribute.needsUpdate = true;
-    }
+    if (this.writtenCount === 0) return;
+    // One range: slots that change lie anywhere, and calls for each of them take longer than the copy of those between.
+    attribute.clearUpdateRanges();
+    attribute.addUpdateRange(size * first, size * (end - first));
+    attribute.needsUpdate = true;
   }
 
   dispose() {
@@ -82,8 +67,6 @@ export class FollowedLines {
     if (this.#ownsMesh) this.#mesh.dispose();
   }
 }
-
-const PAGE = 128; // Lines.
 
 /** Lines one pixel wide, as WebGL has them, whose only numbers are pairs of vertices. */
 export class SilhouetteLines extends LineSegments {
@@ -137,6 +120,13 @@ export function meshOf(rimline, geometry) {
       positions.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
   }
   return new rimline.Mesh(positions, geometry.index?.array);
+}
+
+// The lines that the last updates marked and the renderer has not written yet: first, and one past the last.
+function pendingRange({ updateRanges }, size) {
+  if (updateRanges.length === 0) return [Infinity, 0];
+  const [{ start, count }] = updateRanges;
+  return [start / size, (start + count) / size];
 }
 
 // The camera in the space of an object: its eye, or for an orthographic one the direction towards it.

@@ -1,4 +1,4 @@
-// A headless Chromium for tests: pages from folders of this machine, and Chromium's own protocol over pipes.
+// A headless Chromium for tests and measurements: pages from folders of this machine, and Chromium's own protocol over pipes.
 
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -12,18 +12,21 @@ import { chromium } from "./machine.mjs";
 
 const CONTENT_TYPES = { ".html": "text/html", ".mjs": "text/javascript", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
 
+// Pages that are isolated have clocks of 5 microseconds.
+const ISOLATED = { "cross-origin-opener-policy": "same-origin", "cross-origin-embedder-policy": "require-corp" };
+
 /**
  * Calls use(browser) and ends the browser. `folders` are served by the first part of their path: { package: "build/web" }
  * has /package/rimline.mjs. The page / is empty.
  */
 export async function withBrowser(folders, use) {
   const server = createServer(async (request, response) => {
-    if (request.url === "/") return response.writeHead(200, { "content-type": "text/html" }).end("<!doctype html>");
+    if (request.url === "/") return response.writeHead(200, { ...ISOLATED, "content-type": "text/html" }).end("<!doctype html>");
     const [, name, ...rest] = decodeURI(new URL(request.url, "http://localhost").pathname).split("/");
     const path = folders[name] && join(folders[name], normalize(`/${rest.join("/")}`));
     try {
       const content = await readFile(path);
-      response.writeHead(200, { "content-type": CONTENT_TYPES[extname(path)] ?? "application/octet-stream" });
+      response.writeHead(200, { ...ISOLATED, "content-type": CONTENT_TYPES[extname(path)] ?? "application/octet-stream" });
       response.end(content);
     } catch {
       response.writeHead(404).end();
