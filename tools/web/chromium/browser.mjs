@@ -51,6 +51,7 @@ class Browser {
   #calls = 0;
   #session;
   #received = "";
+  #loaded;
   #problems = [];
 
   constructor(profile, origin) {
@@ -65,14 +66,16 @@ class Browser {
     this.#process.stdio[4].setEncoding("utf-8").on("data", (text) => this.#receive(text));
   }
 
-  /** Opens a page of a served folder, of this size in pixels. */
+  /** Opens a page of a served folder, of this size in pixels. Ends when the page and its scripts are loaded. */
   async open(path, { width = 1280, height = 800 } = {}) {
     const { targetId } = await this.call("Target.createTarget", { url: "about:blank" });
     this.#session = (await this.call("Target.attachToTarget", { targetId, flatten: true })).sessionId;
     await this.call("Runtime.enable");
     await this.call("Page.enable");
     await this.call("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
+    const loaded = new Promise((resolve) => (this.#loaded = resolve));
     await this.call("Page.navigate", { url: this.origin + path });
+    await loaded;
   }
 
   /** The value of an expression, which may be a promise. Throws what it throws. */
@@ -112,6 +115,7 @@ class Browser {
     this.#received = messages.pop();
     for (const message of messages.map((json) => JSON.parse(json))) {
       const { id, method, params, result, error } = message;
+      if (method === "Page.loadEventFired") this.#loaded();
       if (method === "Runtime.exceptionThrown") this.#problems.push(params.exceptionDetails.exception?.description);
       if (method === "Runtime.consoleAPICalled" && ["warning", "error"].includes(params.type))
         this.#problems.push(params.args.map((argument) => argument.value ?? argument.description).join(" "));
