@@ -65,6 +65,8 @@ export async function measure(url) {
     object.dispose();
   }
   add("Mesh.silhouette, extracted anew and sorted", microseconds(eyes, (eye) => mesh.silhouette(eye)));
+  const other = new rimline.Mesh(positions, index);
+  add("Mesh.silhouette before there is a tracker: all faces", microseconds(eyes, (eye) => other.silhouette(eye)));
   add("brute force in JavaScript", microseconds(eyes, (eye) => brute.write(...eye, lines)));
   add("three's EdgesGeometry, for no view in particular", milliseconds(performance.now(), () => new THREE.EdgesGeometry(geometry)));
   return rows;

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Camera, LineSegments, Material } from "three";
-import type { Mesh, Rimline } from "./rimline.mjs";
+import type { Mesh, Rimline } from "rimline";
 
 export interface LineOptions {
   /** A mesh that `meshOf()` made of the same geometry, for several lines to share. By default each makes its own. */

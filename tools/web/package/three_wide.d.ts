@@ -1,8 +1,8 @@
 import type { BufferGeometry, Camera } from "three";
 import type { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import type { Rimline } from "./rimline.mjs";
-import type { LineOptions } from "./three.mjs";
+import type { Rimline } from "rimline";
+import type { LineOptions } from "rimline/three";
 
 /** As SilhouetteLines, with lines of any width: `material.linewidth` pixels, two by default. */
 export class WideSilhouetteLines extends LineSegments2 {

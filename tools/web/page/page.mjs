@@ -141,6 +141,7 @@ async function openFile(file) {
   element("name").textContent = `Reading ${file.name}…`;
   try {
     show(file.name, await readModel(file));
+    element("shape").selectedIndex = -1;
   } catch (error) {
     element("name").textContent = "";
     element("error").textContent = error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`;
@@ -155,7 +156,10 @@ function openShape() {
 
 for (const name of Object.keys(SHAPES)) element("shape").add(new Option(name));
 element("shape").addEventListener("change", openShape);
-element("file").addEventListener("change", ({ target }) => target.files[0] && openFile(target.files[0]));
+element("file").addEventListener("change", ({ target }) => {
+  if (target.files[0]) openFile(target.files[0]);
+  target.value = ""; // The same file can be chosen again.
+});
 element("borders").addEventListener("change", addLines);
 element("z_up").addEventListener("change", frameModel);
 element("turn").addEventListener("change", ({ target }) => (controls.autoRotate = target.checked));
