@@ -35,7 +35,7 @@ await withBrowser({ build, made, tests: fileURLToPath(new URL(".", import.meta.u
   await browser.open("/build/page/index.html");
   const numberOf = async (id) => Number((await browser.evaluate(`document.getElementById("${id}").textContent`)).replaceAll(",", ""));
   const until = async (condition) => {
-    for (let i = 0; i < 600; ++i, await setTimeout(50)) if (await browser.evaluate(condition)) return;
+    for (let i = 0; i < 2400; ++i, await setTimeout(50)) if (await browser.evaluate(condition)) return;
     throw new Error(`${condition} did not come true: ${browser.problems.join("\n")}`);
   };
   const drop = (url) => browser.evaluate(`(async () => {
