@@ -63,7 +63,9 @@ public:
         SceneOptions scene;
         scene.style = style;
         scene.crease_degrees = k_crease_deg;
-        return draw_views(renderer_, {model_, octree_, scene, picture_}, views, k_cell, context);
+        if (!lines_) lines_.emplace(prepare_lines(octree_, context));
+        return draw_views(renderer_, {model_, octree_, scene, picture_, &*lines_}, views, k_cell,
+                          context);
     }
 
 private:
@@ -71,6 +73,7 @@ private:
     HoughOctree octree_;
     ViewRatios ratios_;
     Renderer renderer_;  // One a mesh: a renderer identifies meshes by address.
+    std::optional<ShownLines> lines_;
     PictureOptions picture_;
 };
 
