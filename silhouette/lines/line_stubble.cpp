@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "silhouette/lines/face_count.h"
 
@@ -36,15 +37,19 @@ void LineStubble::fill(double gap, const LineDrawing& drawing) {
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
     for (std::uint32_t s = 0; s < drawing.strokes.size(); ++s) {
         const LineStroke& stroke = drawing.strokes[s];
+        std::optional<glm::dvec2> from;
+        // A pen goes on from one part to the next.
         for (const StrokePart& part : drawing.parts_of(stroke)) {
             const std::span<const LinePoint> points = drawing.points_of(drawing.runs[part.run]);
-            for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-                const std::size_t at = part.is_reversed ? points.size() - 1 - i : i;
-                const glm::dvec2& from = points[at].position;
-                const glm::dvec2& to = points[part.is_reversed ? at - 1 : at + 1].position;
-                segments_.push_back({from, to, s});
-                low = glm::min(low, glm::min(from, to));
-                high = glm::max(high, glm::max(from, to));
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const glm::dvec2& to =
+                    points[part.is_reversed ? points.size() - 1 - i : i].position;
+                if (from && (*from != to || i > 0)) {
+                    segments_.push_back({*from, to, s});
+                    low = glm::min(low, glm::min(*from, to));
+                    high = glm::max(high, glm::max(*from, to));
+                }
+                from = to;
             }
         }
         first_segments_.push_back(static_cast<std::uint32_t>(segments_.size()));
