@@ -93,18 +93,20 @@ bool LineStubble::is_held(const glm::dvec2& place, std::uint32_t stroke, double 
 
 bool LineStubble::has_other_along(const Segment& own, const glm::dvec2& place, double reach) const {
     const glm::dvec2 way = own.to - own.from;
-    const double square = glm::dot(way, way);
-    const auto is_along = [&](const glm::dvec2& other, double min_square_cos) {
+    // 0 across the way, 1 along it. 0 where either has no length.
+    const auto square_cos = [&](const glm::dvec2& other) {
         const double dot = glm::dot(way, other);
-        return dot * dot >= min_square_cos * square * glm::dot(other, other);
+        return dot == 0.0 ? 0.0 : dot * dot / (glm::dot(way, way) * glm::dot(other, other));
     };
+    const bool has_way = own.from != own.to;
     return any_near(place, [&](const Segment& segment) {
         if (segment.stroke == own.stroke || stays_[segment.stroke] == 0) return false;
         const glm::dvec2 aside = nearest_on(segment, place) - place;
         const double distance = glm::length(aside);
+        if (distance > reach) return false;
+        if (has_way && square_cos(segment.to - segment.from) < k_min_square_cos) return false;
         // Before and behind a stroke lies no double of it, but what goes on from there.
-        return distance <= reach && is_along(segment.to - segment.from, k_min_square_cos) &&
-               (distance <= k_touching * reach || !is_along(aside, 1.0 - k_min_square_cos));
+        return distance <= k_touching * reach || square_cos(aside) <= 1.0 - k_min_square_cos;
     });
 }
 
@@ -151,9 +153,11 @@ bool LineStubble::is_at_outline(std::uint32_t stroke, const LineFrame& frame,
 bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) const {
     if (!(options.gap > 0.0) || lengths_[stroke] >= k_double_lengths * options.stubble)
         return false;
-    // Between places lies no gap that shows.
+    // Between places lies no gap that shows. What is shorter is a dot, without a direction.
+    const bool is_dot = lengths_[stroke] <= k_double_spacing * options.gap;
     for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
-        const Segment& own = segments_[i];
+        Segment own = segments_[i];
+        if (is_dot) own.to = own.from;
         const int parts = 1 + static_cast<int>(glm::distance(own.from, own.to) /
                                                (k_double_spacing * options.gap));
         for (int part = 0; part <= parts; ++part)

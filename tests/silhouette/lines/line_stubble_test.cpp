@@ -344,6 +344,14 @@ TEST_CASE("a stroke stays where others lie before and behind a part of it, not b
     };
     CHECK(bridge(0.38, 0.62).is_first_kept);
     CHECK(!bridge(0.49, 0.51).is_first_kept);
+    // A dot has nothing before and behind it.
+    const auto between = [&](double from, double to) {
+        return strokes.keep(
+            {horizontal(from, to, 10), horizontal(-8, 0.45, 10), horizontal(0.59, 8, 10)});
+    };
+    CHECK(between(0.49, 0.55).is_first_kept);
+    CHECK(!between(0.51, 0.53).is_first_kept);
+    CHECK(!between(0.52, 0.52).is_first_kept);
 }
 
 // The side of the square at x = 10 is its outline. It has three pieces, and the one in the middle is a double of a longer
