@@ -107,14 +107,14 @@ SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
     SurfaceKind kind{.fades = instance.fade_radius > 0.0,
                      .has_lights_apart = scene.shadows || scene.lights.size() != 1};
     if (instance.has_surfaces) {
-        kind.style = scene.style;
+        kind.style = static_cast<std::uint32_t>(scene.style);
         kind.colors = surface_colors(scene, instance);
         kind.output = is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
     } else {
         kind.output = SurfaceOutput::held_out;
     }
     // Strokes and the colors of corners are no functions of a vertex.
-    kind.shades_vertices = kind.has_lights_apart && kind.style != Style::hatch &&
+    kind.shades_vertices = kind.has_lights_apart && kind.style != RIMLINE_STYLE_HATCH &&
                            kind.colors == SurfaceColors::one &&
                            instance.mesh().vertex_count() <= k_max_indexed_vertices;
     return kind;

@@ -12,7 +12,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/scene.h"
 #include "engine/shadow_choice.h"
 #include "engine/stream/every_edge_draw.h"
 #include "engine/stream/textured_faces.h"
@@ -46,7 +45,7 @@ enum class SurfaceColors {
 
 /// Surfaces that the same pipelines draw.
 struct SurfaceKind {
-    Style style = Style::ink;
+    std::uint32_t style = RIMLINE_STYLE_INK;  ///< A RIMLINE_STYLE_ value.
     SurfaceColors colors = SurfaceColors::one;
     SurfaceOutput output = SurfaceOutput::picture;
     bool fades = false;

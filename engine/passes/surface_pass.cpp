@@ -34,7 +34,6 @@ SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout dra
 
 void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind) {
     if (pipelines_.contains(kind)) return;
-    const auto number = static_cast<std::uint32_t>(kind.style);
     const bool is_held_out = kind.output == SurfaceOutput::held_out;
     SpirvCode corners = surface_vert;
     SpirvCode shading = surface_frag;
@@ -48,7 +47,7 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
     }
     const StencilUse lit = is_held_out ? StencilUse::not_zero : StencilUse::zero;
     const auto make = [&](bool has_shade, bool has_light, SpirvCode vertex) {
-        const std::array<std::uint32_t, 5> constants{number, has_shade, has_light, kind.fades,
+        const std::array<std::uint32_t, 5> constants{kind.style, has_shade, has_light, kind.fades,
                                                      kind.output == SurfaceOutput::layer};
         return make_graphics_pipeline(
             context,

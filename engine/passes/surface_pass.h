@@ -10,7 +10,6 @@
 #include <map>
 
 #include "engine/passes/draw_list.h"
-#include "engine/scene.h"
 #include "engine/vulkan/functions.h"
 #include "engine/vulkan/pipeline.h"
 

@@ -137,7 +137,7 @@ void RayRatios::cover_pixels(const View& view, Scratch& scratch) const {
     const auto add = [&](EdgeId edge, bool is_hidden) {
         const auto& [from, to] = mesh_.edge(edge).vertices;
         glm::dvec3 a = seen_from_eye(from), b = seen_from_eye(to);
-        if (std::max(-a.z, -b.z) < view.near) return;
+        if (std::max(-a.z, -b.z) <= view.near) return;
         const glm::dvec3 crossing = glm::mix(a, b, (-a.z - view.near) / (b.z - a.z));
         if (-a.z < view.near) a = crossing;
         if (-b.z < view.near) b = crossing;

@@ -106,7 +106,7 @@ until_true() {
 are_idle() { [ "$(sinfo --noheader --Node --format=%t 2>/dev/null | sort -u)" = idle ]; }
 until_true 60 "the start of the nodes" are_idle
 
-# The batch: models that take from a tenth of a second to one.
+# The batch: models that take up to a second.
 for faces in 8000 {80000..520000..40000}; do
     echo "shape:knot:$faces"
 done >"$work/list"

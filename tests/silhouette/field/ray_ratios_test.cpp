@@ -114,6 +114,13 @@ TEST_CASE("viewpoints anywhere have ratios, and meshes without edges have zero")
     const HoughOctree none(empty);
     CHECK(RayRatios(none).measure(eyes) == std::vector<double>(4, 0.0));
     CHECK(RayRatios(none).measure({}).empty());
+    // A face without extent, from its place and from elsewhere.
+    const Mesh point(
+        MeshSource{.positions = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, .triangles = {{0, 1, 2}}},
+        Welding::none);
+    const HoughOctree at_point(point);
+    for (const glm::dvec3 eye : {glm::dvec3(1, 2, 3), {5, 2, 3}})
+        CHECK(RayRatios(at_point).measure({&eye, 1})[0] >= 0.0);
 }
 
 TEST_CASE("a stop ends the making and the measuring of ratios by rays") {
