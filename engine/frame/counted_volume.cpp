@@ -82,8 +82,9 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
         const auto& [a, b] = mesh.edge(EdgeId{e}).vertices;
         if (times > 0) sides_.push_back({positions[index(a)], positions[index(b)], times});
     }
-    const VolumeSides sides(sides_, volume.silhouette, regular_end, mesh, positions,
-                            single ? 1 : 2);
+    if (volume.moved) count.places.clear();
+    follow_places(volume, count.places);
+    const VolumeSides sides(sides_, count.places, regular_end, single ? 1 : 2);
     std::uint32_t bound = 0;
     if (const std::optional<int> outer = outer_axis(bounds, volume.light))
         bound = rays_.from_outside(sides, bounds, volume.light, *outer, enough);
@@ -110,6 +111,29 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
     count.part_of.clear();
 }
 
+// Reads what changed alone, and of that some edges ahead: else it waits for memory.
+void VolumeCounter::follow_places(const CountedVolume& volume, std::vector<EdgePlaces>& places) {
+    const std::span<const EdgeId> silhouette = volume.silhouette;
+    const std::span<const Edge> edges = volume.caster->mesh().edges();
+    const std::span<const glm::vec3> positions = volume.positions();
+    places.resize(silhouette.size());
+    changed_.clear();
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+        if (places[i].edge != silhouette[i]) changed_.push_back(i);
+    constexpr std::size_t k_ahead = 16;
+    const auto edge_at = [&](std::size_t number) -> const Edge& {
+        return edges[index(silhouette[changed_[number]])];
+    };
+    for (std::size_t i = 0; i < changed_.size(); ++i) {
+        if (i + 2 * k_ahead < changed_.size()) __builtin_prefetch(&edge_at(i + 2 * k_ahead));
+        if (i + k_ahead < changed_.size())
+            for (const VertexId vertex : edge_at(i + k_ahead).vertices)
+                __builtin_prefetch(&positions[index(vertex)]);
+        const auto& [a, b] = edge_at(i).vertices;
+        places[changed_[i]] = {silhouette[changed_[i]], positions[index(a)], positions[index(b)]};
+    }
+}
+
 void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, VolumeCount& count) {
     if (!count.parts.empty()) return;
     const std::uint32_t faces = volume.caster->mesh().face_count();
@@ -133,6 +157,7 @@ void VolumeCounter::divide(const CountedVolume& volume, std::uint32_t limit, Vol
              std::span(divided.faces).subspan(part.first_face, part.face_count))
             divided.part_of[f] = p;
     }
+    divided.places = std::move(count.places);
     count = std::move(divided);
 }
 

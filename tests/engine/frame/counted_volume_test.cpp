@@ -192,6 +192,37 @@ TEST_CASE("the bound does not grow with the distance of the light" * doctest::te
     std::printf("%zu models: at most %.2f times the bound of the sun\n", models.size(), worst);
 }
 
+TEST_CASE("a light that moves is counted as one that was there from the start") {
+    constexpr std::uint64_t k_seed = 11;
+    CAPTURE(k_seed);
+    Random random(k_seed);
+    const Model knot(make_built_in_shape("knot", 2000));
+    SilhouetteTracker tracker(knot.octree, HomogeneousPoint::viewpoint({2, 3, 1}));
+    CasterMesh caster(knot.mesh);
+    VolumeCounter counter;
+    VolumeCount followed;
+    for (int step = 0; step < 60; ++step) {
+        // Small steps within the bounds, and some far jumps.
+        const glm::dvec3 place(step % 10 == 9 ? 40.0f * random.in_cube()
+                                              : 0.9f * static_cast<float>(knot.mesh.radius()) *
+                                                    random.in_cube());
+        tracker.move_to(HomogeneousPoint::viewpoint(place));
+        const CountedVolume volume{
+            .caster = &caster,
+            .silhouette = tracker.silhouette(),
+            .face_words = tracker.face_words(),
+            .light = tracker.point(),
+            .form = k_forms[static_cast<std::size_t>(step) % k_forms.size()]};
+        VolumeCount fresh;
+        counter.update(volume, 127, fresh);
+        counter.update(volume, 127, followed);
+        CHECK(followed.bound == fresh.bound);
+        for (std::size_t i = 0; i < tracker.silhouette().size(); ++i)
+            REQUIRE(followed.places[i].edge == tracker.silhouette()[i]);
+        if (step % 7 == 6) counter.divide(volume, 3, followed);
+    }
+}
+
 TEST_CASE("a light that rests is not counted again") {
     const Model knot(make_built_in_shape("knot", 600));
     const TrackedVolume first(knot, HomogeneousPoint::viewpoint({2, 3, 1}));
