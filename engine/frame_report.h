@@ -55,8 +55,9 @@ struct FrameReport {
     /// Wall-clock time from moving the trackers to the last recorded command. Includes the first
     /// extraction of silhouettes, not the upload of meshes drawn for the first time.
     double record_ms = 0.0;
-    /// The part of record_ms in which change sets were taken from trackers, with the wait for trackers that had
-    /// not finished.
+    /// The part of record_ms in which trackers were sent to their points and change sets were taken from them. Includes
+    /// the wait for trackers that had not finished: where no processor is free, a tracker may run instead of the caller
+    /// as soon as it is sent.
     double follow_ms = 0.0;
     std::uint32_t meshes_uploaded = 0;  ///< Meshes drawn for the first time.
     std::uint64_t bytes_uploaded = 0;   ///< Bytes of these meshes.

@@ -130,7 +130,9 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
     try {
         const FrameView view(scene, target.extent, instances_.casters());
         RIMLINE_CHECK(!is_callers || instances_.has_silhouettes(view));
+        const auto sending = std::chrono::steady_clock::now();
         instances_.prepare_silhouettes(view);
+        recorded.report.follow_ms = milliseconds_since(sending);
         const DrawList list =
             build_draw_list(view, frame_data(view, *passes_.targets()), slot,
                             {instances_, draw_data_, shadow_batches_, target, passes_.line_path(),
