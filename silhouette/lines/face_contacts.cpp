@@ -6,147 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <memory>
 
 #include "silhouette/lines/exact_signs.h"
+#include "silhouette/mesh/face_pairs.h"
 
 namespace rimline {
 
 namespace {
-
-constexpr std::uint32_t k_contact_faces_a_task = 1u << 10;
-constexpr std::size_t k_contact_tasks_a_checkpoint = 64;
-
-// A face with what most pairs of faces need: a quick and certain test that they are apart. All differences of
-// coordinates are taken first, so floats decide it wherever faces are not nearly coplanar.
-class TestedFace {
-public:
-    /// Undefined.
-    TestedFace() = default;
-    /// `scale`, a power of two, makes the mesh about as large as 1, so that no product leaves the range of floats.
-    TestedFace(const Mesh& mesh, std::uint32_t face, float scale)
-        : vertices_(mesh.triangles()[face]) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const glm::vec3 p = mesh.positions()[index(vertices_[k])] * scale;
-            x_[k] = p.x, y_[k] = p.y, z_[k] = p.z;
-        }
-        const glm::vec3 u = corner(1) - corner(0), v = corner(2) - corner(0);
-        const glm::vec3 n = glm::cross(u, v);
-        x_[3] = n.x, y_[3] = n.y, z_[3] = n.z;
-        bound_ = k_error * length_1(u) * length_1(v);
-    }
-
-    FaceBox box() const {
-        return {glm::min(glm::min(corner(0), corner(1)), corner(2)),
-                glm::max(glm::max(corner(0), corner(1)), corner(2))};
-    }
-
-    // Whether all corners of `other` but those that this face has lie on one side of its plane, certainly. Then
-    // the two meet in what they share only. False where all are shared.
-    bool is_beside(const TestedFace& other) const {
-        std::array<float, 4> height, bound;
-        for (std::size_t k = 0; k < 4; ++k) {  // Four lanes, of which three count.
-            const float x = other.x_[k] - x_[0], y = other.y_[k] - y_[0], z = other.z_[k] - z_[0];
-            height[k] = x_[3] * x + y_[3] * y + z_[3] * z;
-            bound[k] = bound_ * (std::abs(x) + std::abs(y) + std::abs(z)) + k_least;
-        }
-        int sides = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            sides |= has(other.vertices_[k]) ? 0 : side(height[k], bound[k]);
-        return sides == k_left || sides == k_right;
-    }
-
-    // Whether no side of this face touches `other` outside of shared corners, certainly.
-    bool passes_by(const TestedFace& other) const {
-        std::array<int, 3> sides;
-        for (std::size_t k = 0; k < 3; ++k) {
-            sides[k] = other.has(vertices_[k]) ? k_shared : other.side_of(corner(k));
-            if (sides[k] == k_unknown) return false;
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            if (sides[k] + sides[next] != k_left + k_right) continue;
-            const int turns = turn_of(k, next, other.corner(0), other.corner(1)) |
-                              turn_of(k, next, other.corner(1), other.corner(2)) |
-                              turn_of(k, next, other.corner(2), other.corner(0));
-            if ((turns & (k_left | k_right)) != (k_left | k_right)) return false;
-        }
-        return true;
-    }
-
-private:
-    // Sides are bits, so that several can be collected.
-    static constexpr int k_left = 1, k_right = 2, k_unknown = 4, k_shared = 8;
-    // Sixteen roundings, relative; and more than what is lost where numbers are subnormal.
-    static constexpr float k_error = 0x1p-20f, k_least = 0x1p-120f;
-
-    glm::vec3 corner(std::size_t k) const { return {x_[k], y_[k], z_[k]}; }
-    bool has(VertexId v) const {
-        return (int(v == vertices_[0]) | int(v == vertices_[1]) | int(v == vertices_[2])) != 0;
-    }
-    static float length_1(const glm::vec3& v) {
-        return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-    }
-    static int side(float height, float bound) {
-        return height > bound ? k_left : (-height > bound ? k_right : k_unknown);
-    }
-    int side_of(const glm::vec3& p) const {
-        const glm::vec3 q = p - corner(0);
-        return side(x_[3] * q.x + y_[3] * q.y + z_[3] * q.z, bound_ * length_1(q) + k_least);
-    }
-    // On which side of the line a -> b the line through two corners passes.
-    int turn_of(std::size_t from, std::size_t to, const glm::vec3& a, const glm::vec3& b) const {
-        const glm::vec3 u = corner(to) - corner(from), v = a - corner(from), w = b - corner(from);
-        return side(glm::dot(glm::cross(u, v), w),
-                    k_error * length_1(u) * length_1(v) * length_1(w) + k_least);
-    }
-
-    // Of the corners, and in the last lane of the normal. 64 bytes in all: a line of the cache.
-    std::array<float, 4> x_, y_, z_;
-    Triangle vertices_;
-    float bound_;
-};
-static_assert(sizeof(TestedFace) == 64);
-
-// By place in the order of the tree, so that faces that may meet lie near each other.
-class TestedFaces {
-public:
-    TestedFaces(const Mesh& mesh, const FaceTree& tree)
-        : faces_(std::make_unique_for_overwrite<TestedFace[]>(mesh.face_count())) {
-        const float scale =
-            mesh.radius() > 0.0 ? static_cast<float>(std::exp2(-std::ilogb(mesh.radius()))) : 1.0f;
-        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, mesh.face_count(), 4096),
-                          [&](const auto& run) {
-                              for (std::uint32_t i = run.begin(); i < run.end(); ++i)
-                                  faces_[i] = TestedFace(mesh, tree.order()[i], scale);
-                          });
-    }
-
-    // Calls visit(i, j) for the pairs of faces of two leaves that may meet.
-    template <typename Visit>
-    void each_pair(const FaceTree::Node& a, const FaceTree::Node& b, Visit&& visit) const {
-        const bool is_same = a.number == b.number;
-        std::array<FaceBox, FaceTree::k_leaf_faces> boxes;
-        FaceBox all;
-        for (std::uint32_t j = b.first; j < b.last; ++j)
-            all.include(boxes[j - b.first] = faces_[j].box());
-        for (std::uint32_t i = a.first; i < a.last; ++i) {
-            const FaceBox box = faces_[i].box();
-            if (!box.meets(all)) continue;
-            for (std::uint32_t j = is_same ? i + 1 : b.first; j < b.last; ++j)
-                if (box.meets(boxes[j - b.first]) && !faces_[i].is_beside(faces_[j]) &&
-                    !faces_[j].is_beside(faces_[i]) &&
-                    !(faces_[i].passes_by(faces_[j]) && faces_[j].passes_by(faces_[i])))
-                    visit(i, j);
-        }
-    }
-
-private:
-    std::unique_ptr<TestedFace[]> faces_;
-};
 
 // The contacts of one pair of faces after the other.
 class ContactSearch {
@@ -331,21 +199,14 @@ FaceContacts find_face_contacts(const Mesh& mesh, const FaceTree& tree, const Lo
     const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
     tbb::enumerable_thread_specific<ContactSearch> searches(
         [&] { return ContactSearch(mesh, is_flat); });
-    const TestedFaces faces(mesh, tree);
-    const std::span<const std::uint32_t> order = tree.order();
-    const std::vector<FaceTree::NodePair> pairs = tree.node_pairs(k_contact_faces_a_task);
-    for (std::size_t first = 0; first < pairs.size(); first += k_contact_tasks_a_checkpoint) {
-        call.checkpoint(double(first) / double(pairs.size()));
-        const std::size_t last = std::min(pairs.size(), first + k_contact_tasks_a_checkpoint);
-        tbb::parallel_for(first, last, [&](std::size_t task) {
+    each_near_face_pair(
+        mesh, tree,
+        [&](std::span<const FacePair> pairs) {
             ContactSearch& search = searches.local();
-            tree.each_leaf_pair(pairs[task], [&](const FaceTree::Node& a, const FaceTree::Node& b) {
-                faces.each_pair(a, b, [&](std::uint32_t i, std::uint32_t j) {
-                    search.add_pair(order[i], order[j]);
-                });
-            });
-        });
-    }
+            for (const FacePair& pair : pairs) search.add_pair(pair.a, pair.b);
+            return true;
+        },
+        call);
     FaceContacts all;
     for (const ContactSearch& search : searches) {
         merge(all.piercings, search.found.piercings);

@@ -2,7 +2,8 @@
 
 // A balanced tree of boxes over the faces of a mesh: which faces a box may meet, and which a segment may meet.
 //
-// A node holds a range of faces, in the order of the tree. Its children hold one half each. So there are no
+// A node holds a range of faces, in the order of the tree. Its children hold one half each, in whole blocks of
+// sixteen faces; below, in whole leaves of four. So all blocks and leaves but the last are full, there are no
 // pointers, and the tree depends on the mesh alone.
 
 #include <algorithm>
@@ -79,39 +80,42 @@ public:
         });
     }
 
-    static constexpr std::uint32_t k_leaf_faces = 4;  ///< The most.
+    static constexpr std::uint32_t k_leaf_faces = 4;    ///< Of the last leaf: at most.
+    static constexpr std::uint32_t k_block_faces = 16;  ///< Of the last block: at most.
 
     /// A range of faces in the order of the tree.
     struct Node {
         std::size_t number;
         std::uint32_t first, last;
         std::uint32_t size() const noexcept { return last - first; }
+        /// Of a block: its place among all blocks.
+        std::uint32_t block() const noexcept { return first / k_block_faces; }
     };
     struct NodePair {
         Node a, b;  ///< The same node twice, or two apart from each other.
     };
     /// Pairs of nodes of at most `max_faces` whose boxes meet, such that every pair of faces whose boxes meet is
-    /// in one of them: to share the work of each_leaf_pair() among threads. Their order depends on the mesh alone.
+    /// in one of them: to share the work of each_block_pair() among threads. Their order depends on the mesh alone.
     std::vector<NodePair> node_pairs(std::uint32_t max_faces) const;
-    /// Calls visit(a, b) for each pair of leaves of the two nodes whose boxes meet, once; and, if the nodes are the
-    /// same, for each leaf and itself.
+    /// Calls visit(a, b) for each pair of blocks of the two nodes whose boxes meet, once; and, if the nodes are the
+    /// same, for each block and itself.
     template <typename Visit>
-    void each_leaf_pair(const NodePair& nodes, Visit&& visit) const {
+    void each_block_pair(const NodePair& nodes, Visit&& visit) const {
         const auto& [a, b] = nodes;
         if (a.number == b.number) {
-            if (is_leaf(a)) return visit(a, a);
+            if (is_block(a)) return visit(a, a);
             const auto [low, high] = children_of(a);
-            each_leaf_pair({low, low}, visit);
-            each_leaf_pair({high, high}, visit);
-            each_leaf_pair({low, high}, visit);
+            each_block_pair({low, low}, visit);
+            each_block_pair({high, high}, visit);
+            each_block_pair({low, high}, visit);
             return;
         }
         if (!boxes_[a.number].meets(boxes_[b.number])) return;
-        if (is_leaf(a) && is_leaf(b)) return visit(a, b);
-        if (is_leaf(b) || (!is_leaf(a) && a.size() >= b.size())) {
-            for (const Node& child : children_of(a)) each_leaf_pair({child, b}, visit);
+        if (is_block(a) && is_block(b)) return visit(a, b);
+        if (is_block(b) || (!is_block(a) && a.size() >= b.size())) {
+            for (const Node& child : children_of(a)) each_block_pair({child, b}, visit);
         } else {
-            for (const Node& child : children_of(b)) each_leaf_pair({a, child}, visit);
+            for (const Node& child : children_of(b)) each_block_pair({a, child}, visit);
         }
     }
 
@@ -133,13 +137,15 @@ private:
         double margin;
     };
     static bool is_leaf(const Node& node) noexcept { return node.size() <= k_leaf_faces; }
+    static bool is_block(const Node& node) noexcept { return node.size() <= k_block_faces; }
     static std::array<Node, 2> children_of(const Node& node) noexcept {
         const std::uint32_t middle = middle_of(node.first, node.last);
         return {
             {{2 * node.number + 1, node.first, middle}, {2 * node.number + 2, middle, node.last}}};
     }
     static std::uint32_t middle_of(std::uint32_t first, std::uint32_t last) {
-        return first + (last - first) / 2;
+        const std::uint32_t unit = last - first > k_block_faces ? k_block_faces : k_leaf_faces;
+        return first + (last - first + unit - 1) / unit / 2 * unit;
     }
 
     template <typename IsOutside, typename Leaf>

@@ -1,11 +1,7 @@
 #include "silhouette/mesh/solid.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
@@ -13,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/mesh/face_pairs.h"
 #include "silhouette/mesh/face_tree.h"
 
 namespace rimline {
@@ -21,7 +18,6 @@ namespace {
 
 // A projection has about twenty rounding errors of 2^-53, relative to the projected length.
 constexpr double k_rounding = 0x1p-40;
-constexpr std::uint32_t k_faces_a_checkpoint = 1u << 14;
 // Beyond this many pairs of overlapping boxes the test gives up. In a fan all boxes overlap at its center.
 constexpr std::uint64_t k_pairs_a_face = 256;
 constexpr std::uint64_t k_min_pairs = 1u << 22;
@@ -82,66 +78,46 @@ bool are_apart(const Segment& segment, const Corners& t) {
     return false;
 }
 
-// The pairs of faces whose boxes overlap.
-class FacePairs {
-public:
-    FacePairs(const Mesh& mesh, const FaceTree& tree) : mesh_(mesh), tree_(tree) {}
+Corners corners_of(const Mesh& mesh, std::uint32_t face) {
+    Corners corners;
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = glm::dvec3(mesh.positions()[index(mesh.triangles()[face][i])]);
+    return corners;
+}
 
-    // Whether the face at `place` in the order of the tree intersects a later face outside their shared
-    // corners and edges. Adds the number of tested pairs to `pairs`.
-    bool meets_another(std::uint32_t place, std::uint64_t& pairs) const {
-        const std::uint32_t face = tree_.order()[place];
-        return tree_.any_meeting(tree_.box_of(face), place + 1, [&](std::uint32_t other) {
-            ++pairs;
-            return meet_elsewhere(face, other);
-        });
+// Whether two faces may meet outside the corners and edges that they share.
+bool meet_elsewhere(const Mesh& mesh, const FacePair& pair) {
+    const Triangle& a = mesh.triangles()[pair.a];
+    const Triangle& b = mesh.triangles()[pair.b];
+    const Corners p = corners_of(mesh, pair.a), q = corners_of(mesh, pair.b);
+    std::array<std::array<std::size_t, 2>, 3> shared{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            if (a[i] == b[j]) shared[count++] = {i, j};
+    if (count == 0) return !are_apart(p, q);
+    if (count == 1) {
+        // If they meet in more than the corner, the far side of one of them intersects the other.
+        const auto [i, j] = shared[0];
+        return !are_apart(Segment{p[(i + 1) % 3], p[(i + 2) % 3]}, q) ||
+               !are_apart(Segment{q[(j + 1) % 3], q[(j + 2) % 3]}, p);
     }
-
-private:
-    Corners corners_of(std::uint32_t face) const {
-        Corners corners;
-        for (std::size_t i = 0; i < 3; ++i)
-            corners[i] = glm::dvec3(mesh_.positions()[index(mesh_.triangles()[face][i])]);
-        return corners;
-    }
-
-    // Whether two faces may meet outside the corners and edges that they share.
-    bool meet_elsewhere(std::uint32_t face, std::uint32_t other) const {
-        const Triangle& a = mesh_.triangles()[face];
-        const Triangle& b = mesh_.triangles()[other];
-        const Corners p = corners_of(face), q = corners_of(other);
-        std::array<std::array<std::size_t, 2>, 3> shared{};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j)
-                if (a[i] == b[j]) shared[count++] = {i, j};
-        if (count == 0) return !are_apart(p, q);
-        if (count == 1) {
-            // If they meet in more than the corner, the far side of one of them intersects the other.
-            const auto [i, j] = shared[0];
-            return !are_apart(Segment{p[(i + 1) % 3], p[(i + 2) % 3]}, q) ||
-                   !are_apart(Segment{q[(j + 1) % 3], q[(j + 2) % 3]}, p);
-        }
-        if (count == 3) return true;
-        // They meet in more than the edge only if they are folded flat onto each other.
-        const std::size_t i = 3 - shared[0][0] - shared[1][0];
-        const std::size_t j = 3 - shared[0][1] - shared[1][1];
-        const glm::dvec3 start = p[(i + 1) % 3];
-        const glm::dvec3 edge = p[(i + 2) % 3] - start;
-        const auto off_edge = [&](const glm::dvec3& corner) {
-            const glm::dvec3 d = corner - start;
-            return d - edge * (glm::dot(d, edge) / glm::dot(edge, edge));
-        };
-        const glm::dvec3 u = off_edge(p[i]), v = off_edge(q[j]);
-        return glm::dot(u, v) > 0.0 &&
-               glm::length(glm::cross(u, v)) <=
-                   k_rounding * (glm::length(p[i] - start) + glm::length(q[j] - start)) *
-                       std::max(glm::length(u), glm::length(v));
-    }
-
-    const Mesh& mesh_;
-    const FaceTree& tree_;
-};
+    if (count == 3) return true;
+    // They meet in more than the edge only if they are folded flat onto each other.
+    const std::size_t i = 3 - shared[0][0] - shared[1][0];
+    const std::size_t j = 3 - shared[0][1] - shared[1][1];
+    const glm::dvec3 start = p[(i + 1) % 3];
+    const glm::dvec3 edge = p[(i + 2) % 3] - start;
+    const auto off_edge = [&](const glm::dvec3& corner) {
+        const glm::dvec3 d = corner - start;
+        return d - edge * (glm::dot(d, edge) / glm::dot(edge, edge));
+    };
+    const glm::dvec3 u = off_edge(p[i]), v = off_edge(q[j]);
+    return glm::dot(u, v) > 0.0 && glm::length(glm::cross(u, v)) <=
+                                       k_rounding *
+                                           (glm::length(p[i] - start) + glm::length(q[j] - start)) *
+                                           std::max(glm::length(u), glm::length(v));
+}
 
 // Whether every set of faces connected by edges encloses a positive volume.
 bool shells_turn_outwards(const Mesh& mesh) {
@@ -186,25 +162,13 @@ bool may_be_solid(const Mesh& mesh) {
 }
 
 bool meets_itself_nowhere(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {
-    const FacePairs faces(mesh, tree);
-    const std::uint64_t max_pairs = std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs);
-    std::atomic<std::uint64_t> all_pairs = 0;
-    std::atomic<bool> is_none = false;
-    for (std::uint32_t first = 0; first < mesh.face_count() && !is_none;) {
-        call.checkpoint(double(first) / mesh.face_count());
-        const std::uint32_t last =
-            first + std::min(mesh.face_count() - first, k_faces_a_checkpoint);
-        tbb::parallel_for(
-            tbb::blocked_range<std::uint32_t>(first, last, 256), [&](const auto& run) {
-                std::uint64_t pairs = 0;
-                for (std::uint32_t i = run.begin(); i < run.end() && !is_none; ++i)
-                    if (faces.meets_another(i, pairs) || all_pairs + pairs > max_pairs)
-                        is_none = true;
-                all_pairs += pairs;
-            });
-        first = last;
-    }
-    return !is_none && all_pairs <= max_pairs;
+    return each_near_face_pair(
+        mesh, tree,
+        [&](std::span<const FacePair> pairs) {
+            return std::ranges::none_of(
+                pairs, [&](const FacePair& pair) { return meet_elsewhere(mesh, pair); });
+        },
+        call, std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs));
 }
 
 }  // namespace
