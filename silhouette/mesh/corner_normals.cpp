@@ -1,6 +1,10 @@
 #include "silhouette/mesh/corner_normals.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -14,6 +18,14 @@ namespace rimline {
 
 namespace {
 
+// On all threads.
+template <typename Visit>
+void for_each_number(std::uint32_t count, Visit&& visit) {
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, 4096), [&](const auto& run) {
+        for (std::uint32_t i = run.begin(); i < run.end(); ++i) visit(i);
+    });
+}
+
 glm::vec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz}; }
 
 // One normal per face. A degenerate face takes the normal of the nearest face that has one, counted
@@ -21,12 +33,13 @@ glm::vec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz};
 std::vector<glm::vec3> face_normals(const Mesh& mesh) {
     std::vector<glm::vec3> normals(mesh.face_count());
     std::vector<FaceId> wave;  // Faces whose degenerate neighbors may lack a normal.
-    std::vector<bool> known(mesh.face_count());
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-        known[f] = mesh.planes()[f].has_normal();
-        normals[f] = known[f] ? normal_of(mesh.planes()[f]) : glm::vec3(0.0f, 1.0f, 0.0f);
-    }
+    for_each_number(mesh.face_count(), [&](std::uint32_t f) {
+        const Plane& plane = mesh.planes()[f];
+        normals[f] = plane.has_normal() ? normal_of(plane) : glm::vec3(0.0f, 1.0f, 0.0f);
+    });
     if (mesh.degenerate_face_count() == 0) return normals;
+    std::vector<bool> known(mesh.face_count());
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) known[f] = mesh.planes()[f].has_normal();
 
     const auto for_each_neighbor = [&](std::uint32_t f, auto&& visit) {
         for (const EdgeId edge : mesh.edges_of(FaceId{f})) {
@@ -116,9 +129,14 @@ CornerGroups group_corners(const Mesh& mesh, std::span<const glm::vec3> normals,
     CornerGroups groups(3 * mesh.face_count());
     const BendTest bend(crease);
     const Mesh::EdgeRange regular = mesh.edges_of_class(EdgeClass::regular);
+    std::vector<std::uint8_t> is_smooth(regular.size());
+    for_each_number(regular.size(), [&](std::uint32_t i) {
+        const auto& faces = mesh.edges()[regular.first + i].faces;
+        is_smooth[i] = bend.within(normals[index(faces[0])], normals[index(faces[1])]);
+    });
     for (std::uint32_t e = regular.first; e < regular.last; ++e) {
+        if (is_smooth[e - regular.first] == 0) continue;
         const auto& [vertices, faces] = mesh.edges()[e];
-        if (!bend.within(normals[index(faces[0])], normals[index(faces[1])])) continue;
         for (const VertexId vertex : vertices)
             groups.join(corner_at(mesh, faces[0], vertex), corner_at(mesh, faces[1], vertex));
     }
@@ -131,23 +149,27 @@ std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad) 
     RIMLINE_CHECK(crease_angle_rad >= 0.0f);
     const std::vector<glm::vec3> own = face_normals(mesh);
     CornerGroups groups = group_corners(mesh, own, crease_angle_rad);
-    std::vector<glm::dvec3> sums(groups.number(), glm::dvec3(0.0));
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-        if (!mesh.planes()[f].has_normal()) continue;
+    // The angles on all threads, the sums in one order.
+    std::vector<std::array<double, 3>> angles(mesh.face_count());
+    for_each_number(mesh.face_count(), [&](std::uint32_t f) {
         std::array<glm::dvec3, 3> p;
         for (std::uint32_t c = 0; c < 3; ++c)
             p[c] = mesh.positions()[index(mesh.triangles()[f][c])];
         for (std::uint32_t c = 0; c < 3; ++c)
-            sums[groups.group(3 * f + c)] +=
-                angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]) * glm::dvec3(own[f]);
-    }
+            angles[f][c] = angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
+    });
+    std::vector<glm::dvec3> sums(groups.number(), glm::dvec3(0.0));
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+        if (mesh.planes()[f].has_normal())
+            for (std::uint32_t c = 0; c < 3; ++c)
+                sums[groups.group(3 * f + c)] += angles[f][c] * glm::dvec3(own[f]);
     std::vector<glm::vec3> normals(3 * std::size_t{mesh.face_count()});
-    for (std::uint32_t corner = 0; corner < normals.size(); ++corner) {
+    for_each_number(3 * mesh.face_count(), [&](std::uint32_t corner) {
         const glm::dvec3& sum = sums[groups.group(corner)];
         const double length = std::sqrt(glm::dot(sum, sum));
         // Below this limit the group's normals cancel and only rounding errors remain.
         normals[corner] = length > 1e-6 ? glm::vec3(sum / length) : own[corner / 3];
-    }
+    });
     return normals;
 }
 
