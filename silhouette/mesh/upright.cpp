@@ -1,5 +1,6 @@
 #include "silhouette/mesh/upright.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace rimline {
@@ -31,15 +33,23 @@ double cross_of(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
 // directions (Akl and Toussaint 1978).
 void remove_inner(std::vector<glm::dvec2>& points) {
     if (points.size() < 64) return;
-    constexpr std::array<glm::dvec2, 8> k_directions{
-        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
     std::array<glm::dvec2, 8> corners;
     corners.fill(points.front());
-    for (const glm::dvec2& p : points)
+    std::array<double, 8> reaches;
+    reaches.fill(std::numeric_limits<double>::lowest());
+    for (const glm::dvec2& p : points) {
+        const double sum = p.x + p.y, difference = p.y - p.x;
+        const std::array<double, 8> along{p.x, sum, p.y, difference, -p.x, -sum, -p.y, -difference};
         for (std::size_t i = 0; i < 8; ++i)
-            if (glm::dot(p, k_directions[i]) > glm::dot(corners[i], k_directions[i]))
-                corners[i] = p;
+            if (along[i] > reaches[i]) reaches[i] = along[i], corners[i] = p;
+    }
+    // Most inner points lie in the rectangle between four of the corners too, which is tested sooner.
+    const double left = std::max(corners[3].x, corners[5].x),
+                 right = std::min(corners[1].x, corners[7].x);
+    const double low = std::max(corners[5].y, corners[7].y),
+                 high = std::min(corners[1].y, corners[3].y);
     std::erase_if(points, [&](const glm::dvec2& p) {
+        if (p.x > left && p.x < right && p.y > low && p.y < high) return true;
         for (std::size_t i = 0; i < 8; ++i)
             if (corners[i] != corners[(i + 1) % 8] &&
                 cross_of(corners[i], corners[(i + 1) % 8], p) <= 0.0)
@@ -91,6 +101,19 @@ double depth_in(const std::vector<glm::dvec2>& hull, const glm::dvec2& point) {
     return depth;
 }
 
+// Sums are taken in so many parts, whose number does not depend on that of the threads.
+constexpr std::size_t k_parts = 8;
+
+// Calls visit(part, triangles) for each, on all threads.
+template <typename Visit>
+void for_each_part(const Mesh& mesh, Visit&& visit) {
+    const std::size_t count = mesh.face_count();
+    tbb::parallel_for(std::size_t{0}, k_parts, [&](std::size_t part) {
+        const std::size_t first = count * part / k_parts, last = count * (part + 1) / k_parts;
+        visit(part, mesh.triangles().subspan(first, last - first));
+    });
+}
+
 // A pair that is right-handed with the axis.
 glm::dvec2 across(int axis, const glm::dvec3& p) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
@@ -111,16 +134,24 @@ UnitShape unit_shape_of(const Mesh& mesh) {
         shape.low = glm::min(shape.low, p);
         shape.high = glm::max(shape.high, p);
     }
-    double total = 0.0;
-    for (const Triangle& t : mesh.triangles()) {
-        const glm::dvec3& a = shape.positions[index(t[0])];
-        const glm::dvec3& b = shape.positions[index(t[1])];
-        const glm::dvec3& c = shape.positions[index(t[2])];
-        const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
-        shape.mass += area * (a + b + c) / 3.0;
-        total += area;
-    }
-    if (total > 0.0) shape.mass /= total;
+    struct Sum {
+        glm::dvec3 moment{0.0};
+        double area = 0.0;
+    };
+    std::array<Sum, k_parts> sums;
+    for_each_part(mesh, [&](std::size_t part, std::span<const Triangle> triangles) {
+        for (const Triangle& t : triangles) {
+            const glm::dvec3& a = shape.positions[index(t[0])];
+            const glm::dvec3& b = shape.positions[index(t[1])];
+            const glm::dvec3& c = shape.positions[index(t[2])];
+            const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+            sums[part].moment += area * (a + b + c) / 3.0;
+            sums[part].area += area;
+        }
+    });
+    Sum all;
+    for (const Sum& sum : sums) all.moment += sum.moment, all.area += sum.area;
+    if (all.area > 0.0) shape.mass = all.moment / all.area;
     return shape;
 }
 
@@ -182,16 +213,22 @@ public:
         const glm::dvec3 place = (point / k_reach + 1.0) * (0.5 * k_cells) - 0.5;
         const glm::dvec3 base = glm::floor(place);
         const glm::dvec3 part = place - base;
-        for (int corner = 0; corner < 8; ++corner) {
-            double weight = area;
-            std::array<int, 3> cell{};
-            for (int i = 0; i < 3; ++i) {
-                const int step = corner >> i & 1;
-                weight *= step ? part[i] : 1.0 - part[i];
-                cell[std::size_t(i)] = std::clamp(static_cast<int>(base[i]) + step, 0, k_cells - 1);
+        std::array<std::array<int, 2>, 3> cells;
+        for (int i = 0; i < 3; ++i)
+            for (int step = 0; step < 2; ++step)
+                cells[i][step] = std::clamp(static_cast<int>(base[i]) + step, 0, k_cells - 1);
+        const std::array x{area * (1.0 - part.x), area * part.x};
+        for (int i = 0; i < 2; ++i) {
+            const std::array y{x[i] * (1.0 - part.y), x[i] * part.y};
+            for (int j = 0; j < 2; ++j) {
+                const std::size_t row = place_of({cells[0][i], cells[1][j], 0});
+                areas_[row + std::size_t(cells[2][0])] += y[j] * (1.0 - part.z);
+                areas_[row + std::size_t(cells[2][1])] += y[j] * part.z;
             }
-            areas_[place_of(cell)] += weight;
         }
+    }
+    void add(const AreaGrid& other) {
+        for (std::size_t i = 0; i < areas_.size(); ++i) areas_[i] += other.areas_[i];
     }
     // The share of area that has its like in the mirror.
     double symmetry(int axis) const {
@@ -232,49 +269,86 @@ void add_triangle(AreaGrid& grid, const glm::dvec3& a, const glm::dvec3& b, cons
             grid.add(corner + (u + v) / 3.0, area);
             if (i + j < parts - 1) grid.add(corner + (u + v) * (2.0 / 3.0), area);
         }
-}
-
 }  // namespace
 
-UprightEvidence measure_upright(const Mesh& mesh) {
+// What is measured of one mesh, in two steps: most meshes need the first only.
+class UprightMeasure {
+public:
+    explicit UprightMeasure(const Mesh& mesh) : mesh_(mesh), shape_(unit_shape_of(mesh)) {
+        evidence.extent = shape_.high - shape_.low;
+        tbb::parallel_for(0, 3, [&](int axis) { add_axis(axis); });
+    }
+
+    // What but contacts and tips remains.
+    void add_rest() {
+        std::array<double, 6> flat{};
+        tbb::parallel_invoke([&] { add_symmetry(); }, [&] { flat = flat_areas(mesh_, shape_); });
+        for (std::size_t i = 0; i < 6; ++i)
+            if (footprints_[i / 2] > 0.0) evidence.standing[i].flat = flat[i] / footprints_[i / 2];
+    }
+
     UprightEvidence evidence;
-    if (mesh.face_count() == 0 || !(mesh.radius() > 0.0)) return evidence;
-    const UnitShape shape = unit_shape_of(mesh);
-    evidence.extent = shape.high - shape.low;
-    std::array<double, 3> footprints{};
-    const auto measure_axis = [&](int axis) {
-        const double footprint = area_of(footprint_of(shape, axis));
-        footprints[std::size_t(axis)] = footprint;
+
+private:
+    void add_axis(int axis) {
+        const double footprint = area_of(footprint_of(shape_, axis));
+        footprints_[std::size_t(axis)] = footprint;
         if (!(footprint > 0.0)) return;
         for (int down = 0; down < 2; ++down)
             evidence.standing[std::size_t(2 * axis + down)] =
-                standing_of(shape, axis, down ? -1.0 : 1.0, footprint, k_contact_share);
-        if (axis == 1) evidence.uneven_y = standing_of(shape, axis, 1.0, footprint, k_uneven_share);
-    };
-    const auto measure_symmetry = [&] {
+                standing_of(shape_, axis, down ? -1.0 : 1.0, footprint, k_contact_share);
+        if (axis == 1)
+            evidence.uneven_y = standing_of(shape_, axis, 1.0, footprint, k_uneven_share);
+    }
+    void add_symmetry() {
+        std::array<AreaGrid, k_parts> grids;
+        for_each_part(mesh_, [&](std::size_t part, std::span<const Triangle> triangles) {
+            for (const Triangle& t : triangles)
+                add_triangle(grids[part], shape_.positions[index(t[0])],
+                             shape_.positions[index(t[1])], shape_.positions[index(t[2])]);
+        });
         AreaGrid grid;
-        for (const Triangle& t : mesh.triangles())
-            add_triangle(grid, shape.positions[index(t[0])], shape.positions[index(t[1])],
-                         shape.positions[index(t[2])]);
+        for (const AreaGrid& some : grids) grid.add(some);
         for (int axis = 0; axis < 3; ++axis)
             evidence.symmetry[std::size_t(axis)] = grid.symmetry(axis);
-    };
-    std::array<double, 6> flat{};
-    tbb::parallel_invoke([&] { measure_axis(0); }, [&] { measure_axis(1); },
-                         [&] { measure_axis(2); }, measure_symmetry,
-                         [&] { flat = flat_areas(mesh, shape); });
-    for (std::size_t i = 0; i < 6; ++i)
-        if (footprints[i / 2] > 0.0) evidence.standing[i].flat = flat[i] / footprints[i / 2];
-    return evidence;
-}
+    }
 
-namespace {
+    const Mesh& mesh_;
+    UnitShape shape_;
+    std::array<double, 3> footprints_{};
+};
+
+bool has_extent(const Mesh& mesh) { return mesh.face_count() > 0 && mesh.radius() > 0.0; }
 
 bool stands(const Standing& standing, double min_contact, double min_tip_deg) {
     return standing.contact >= min_contact && glm::degrees(standing.tip_rad) >= min_tip_deg;
 }
 
+constexpr std::size_t k_y = 2;  // In k_axis_directions.
+
+// The direction that contacts and tips speak for: y where it does not stand clearly better along another.
+std::size_t best_standing(const UprightEvidence& evidence) {
+    const std::array<Standing, 6>& standing = evidence.standing;
+    // It stands as it is.
+    if (stands(standing[k_y], 0.05, 3.0) || stands(evidence.uneven_y, 0.15, 3.0)) return k_y;
+    std::size_t best = k_y;
+    for (std::size_t i = 0; i < standing.size(); ++i)
+        if (stands(standing[i], 0.25, 4.0) && standing[i].contact > standing[best].contact)
+            best = i;
+    if (standing[best].contact < 4.0 * standing[k_y].contact) return k_y;
+    for (std::size_t i = 0; i < standing.size(); ++i)
+        if (i != best && stands(standing[i], 0.5 * standing[best].contact, 4.0)) return k_y;
+    return best;
+}
+
 }  // namespace
+
+UprightEvidence measure_upright(const Mesh& mesh) {
+    if (!has_extent(mesh)) return {};
+    UprightMeasure measure(mesh);
+    measure.add_rest();
+    return measure.evidence;
+}
 
 bool is_symmetric_across_alone(const UprightEvidence& evidence, std::size_t axis) {
     constexpr double k_symmetric = 0.7;  // Nefertiti has 0.93, igea 0.76, rocker arm 0.75.
@@ -285,26 +359,20 @@ bool is_symmetric_across_alone(const UprightEvidence& evidence, std::size_t axis
 }
 
 glm::dvec3 choose_upright(const UprightEvidence& evidence) {
-    constexpr std::size_t k_y = 2;
-    const std::array<Standing, 6>& standing = evidence.standing;
-    // It stands as it is.
-    if (stands(standing[k_y], 0.05, 3.0) || stands(evidence.uneven_y, 0.15, 3.0))
-        return k_axis_directions[k_y];
-    std::size_t best = k_y;
-    for (std::size_t i = 0; i < standing.size(); ++i)
-        if (stands(standing[i], 0.25, 4.0) && standing[i].contact > standing[best].contact)
-            best = i;
-    const std::size_t axis = best / 2;
-    if (best == k_y || standing[best].contact < 4.0 * standing[k_y].contact ||
-        is_symmetric_across_alone(evidence, axis))
-        return k_axis_directions[k_y];
-    for (std::size_t i = 0; i < standing.size(); ++i)
-        if (i != best && stands(standing[i], 0.5 * standing[best].contact, 4.0))
-            return k_axis_directions[k_y];
+    const std::size_t best = best_standing(evidence), axis = best / 2;
     const glm::dvec3& e = evidence.extent;
     const bool is_lowest = e[int(axis)] <= std::min({e.x, e.y, e.z});
-    if (is_lowest && standing[best].flat < 0.5) return k_axis_directions[k_y];
+    if (is_symmetric_across_alone(evidence, axis) ||
+        (is_lowest && evidence.standing[best].flat < 0.5))
+        return k_axis_directions[k_y];
     return k_axis_directions[best];
+}
+
+glm::dvec3 choose_upright(const Mesh& mesh) {
+    if (!has_extent(mesh)) return k_axis_directions[k_y];
+    UprightMeasure measure(mesh);
+    if (best_standing(measure.evidence) != k_y) measure.add_rest();
+    return choose_upright(measure.evidence);
 }
 
 }  // namespace rimline
