@@ -9,11 +9,19 @@
 // by (e, e^2, e^3) with an e smaller than any number. Then a point lies on the plane of a triangle through the
 // eye only where the triangle has no area (Edelsbrunner, Mücke, Simulation of Simplicity, 1990).
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline {
+
+/// The error of (u x v) · w in double, as a share of the product of the lengths along the axes (|x| + |y| + |z|) of
+/// three vectors that are differences of two floats: sixteen roundings.
+constexpr double k_determinant_error = 0x1p-49;
+inline double length_1(const glm::dvec3& v) noexcept {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 
 /// The sign of ((b - a) x (c - a)) · (p - a): 1 where p sees a, b, c counter-clockwise, -1 clockwise, 0 where
 /// the four lie on one plane.

@@ -16,10 +16,32 @@ glm::dvec3 ray_end(const LineGeometry& surface, const LineView& view, const glm:
     return point + distance * glm::normalize(eye);
 }
 
+namespace {
+
+// Whether the line through a vertex along `towards` passes by a face, certainly: on different sides of two of its
+// sides. The corners are given as differences from the vertex.
+bool passes_by(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& towards, double bound) {
+    bool has_left = false, has_right = false;
+    const std::array<double, 3> lengths{length_1(corners[0]), length_1(corners[1]),
+                                        length_1(corners[2])};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        const double side = glm::dot(glm::cross(corners[k], corners[next]), towards);
+        const double error = bound * lengths[k] * lengths[next];
+        has_left |= side > error, has_right |= -side > error;
+    }
+    return has_left && has_right;
+}
+
+}  // namespace
+
 std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& view,
                                  std::uint32_t vertex) {
     const std::span<const glm::vec3> positions = surface.mesh().positions();
     const glm::vec3& p = positions[vertex];
+    const glm::dvec3 from(p), eye(view.point().xyz());
+    const glm::dvec3 towards = view.is_orthographic() ? eye : eye - from;
+    const double bound = k_determinant_error * length_1(towards);
     std::int32_t count = 0;
     surface.tree().each_along(
         ray_end(surface, view, glm::dvec3(p)), glm::dvec3(p), [&](std::uint32_t face) {
@@ -27,6 +49,9 @@ std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& vi
             if (index(t[0]) == vertex || index(t[1]) == vertex || index(t[2]) == vertex) return;
             const glm::vec3 &a = positions[index(t[0])], &b = positions[index(t[1])],
                             &c = positions[index(t[2])];
+            if (passes_by({glm::dvec3(a) - from, glm::dvec3(b) - from, glm::dvec3(c) - from},
+                          towards, bound))
+                return;
             const int side = seen_side(view.point(), a, b, p);
             if (side != 0 && seen_side(view.point(), b, c, p) == side &&
                 seen_side(view.point(), c, a, p) == side && plane_side(a, b, c, p) == -side &&

@@ -1,21 +1,16 @@
 #include "silhouette/lines/local_rule.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "silhouette/lines/exact_signs.h"
 
 namespace rimline {
 
 namespace {
-
-// The relative error of a determinant of three differences in double: sixteen roundings.
-constexpr double k_determinant_error = 0x1p-49;
-
-double length_1(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
-// How far ahead the faces of what comes next are asked for. Half of the time would be cache misses.
-constexpr std::size_t k_ahead_of_lines = 24, k_ahead_of_stars = 16, k_ahead_of_positions = 8;
 
 // The sides of one line: the plane through the eye and the line.
 class LineSides {
@@ -35,48 +30,95 @@ public:
     int side_of(std::uint32_t x, const glm::dvec3& q) const {
         const double side = glm::dot(normal_, q);
         const double bound = bound_ * length_1(q);
-        if (side > bound) return 1;
-        if (-side > bound) return -1;
+        const int sign = int(side > bound) - int(-side > bound);  // Which nothing predicts.
+        return sign != 0 ? sign : exact_side_of(x);
+    }
+    int exact_side_of(std::uint32_t x) const {
         return seen_side(point_, frame_.position(v_), frame_.position(w_), frame_.position(x));
     }
-    int side_of(std::uint32_t x) const {
-        return side_of(x, glm::dvec3(frame_.position(x)) - from_);
-    }
-
-    // How many of the faces at the first vertex (turn 1) or the second (turn -1) hide the line there.
-    std::int32_t count_at_end(int turn) const {
+    struct Locals {
+        std::int32_t count = 0;  // How many of the faces at the end hide the line there.
+        std::int32_t balance =
+            0;  // Of the line's own faces: those left of it minus those right of it.
+    };
+    // At the first vertex (turn 1) or the second (turn -1). Of both the balance is the same.
+    Locals locals_at(int turn) const {
         const std::uint32_t v = turn > 0 ? v_ : w_, w = turn > 0 ? w_ : v_;
-        const glm::dvec3 from(frame_.position(v));
-        const glm::dvec3 way = double(turn) * way_;
-        const glm::dvec3 towards = towards_eye(from);
-        std::int32_t count = 0;
-        std::uint32_t last = k_no_vertex;
-        int last_side = 0;
-        glm::dvec3 last_way(0.0);
-        for (const auto& [a, b] : frame_.surface->stars().links(v)) {
-            const auto way_to = [&](std::uint32_t x) {
-                return glm::dvec3(frame_.position(x)) - from;
-            };
-            const auto side_at = [&](std::uint32_t x, const glm::dvec3& q) {
-                return x == w ? 0 : turn * side_of(x, q);
-            };
-            const glm::dvec3 qa = a == last ? last_way : way_to(a);
-            const int sa = a == last ? last_side : side_at(a, qa);
-            const glm::dvec3 qb = way_to(b);
-            const int sb = side_at(b, qb);
-            last = b, last_side = sb, last_way = qb;
-            if (sa * sb >= 0) continue;
-            if (hides(v, w, a, b, sb, qa, qb, towards, way)) ++count;
-        }
+        const Corner corner{v, w, turn, glm::dvec3(frame_.position(v)), double(turn) * way_};
+        Locals locals;
+        std::span<const VertexStars::Link> links = frame_.surface->stars().links(v);
+        for (; !links.empty(); links = links.subspan(std::min(links.size(), k_links_at_once)))
+            add_links(corner, links.first(std::min(links.size(), k_links_at_once)), locals);
         if (frame_.surface->has_touches(v))
             for (const FaceContacts::Touch& touch : frame_.surface->contacts().touches_of(v))
                 if (covers(frame_, touch.face, touch.side, v, w) &&
                     lies_before(frame_, touch.face, w))
-                    ++count;
-        return count;
+                    ++locals.count;
+        return locals;
     }
 
 private:
+    // An end of the line: vertex v, and from it the way to w.
+    struct Corner {
+        std::uint32_t v, w;
+        int turn;
+        glm::dvec3 from, way;
+    };
+    static constexpr std::size_t k_links_at_once = 32;
+
+    // Without branches on sides and numbers, which nothing predicts: bits of links where a or b lies left or right.
+    void add_links(const Corner& corner, std::span<const VertexStars::Link> links,
+                   Locals& locals) const {
+        std::array<glm::dvec3, k_links_at_once> ways;
+        std::uint32_t left_b = 0, right_b = 0, ends_b = 0, follows = 0;
+        std::uint32_t last = links.back()[1];  // A closed star follows itself.
+        for (std::size_t i = 0; i < links.size(); ++i) {
+            const auto [a, b] = links[i];
+            ways[i] = glm::dvec3(frame_.position(b)) - corner.from;
+            const double side = glm::dot(normal_, ways[i]), bound = bound_ * length_1(ways[i]);
+            left_b |= std::uint32_t{side > bound} << i;
+            right_b |= std::uint32_t{-side > bound} << i;
+            ends_b |= std::uint32_t{b == corner.w} << i;
+            follows |= std::uint32_t{a == last} << i;
+            last = b;
+        }
+        left_b &= ~ends_b, right_b &= ~ends_b;
+        const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << links.size()) - 1);
+        for (std::uint32_t unsure = all & ~(left_b | right_b | ends_b); unsure != 0;
+             unsure &= unsure - 1) {
+            const auto i = static_cast<std::uint32_t>(std::countr_zero(unsure));
+            const int side = exact_side_of(links[i][1]);
+            left_b |= std::uint32_t{side > 0} << i;
+            right_b |= std::uint32_t{side < 0} << i;
+        }
+        const auto before = [&](std::uint32_t bits) {
+            return follows & (bits << 1 | bits >> (links.size() - 1));
+        };
+        std::uint32_t left_a = before(left_b), right_a = before(right_b), ends_a = before(ends_b);
+        for (std::uint32_t rest = all & ~follows; rest != 0; rest &= rest - 1) {
+            const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
+            const std::uint32_t a = links[i][0];
+            if (a == corner.w) {
+                ends_a |= 1u << i;
+                continue;
+            }
+            const int side = side_of(a, glm::dvec3(frame_.position(a)) - corner.from);
+            left_a |= std::uint32_t{side > 0} << i;
+            right_a |= std::uint32_t{side < 0} << i;
+        }
+        locals.balance += std::popcount(ends_a & left_b) - std::popcount(ends_a & right_b) +
+                          std::popcount(ends_b & left_a) - std::popcount(ends_b & right_a);
+        for (std::uint32_t rest = (left_a & right_b) | (right_a & left_b); rest != 0;
+             rest &= rest - 1) {
+            const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
+            const auto [a, b] = links[i];
+            const int side_b = (left_b >> i & 1u) != 0 ? corner.turn : -corner.turn;
+            locals.count += hides(corner.v, corner.w, a, b, side_b,
+                                  glm::dvec3(frame_.position(a)) - corner.from, ways[i],
+                                  towards_eye(corner.from), corner.way);
+        }
+    }
+
     // Whether face (v, a, b) hides w, where a and b lie on different sides, b on side sb.
     bool hides(std::uint32_t v, std::uint32_t w, std::uint32_t a, std::uint32_t b, int sb,
                const glm::dvec3& qa, const glm::dvec3& qb, const glm::dvec3& towards,
@@ -107,27 +149,6 @@ private:
     glm::dvec3 from_, way_, towards_, normal_;
     double bound_;
 };
-
-void fetch_ahead(const LineFrame& frame, std::size_t place) {
-    const Mesh& mesh = frame.surface->mesh();
-    const VertexStars& stars = frame.surface->stars();
-    const auto line_at = [&](std::size_t ahead) -> const ViewLine* {
-        return place + ahead < frame.walk.size() ? &frame.lines[frame.walk[place + ahead]]
-                                                 : nullptr;
-    };
-    if (const ViewLine* line = line_at(k_ahead_of_lines)) {
-        for (const std::uint32_t v : line->vertices) stars.fetch_place(v);
-        __builtin_prefetch(&mesh.edges()[line->source]);
-    }
-    if (const ViewLine* line = line_at(k_ahead_of_stars)) {
-        for (const std::uint32_t v : line->vertices) stars.fetch_links(v);
-        for (const FaceId face : mesh.edges()[line->source].faces)
-            if (face != k_no_face) __builtin_prefetch(&mesh.triangles()[index(face)]);
-    }
-    if (const ViewLine* line = line_at(k_ahead_of_positions))
-        for (const std::uint32_t v : line->vertices)
-            for (const auto& [a, b] : stars.links(v)) __builtin_prefetch(&frame.position(a));
-}
 
 }  // namespace
 
@@ -160,17 +181,12 @@ bool lies_before(const LineFrame& frame, std::uint32_t face, std::uint32_t verte
 void find_locals(LineFrame& frame, bool draws_creases, float crease_angle_rad) {
     const Mesh& mesh = frame.surface->mesh();
     frame.locals.resize(frame.edge_lines);
-    for (std::size_t place = 0; place < frame.walk.size(); ++place) {
-        fetch_ahead(frame, place);
-        const std::uint32_t i = frame.walk[place];
+    for (const std::uint32_t i : frame.walk) {
         ViewLine& line = frame.lines[i];
         const auto [v, w] = line.vertices;
         const LineSides sides(frame, v, w);
-        line.balance = 0;
-        for (const FaceId face : mesh.faces_of(EdgeId{line.source}))
-            for (const VertexId corner : mesh.triangles()[index(face)])
-                if (index(corner) != v && index(corner) != w)
-                    line.balance += sides.side_of(index(corner));
+        const LineSides::Locals first = sides.locals_at(1), second = sides.locals_at(-1);
+        line.balance = first.balance;
         const EdgeClass kind = mesh.edge_class(EdgeId{line.source});
         if (line.kind == LineKind::silhouette && line.balance == 0 &&
             (kind == EdgeClass::regular || kind == EdgeClass::inconsistent)) {
@@ -178,8 +194,7 @@ void find_locals(LineFrame& frame, bool draws_creases, float crease_angle_rad) {
             line.is_drawn =
                 draws_creases && frame.surface->bends_rad()[line.source] >= crease_angle_rad;
         }
-        frame.locals[i] = {line.is_cut[0] ? 0 : sides.count_at_end(1),
-                           line.is_cut[1] ? 0 : sides.count_at_end(-1)};
+        frame.locals[i] = {line.is_cut[0] ? 0 : first.count, line.is_cut[1] ? 0 : second.count};
     }
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
-// Boxes of the lines of a picture, of which eight are compared at once.
+// Boxes of the lines of a picture, of which a block is compared at once.
 //
 // The picture and its depths are divided into 2^15 steps along each axis. A box is rounded outwards to whole steps.
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -34,8 +33,10 @@ constexpr PictureBox k_empty_picture_box{
     std::numeric_limits<std::int16_t>::min(), std::numeric_limits<std::int16_t>::min(),
     std::numeric_limits<std::int16_t>::max(), std::numeric_limits<std::int16_t>::min()};
 
-struct EightPictureBoxes {
-    std::array<std::int16_t, 8> low_x, low_y, high_x, high_y, near;
+/// A block of boxes.
+struct alignas(64) PictureBoxes {
+    static constexpr std::size_t k_boxes = 32;
+    std::array<std::int16_t, k_boxes> low_x, low_y, high_x, high_y, near;
 
     void set(std::size_t k, const PictureBox& box) noexcept {
         low_x[k] = box.low_x;
@@ -45,23 +46,6 @@ struct EightPictureBoxes {
         near[k] = box.near;
     }
 };
-
-/// Bit k: box k meets the box in the picture, and its nearest depth is not behind the farthest of the box.
-inline std::uint32_t may_lie_before(const EightPictureBoxes& eight,
-                                    const PictureBox& box) noexcept {
-    std::array<std::int16_t, 8> does;
-    for (std::size_t k = 0; k < 8; ++k)  // Becomes a few instructions on vectors.
-        does[k] = static_cast<std::int16_t>(
-            int(eight.low_x[k] <= box.high_x) & int(eight.low_y[k] <= box.high_y) &
-            int(eight.high_x[k] >= box.low_x) & int(eight.high_y[k] >= box.low_y) &
-            int(eight.near[k] <= box.far));
-    // The product's highest number is the sum of four, each times its power of two.
-    constexpr std::uint64_t k_powers = 0x0001'0002'0004'0008u;
-    static_assert(std::endian::native == std::endian::little);
-    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(does);
-    return static_cast<std::uint32_t>((halves[0] * k_powers >> 48) |
-                                      (halves[1] * k_powers >> 48 << 4));
-}
 
 class PictureSteps {
 public:

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "silhouette/lines/picture_kernels.h"
+
 namespace rimline {
 
 void PictureTree::clear() {
@@ -20,7 +22,7 @@ void PictureTree::finish() {
         // Those of the lines, then those of the blocks below.
         const std::vector<PictureBox>& below = count == 0 ? before_ : sums_;
         if (levels_.size() == count) levels_.emplace_back();
-        std::vector<EightPictureBoxes>& level = levels_[count];
+        std::vector<PictureBoxes>& level = levels_[count];
         const std::size_t blocks = std::max<std::size_t>((below.size() + k_width - 1) / k_width, 1);
         level.resize(blocks);
         next_sums_.assign(blocks, k_empty_picture_box);
@@ -33,18 +35,33 @@ void PictureTree::finish() {
         is_done = blocks == 1;
     }
     levels_.resize(count);
+    const auto room = [&](std::size_t level) {
+        return level < levels_.size() ? levels_[level].size() * k_width : 1;
+    };
+    lines_.resize(room(0));
+    blocks_.resize(room(1));
+    groups_.resize(room(2));
+    next_groups_.resize(room(2));
 }
 
-// Sets found_ to the blocks of level 1 that may have a line before the box.
 void PictureTree::find_groups(const PictureBox& box) {
-    found_.assign(1, 0);
+    groups_[0] = 0;
+    group_count_ = 1;
     for (std::size_t level = levels_.size() - 1; level > 1; --level) {
-        next_.clear();
-        for (const std::uint32_t block : found_)
-            each_bit(may_lie_before(levels_[level][block], box),
-                     [&](std::uint32_t k) { next_.push_back(block * k_width + k); });
-        found_.swap(next_);
+        group_count_ = kernels::find_before(levels_[level], {groups_.data(), group_count_}, box,
+                                            next_groups_.data());
+        groups_.swap(next_groups_);
     }
+}
+
+std::span<const std::uint32_t> PictureTree::find_lines(const PictureBox& box) {
+    std::size_t block_count = 1;
+    blocks_[0] = 0;
+    if (levels_.size() > 1)
+        block_count =
+            kernels::find_before(levels_[1], {groups_.data(), group_count_}, box, blocks_.data());
+    return {lines_.data(),
+            kernels::find_before(levels_[0], {blocks_.data(), block_count}, box, lines_.data())};
 }
 
 }  // namespace rimline

@@ -2,13 +2,14 @@
 
 // A tree of boxes over the lines of a picture: which lines may lie before which.
 //
-// Lines that are added one after another lie near each other, as those of a chain do. So eight of them make a block,
-// eight blocks a block of the next level, and so on up to one. Blocks are compared with blocks first, and lines only
+// Lines that are added one after another lie near each other, as those of a chain do. So 32 of them make a block,
+// 32 blocks a block of the next level, and so on up to one. Blocks are compared with blocks first, and lines only
 // with those of the blocks that are left.
 
-#include <bit>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "silhouette/lines/picture_box.h"
@@ -24,52 +25,38 @@ public:
     void finish();
 
     /// Calls visit(line, other) for each pair of lines, also of a line with itself, where `other` may lie before
-    /// `line` as their boxes say (may_lie_before()). By line, ascending, then by other. O(lines log lines + pairs) if
+    /// `line` as their boxes say: they meet in the picture, and the other's nearest depth is not behind the line's
+    /// farthest. By line, ascending, then by other. O(lines log lines + pairs) if
     /// lines that follow each other lie near each other.
     template <typename Visit>
     void each_pair(Visit&& visit);
 
 private:
-    static constexpr std::uint32_t k_width = 8;
+    static constexpr std::uint32_t k_width = PictureBoxes::k_boxes;
 
-    // Calls visit(k) for each bit.
-    template <typename Visit>
-    static void each_bit(std::uint32_t bits, Visit&& visit) {
-        for (; bits != 0; bits &= bits - 1)
-            visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
-    }
     void find_groups(const PictureBox& box);
+    std::span<const std::uint32_t> find_lines(const PictureBox& box);
 
     std::vector<PictureBox> boxes_, before_;
     // From the lines up: of each block the boxes in it. The last level has one block.
-    std::vector<std::vector<EightPictureBoxes>> levels_{1};
+    std::vector<std::vector<PictureBoxes>> levels_{1};
     std::vector<PictureBox> sums_, next_sums_;  // Of the blocks of one level.
-    std::vector<std::uint32_t> found_, next_;   // Blocks of one level.
+    // Blocks of level 1 that may have a line before the lines of a block; blocks of level 0, and lines, before a
+    // line. Each has room for all.
+    std::vector<std::uint32_t> groups_, next_groups_, blocks_, lines_;
+    std::size_t group_count_ = 0;
 };
 
 template <typename Visit>
 void PictureTree::each_pair(Visit&& visit) {
-    const std::vector<EightPictureBoxes>& lines = levels_.front();
     for (std::size_t first = 0; first < boxes_.size(); first += k_width) {
         const std::size_t last = std::min(first + k_width, boxes_.size());
         PictureBox all = boxes_[first];
         for (std::size_t i = first + 1; i < last; ++i) all.include(boxes_[i]);
         find_groups(all);
-        for (std::size_t i = first; i < last; ++i) {
-            const PictureBox box = boxes_[i];
-            const auto visit_block = [&](std::uint32_t block) {
-                each_bit(may_lie_before(lines[block], box), [&](std::uint32_t k) {
-                    visit(static_cast<std::uint32_t>(i), block * k_width + k);
-                });
-            };
-            if (levels_.size() == 1) {
-                visit_block(0);
-                continue;
-            }
-            for (const std::uint32_t group : found_)
-                each_bit(may_lie_before(levels_[1][group], box),
-                         [&](std::uint32_t k) { visit_block(group * k_width + k); });
-        }
+        for (std::size_t i = first; i < last; ++i)
+            for (const std::uint32_t other : find_lines(boxes_[i]))
+                visit(static_cast<std::uint32_t>(i), other);
     }
 }
 

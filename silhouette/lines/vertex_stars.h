@@ -28,12 +28,6 @@ public:
     std::span<const std::uint32_t> faces(std::uint32_t vertex) const noexcept {
         return {faces_.data() + begin_[vertex], faces_.data() + begin_[vertex + 1]};
     }
-    // Ask the cache for where the links of a vertex lie, and for the links.
-    void fetch_place(std::uint32_t vertex) const noexcept { __builtin_prefetch(&begin_[vertex]); }
-    void fetch_links(std::uint32_t vertex) const noexcept {
-        __builtin_prefetch(links_.data() + begin_[vertex]);
-        __builtin_prefetch(links_.data() + begin_[vertex + 1] - 1);
-    }
     std::uint64_t size_bytes() const noexcept;
 
 private:

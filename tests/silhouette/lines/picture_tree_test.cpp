@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "silhouette/lines/picture_kernels.h"
+#include "tests/silhouette/hough/support/instruction_sets.h"
 #include "tests/silhouette/mesh/random.h"
 
 namespace rimline {
@@ -49,7 +52,7 @@ TEST_CASE("the tree finds each pair of lines whose boxes meet once and in order"
     tests::Random random(k_seed);
     PictureTree tree;
     std::size_t pairs = 0;
-    for (const std::size_t count : {0, 1, 2, 7, 8, 9, 63, 64, 65, 512, 513, 1000, 3}) {
+    for (const std::size_t count : {0, 1, 2, 31, 32, 33, 500, 1023, 1024, 1025, 1300, 3}) {
         CAPTURE(count);
         const std::vector<Line> lines = random_lines(count, random);
         glm::dvec3 low(1e9), high(-1e9);
@@ -85,22 +88,32 @@ TEST_CASE("the tree finds each pair of lines whose boxes meet once and in order"
 TEST_CASE("a box that includes others meets what they meet, and an empty one nothing") {
     PictureBox all = k_empty_picture_box;
     const PictureSteps steps({0, 0, 0}, {1, 1, 1});
-    const PictureBox whole = steps.box({0, 0, 0}, {1, 1, 1});
-    EightPictureBoxes eight{};
-    for (std::size_t k = 0; k < 8; ++k) eight.set(k, k_empty_picture_box);
-    CHECK(may_lie_before(eight, whole) == 0);
     const PictureBox a = steps.box({0.1, 0.2, 0.3}, {0.2, 0.1, 0.4});
     const PictureBox b = steps.box({0.6, 0.9, 0.1}, {0.7, 0.8, 0.2});
     all.include(a);
     all.include(b);
-    eight.set(1, a);
-    eight.set(4, b);
-    eight.set(7, all);
-    CHECK(may_lie_before(eight, whole) == 0b1001'0010);
-    CHECK(may_lie_before(eight, a) == 0b1000'0010);
-    // Nearer than the first, and as far as the second.
-    CHECK(may_lie_before(eight, steps.box({0.1, 0.1, 0.1}, {0.9, 0.9, 0.25})) == 0b1001'0000);
-    CHECK(may_lie_before(eight, steps.box({0.65, 0.85, 0.0}, {0.65, 0.85, 0.05})) == 0);
+    PictureBoxes boxes;
+    for (std::size_t k = 0; k < PictureBoxes::k_boxes; ++k) boxes.set(k, k_empty_picture_box);
+    boxes.set(1, a);
+    boxes.set(4, b);
+    boxes.set(31, all);
+    using Numbers = std::vector<std::uint32_t>;
+    const std::vector<PictureBoxes> level{PictureBoxes{}, boxes};
+    tests::for_each_instruction_set([&](const std::string& name) {
+        CAPTURE(name);
+        const auto found = [&](const PictureBox& box) {
+            Numbers numbers(PictureBoxes::k_boxes);
+            const Numbers blocks{1};
+            numbers.resize(kernels::find_before(level, blocks, box, numbers.data()));
+            return numbers;
+        };
+        CHECK(found(steps.box({0, 0, 0}, {1, 1, 1})) == Numbers{33, 36, 63});
+        CHECK(found(a) == Numbers{33, 63});
+        // Nearer than the first, and as far as the second.
+        CHECK(found(steps.box({0.1, 0.1, 0.1}, {0.9, 0.9, 0.25})) == Numbers{36, 63});
+        CHECK(found(steps.box({0.65, 0.85, 0.0}, {0.65, 0.85, 0.05})) == Numbers{});
+        CHECK(found(k_empty_picture_box) == Numbers{});
+    });
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+#include "silhouette/lines/picture_kernels.h"
+
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "silhouette/lines/picture_kernels.cpp"
+#include "silhouette/vector_targets-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rimline::kernels::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Steps = hn::CappedTag<std::int16_t, PictureBoxes::k_boxes>;
+
+std::size_t FindBefore(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
+                       const PictureBox& box, std::uint32_t* found) {
+    const Steps d;
+    const auto low_x = hn::Set(d, box.low_x), low_y = hn::Set(d, box.low_y),
+               high_x = hn::Set(d, box.high_x), high_y = hn::Set(d, box.high_y),
+               far = hn::Set(d, box.far);
+    std::uint32_t* const begin = found;
+    for (const std::uint32_t block : blocks) {
+        const PictureBoxes& boxes = level[block];
+        std::uint32_t lanes = 0;
+        for (std::size_t i = 0; i < PictureBoxes::k_boxes; i += hn::Lanes(d)) {
+            const auto load = [&](const auto& steps) { return hn::Load(d, &steps[i]); };
+            auto misses =
+                hn::Or(hn::Gt(load(boxes.low_x), high_x), hn::Gt(load(boxes.low_y), high_y));
+            misses = hn::Or(misses, hn::Or(hn::Gt(low_x, load(boxes.high_x)),
+                                           hn::Gt(low_y, load(boxes.high_y))));
+            misses = hn::Or(misses, hn::Gt(load(boxes.near), far));
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, hn::Not(misses), bits);
+            std::uint32_t some = bits[0];
+            if constexpr (hn::MaxLanes(Steps()) > 8) some |= std::uint32_t{bits[1]} << 8;
+            if constexpr (hn::MaxLanes(Steps()) > 16)
+                some |= std::uint32_t{bits[2]} << 16 | std::uint32_t{bits[3]} << 24;
+            lanes |= some << i;
+        }
+        for (; lanes != 0; lanes &= lanes - 1)
+            *found++ = static_cast<std::uint32_t>(block * PictureBoxes::k_boxes) +
+                       static_cast<std::uint32_t>(std::countr_zero(lanes));
+    }
+    return static_cast<std::size_t>(found - begin);
+}
+
+}  // namespace rimline::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rimline::kernels {
+
+HWY_EXPORT(FindBefore);
+
+std::size_t find_before(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
+                        const PictureBox& box, std::uint32_t* found) noexcept {
+    return HWY_DYNAMIC_DISPATCH(FindBefore)(level, blocks, box, found);
+}
+
+}  // namespace rimline::kernels
+#endif  // HWY_ONCE
