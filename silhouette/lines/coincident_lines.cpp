@@ -27,6 +27,12 @@ bool may_coincide(const FlatLine& a, const FlatLine& b, double tolerance) noexce
     const double turn = cross_of(u, v), uu = glm::dot(u, u), vv = glm::dot(v, v);
     constexpr double k_max_sine = 2.0 / k_min_stretch;
     if (turn * turn > k_max_sine * k_max_sine * uu * vv) return false;
+    // Lines of a chain follow each other. cover() wants an overlap of two tolerances, along either of the two.
+    const double first = glm::dot(u, b.ends[0] - a.ends[0]),
+                 last = glm::dot(u, b.ends[1] - a.ends[0]);
+    const double overlap =
+        std::min(std::max(first, last), uu) - std::max(std::min(first, last), 0.0);
+    if (overlap <= 0.0 || overlap * overlap <= tolerance * tolerance * uu) return false;
     // Whether the line through one of them comes near to the other.
     const auto is_near = [&](const FlatLine& line, const glm::dvec2& way, double square,
                              const FlatLine& other) {

@@ -69,16 +69,23 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
     const bool is_orthographic = frame.view->is_orthographic();
     const std::array<glm::dvec3, 2> ends{frame.end_of(frame.lines[line], 0),
                                          frame.end_of(frame.lines[line], 1)};
+    bool is_first = true;
     const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
         const double share = flat.share_in_space(share_in_picture, is_orthographic);
-        const LineView::Projected seen = frame.view->project(glm::mix(ends[0], ends[1], share));
-        double arc = 0.0;
-        if (!points_.empty())
-            arc = points_.back().point.arc +
-                  glm::length(seen.position - points_.back().point.position);
+        LinePoint point;
+        if (is_first && !points_.empty()) {
+            point = points_.back().point;  // The end of the line before.
+        } else {
+            const auto [position, depth] = frame.view->project(glm::mix(ends[0], ends[1], share));
+            point = {position, depth, 0.0};
+            if (!points_.empty())
+                point.arc = points_.back().point.arc +
+                            glm::length(position - points_.back().point.position);
+        }
+        is_first = false;
         const EdgeId edge =
             frame.lines[line].is_intersection() ? k_no_edge : EdgeId{frame.lines[line].source};
-        points_.push_back({{seen.position, seen.depth, arc},
+        points_.push_back({point,
                            {edge, static_cast<float>(share)},
                            count,
                            is_covered,
@@ -283,32 +290,29 @@ void LineChains::add_chain(LineKind kind, bool is_closed, const LineOptions& opt
     const auto chain = static_cast<std::uint32_t>(drawing.chains.size());
     const auto first_run = static_cast<std::uint32_t>(drawing.runs.size());
     const double length = points_.empty() ? 0.0 : points_.back().point.arc;
-    std::vector<LinePoint> points;
-    std::vector<LineSource> sources;
-    std::vector<std::uint32_t> kept;
     for (const Piece& piece : pieces_) {
         if (piece.is_covered) continue;
-        points.clear();
-        sources.clear();
+        piece_points_.clear();
+        piece_sources_.clear();
         for (std::uint32_t i = piece.first; i <= piece.last; ++i) {
             // The same place once, but with the source of what follows.
-            if (!points.empty() && i < piece.last && points_[i].point.arc == points.back().arc &&
-                points.size() > 1) {
+            if (!piece_points_.empty() && i < piece.last &&
+                points_[i].point.arc == piece_points_.back().arc && piece_points_.size() > 1) {
                 if (!options.splits_counts) continue;
             }
-            points.push_back(points_[i].point);
-            sources.push_back(points_[i].source);
+            piece_points_.push_back(points_[i].point);
+            piece_sources_.push_back(points_[i].source);
         }
         const auto first_point = static_cast<std::uint32_t>(drawing.points.size());
         if (options.simplify > 0.0) {
-            simplify(points, options.simplify, kept);
+            simplify(piece_points_, options.simplify, kept_);
         } else {
-            kept.resize(points.size());
-            for (std::uint32_t i = 0; i < kept.size(); ++i) kept[i] = i;
+            kept_.resize(piece_points_.size());
+            for (std::uint32_t i = 0; i < kept_.size(); ++i) kept_[i] = i;
         }
-        for (const std::uint32_t i : kept) {
-            drawing.points.push_back(points[i]);
-            drawing.sources.push_back(sources[i]);
+        for (const std::uint32_t i : kept_) {
+            drawing.points.push_back(piece_points_[i]);
+            drawing.sources.push_back(piece_sources_[i]);
         }
         drawing.runs.push_back({.chain = chain,
                                 .first_point = first_point,

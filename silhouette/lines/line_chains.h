@@ -69,6 +69,9 @@ private:
     std::vector<ChainPoint> points_, rotated_;
     std::vector<double> shares_of_shift_;
     std::vector<Piece> pieces_;
+    std::vector<LinePoint> piece_points_;
+    std::vector<LineSource> piece_sources_;
+    std::vector<std::uint32_t> kept_;  // Of these points.
 };
 
 }  // namespace rimline

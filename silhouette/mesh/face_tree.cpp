@@ -211,8 +211,10 @@ std::vector<FaceTree::NodePair> FaceTree::node_pairs(std::uint32_t max_faces) co
 
 // The margin is a few hundred times the rounding errors of the tests and of the ends. Along an axis on which the
 // segment has no length, 1e300 tells as well as infinity on which side of it a box lies, and gives no NaN.
-FaceTree::Segment::Segment(const glm::dvec3& a, const glm::dvec3& b)
-    : from(a), margin(0x1p-44 * (reach_of(a) + reach_of(b)) + 0x1p-1000) {
+FaceTree::Segment::Segment(const glm::dvec3& a, const glm::dvec3& b) {
+    const double margin = 0x1p-44 * (reach_of(a) + reach_of(b)) + 0x1p-1000;
+    behind = a + margin;
+    before = a - margin;
     for (int i = 0; i < 3; ++i) inverse[i] = std::clamp(1.0 / (b[i] - a[i]), -1e300, 1e300);
 }
 

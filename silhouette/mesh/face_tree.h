@@ -126,15 +126,15 @@ private:
         bool may_meet(const FaceBox& box) const noexcept {
             double begin = 0.0, end = 1.0;
             for (int i = 0; i < 3; ++i) {
-                const double p = (double{box.low[i]} - margin - from[i]) * inverse[i];
-                const double q = (double{box.high[i]} + margin - from[i]) * inverse[i];
+                const double p = (double{box.low[i]} - behind[i]) * inverse[i];
+                const double q = (double{box.high[i]} - before[i]) * inverse[i];
                 begin = std::max(begin, std::min(p, q));
                 end = std::min(end, std::max(p, q));
             }
             return begin <= end + 0x1p-44;
         }
-        glm::dvec3 from, inverse;
-        double margin;
+        glm::dvec3 behind, before,
+            inverse;  // Its begin, moved by the margin along all axes, up and down.
     };
     static bool is_leaf(const Node& node) noexcept { return node.size() <= k_leaf_faces; }
     static bool is_block(const Node& node) noexcept { return node.size() <= k_block_faces; }
