@@ -12,6 +12,9 @@ namespace rimline {
 
 namespace {
 
+// So far ahead the stars of lines are asked for, which lie anywhere in memory.
+constexpr std::size_t k_lines_ahead = 8;
+
 // The sides of one line: the plane through the eye and the line.
 class LineSides {
 public:
@@ -181,7 +184,12 @@ bool lies_before(const LineFrame& frame, std::uint32_t face, std::uint32_t verte
 void find_locals(LineFrame& frame, bool draws_creases, float crease_angle_rad) {
     const Mesh& mesh = frame.surface->mesh();
     frame.locals.resize(frame.edge_lines);
-    for (const std::uint32_t i : frame.walk) {
+    for (std::size_t place = 0; place < frame.walk.size(); ++place) {
+        if (place + k_lines_ahead < frame.walk.size())
+            for (const std::uint32_t vertex :
+                 frame.lines[frame.walk[place + k_lines_ahead]].vertices)
+                frame.surface->stars().fetch(vertex);
+        const std::uint32_t i = frame.walk[place];
         ViewLine& line = frame.lines[i];
         const auto [v, w] = line.vertices;
         const LineSides sides(frame, v, w);

@@ -28,6 +28,11 @@ public:
     std::span<const std::uint32_t> faces(std::uint32_t vertex) const noexcept {
         return {faces_.data() + begin_[vertex], faces_.data() + begin_[vertex + 1]};
     }
+    /// Asks the cache for the links of a vertex.
+    void fetch(std::uint32_t vertex) const noexcept {
+        __builtin_prefetch(links_.data() + begin_[vertex]);
+        __builtin_prefetch(links_.data() + begin_[vertex + 1] - 1);
+    }
     std::uint64_t size_bytes() const noexcept;
 
 private:
