@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -73,15 +74,16 @@ public:
                     for (const glm::dvec3& p : pattern(domain_, climb.best.point, climb.width))
                         points.push_back(p);
             if (points.empty()) break;
-            std::vector<double> votes(points.size());
-            values(points, votes);
+            evaluate(points, values);
             std::size_t next = 0;
             for (Climb& climb : climbs_) {
                 if (climb.width < tolerance_) continue;
                 const double before = climb.best.votes;
-                for (std::size_t i = 0; i < 26; ++i, ++next)
-                    if (votes[next] > climb.best.votes && is_allowed(points[next]))
-                        climb.best = {points[next], votes[next]};
+                for (std::size_t i = 0; i < 26; ++i, ++next) {
+                    const double votes = votes_.at(key_of(points[next]));
+                    if (votes > climb.best.votes && is_allowed(points[next]))
+                        climb.best = {points[next], votes};
+                }
                 if (climb.best.votes == before) climb.width *= 0.5;
             }
             if (prunes_) prune();
@@ -96,6 +98,20 @@ private:
         Sample best;
         double width;
     };
+    using Key = std::array<double, 3>;
+    static Key key_of(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
+
+    // Sets votes_ of the points. Patterns overlap where they move by less than their width, and climbs meet: a third of
+    // all points are there already.
+    template <typename Values>
+    void evaluate(std::span<const glm::dvec3> points, Values&& values) {
+        std::vector<glm::dvec3> unknown;
+        for (const glm::dvec3& point : points)
+            if (votes_.try_emplace(key_of(point), 0.0).second) unknown.push_back(point);
+        std::vector<double> votes(unknown.size());
+        values(unknown, votes);
+        for (std::size_t i = 0; i < unknown.size(); ++i) votes_[key_of(unknown[i])] = votes[i];
+    }
     // When all patterns are much smaller than at the start, the order of the climbs rarely changes.
     void prune() {
         if (climbs_.size() <= k_max_fine_climbs) return;
@@ -115,6 +131,7 @@ private:
     bool prunes_ = false;
     std::optional<std::pair<glm::dvec3, double>> ball_;
     std::vector<Climb> climbs_;
+    std::map<Key, double> votes_;  // Of all points so far.
 };
 
 // The lattice's samples in the domain, in descending order of x, then y, then z. Also finds local maxima.
