@@ -23,8 +23,8 @@ class FaceTree;
 /// - The test would take too long: the boxes of more than 2^22 pairs of faces overlap, and of more than 256
 ///   pairs per face. The center of a fan of thousands of faces causes this.
 ///
-/// O(n log n), about a microsecond per face if faces are not much longer than wide. Uses all threads of
-/// oneTBB. Throws Error{cancelled}.
+/// O(n log n), about 0.2 microseconds per face on two threads if faces are not much longer than wide. Uses all
+/// threads of oneTBB. Throws Error{cancelled}.
 bool is_solid(const Mesh& mesh, const LongCall& call = {});
 /// The same with the tree of the mesh's faces, where there is one.
 bool is_solid(const Mesh& mesh, const FaceTree& tree, const LongCall& call = {});
