@@ -6,9 +6,12 @@
 #include <array>
 #include <cstdio>
 #include <deque>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "silhouette/mesh/face_bits.h"
 #include "silhouette/mesh/formats/mesh_file.h"
@@ -221,6 +224,40 @@ TEST_CASE("a light that moves is counted as one that was there from the start") 
             REQUIRE(followed.places[i].edge == tracker.silhouette()[i]);
         if (step % 7 == 6) counter.divide(volume, 3, followed);
     }
+}
+
+TEST_CASE("a mesh that deforms is counted where its vertices are now") {
+    constexpr std::uint64_t k_seed = 12;
+    CAPTURE(k_seed);
+    Random random(k_seed);
+    const Model knot(make_built_in_shape("knot", 600));
+    const SilhouetteTracker tracker(knot.octree, HomogeneousPoint::viewpoint({2, 3, 1}));
+    CasterMesh caster(knot.mesh);
+    VolumeCounter counter;
+    VolumeCount followed;
+    std::vector<glm::vec3> positions(knot.mesh.positions().begin(), knot.mesh.positions().end());
+    std::set<std::uint32_t> bounds;
+    for (int step = 0; step < 20; ++step) {
+        // The silhouette stays the same, so that only its places tell.
+        Bounds box{positions[0], positions[0]};
+        for (glm::vec3& p : positions) {
+            p += 0.3f * random.in_cube();
+            box.low = glm::min(box.low, p);
+            box.high = glm::max(box.high, p);
+        }
+        const CountedVolume volume{.caster = &caster,
+                                   .silhouette = tracker.silhouette(),
+                                   .face_words = tracker.face_words(),
+                                   .light = HomogeneousPoint::viewpoint(3.0f * random.in_cube()),
+                                   .form = k_forms[static_cast<std::size_t>(step) % k_forms.size()],
+                                   .moved = MovedGeometry{positions, box}};
+        VolumeCount fresh;
+        counter.update(volume, 0, fresh);
+        counter.update(volume, 0, followed);
+        CHECK(followed.bound == fresh.bound);
+        bounds.insert(fresh.bound);
+    }
+    CHECK(bounds.size() > 10);
 }
 
 TEST_CASE("a light that rests is not counted again") {
