@@ -9,11 +9,13 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "silhouette/field/ray_ratios.h"
 #include "silhouette/mesh/brute_force.h"
 #include "tools/bindings/bound_drawer.h"
 #include "tools/bindings/bound_mesh.h"
@@ -501,17 +503,23 @@ rimline_status rimline_best_views(const rimline_mesh* mesh, rimline_renderer* re
         const glm::dvec3 up = rimline::tools::choose_up(m, std::nullopt, false).up;
         const rimline::TangentialField field = make_view_field(
             m, choice.field_options(), rimline::view_function(), long_call.get().stop);
+        const LongCall prepared = long_call.get().part(0.0, 0.1),
+                       searched = long_call.get().part(0.1, 1.0);
         rimline::BestViews best;
         const auto find = [&](const rimline::VisibleRatios& ratios) {
-            best = find_best_views(field, choice.options(m, up, ratios), long_call.get());
+            best = find_best_views(field, choice.options(m, up, ratios), searched);
         };
-        if (renderer == nullptr)
-            find({});
-        else
-            renderer->renderer.measure(bound, long_call.get(), find);
+        if (renderer == nullptr) {
+            const rimline::RayRatios rays(bound.octree(prepared), {}, prepared);
+            find([&](std::span<const glm::dvec3> eyes) {
+                return rays.measure(eyes, searched.stop);
+            });
+        } else {
+            renderer->renderer.measure(bound, prepared, find);
+        }
         for (const rimline::BestView& view : best.views)
             views[(*count)++] = {.eye = {view.eye.x, view.eye.y, view.eye.z},
                                  .score = view.score(),
-                                 .visible_ratio = renderer == nullptr ? -1.0 : view.visible_ratio};
+                                 .visible_ratio = view.visible_ratio};
     });
 }

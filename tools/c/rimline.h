@@ -247,11 +247,11 @@ RIMLINE_API rimline_status rimline_picture_encode_png(const rimline_picture* pic
 typedef struct rimline_view {
     double eye[3];
     double score;         /**< Votes times visible ratio, less from below and behind. */
-    double visible_ratio; /**< The visible share of the silhouette; -1 where it was not measured. */
+    double visible_ratio; /**< The visible share of the silhouette. */
 } rimline_view;
 
 /** Writes at most `capacity` viewpoints that together show the mesh best to `views`, and their number to `*count`, which
- * may be less. Without a renderer votes alone count. */
+ * may be less. Without a renderer, rays on the CPU measure what is visible. */
 RIMLINE_API rimline_status rimline_best_views(const rimline_mesh* mesh, rimline_renderer* renderer,
                                               size_t capacity, const rimline_call* call,
                                               rimline_view* views, size_t* count,
