@@ -195,8 +195,8 @@ std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh) {
     return is_flat;
 }
 
-FaceContacts find_face_contacts(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {
-    const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
+FaceContacts find_face_contacts(const Mesh& mesh, const FaceTree& tree,
+                                std::span<const std::uint8_t> is_flat, const LongCall& call) {
     tbb::enumerable_thread_specific<ContactSearch> searches(
         [&] { return ContactSearch(mesh, is_flat); });
     each_near_face_pair(

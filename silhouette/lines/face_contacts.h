@@ -54,11 +54,12 @@ struct FaceContacts {
     std::span<const Touch> touches_of(std::uint32_t vertex) const noexcept;
 };
 
-/// O(n log n + pairs of faces whose boxes overlap) on all threads of oneTBB. The result does not depend on
-/// their number. `tree` is that of `mesh`. Throws Error{cancelled}.
-FaceContacts find_face_contacts(const Mesh& mesh, const FaceTree& tree, const LongCall& call = {});
-
-/// For each face, whether its three corners lie on one line, exactly.
+/// For each face, whether its three corners lie on one line, exactly. O(n) on all threads of oneTBB.
 std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh);
+
+/// O(n log n + pairs of faces whose boxes overlap) on all threads of oneTBB. The result does not depend on
+/// their number. `tree` is that of `mesh`, and `is_flat` what find_flat_faces() says of it. Throws Error{cancelled}.
+FaceContacts find_face_contacts(const Mesh& mesh, const FaceTree& tree,
+                                std::span<const std::uint8_t> is_flat, const LongCall& call = {});
 
 }  // namespace rimline

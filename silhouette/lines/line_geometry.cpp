@@ -17,7 +17,8 @@ LineGeometry::LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall
       stars_(mesh, call.part(0.0, finds_contacts ? 0.03 : 0.08)),
       tree_(mesh, call.part(finds_contacts ? 0.03 : 0.08, finds_contacts ? 0.3 : 0.8)) {
     call.checkpoint(finds_contacts ? 0.3 : 0.8);
-    if (finds_contacts) contacts_ = find_face_contacts(mesh, tree_, call.part(0.3, 0.8));
+    const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
+    if (finds_contacts) contacts_ = find_face_contacts(mesh, tree_, is_flat, call.part(0.3, 0.8));
     call.checkpoint(0.8);
     if (!contacts_.touches.empty()) {
         is_touched_.resize(mesh.vertex_count());
@@ -25,7 +26,6 @@ LineGeometry::LineGeometry(const Mesh& mesh, bool finds_contacts, const LongCall
     }
     find_slivers();
     call.checkpoint(0.85);
-    const std::vector<std::uint8_t> is_flat = find_flat_faces(mesh);
     find_special_edges(is_flat);
     call.checkpoint(0.9);
     curves_ = IntersectionCurves(mesh, stars_, tree_, contacts_, is_flat, call.part(0.9, 0.95));

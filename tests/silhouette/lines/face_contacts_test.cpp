@@ -11,7 +11,7 @@ namespace {
 FaceContacts contacts_of(const MeshSource& source) {
     const Mesh mesh(source);
     const FaceTree tree(mesh);
-    return find_face_contacts(mesh, tree);
+    return find_face_contacts(mesh, tree, find_flat_faces(mesh));
 }
 
 // Face 0 lies in the plane z = 0; face 1 as given.
@@ -78,7 +78,8 @@ TEST_CASE("a search can be cancelled") {
     const FaceTree tree(mesh);
     std::stop_source stop;
     stop.request_stop();
-    CHECK_THROWS_AS(find_face_contacts(mesh, tree, {stop.get_token(), {}}), Error);
+    CHECK_THROWS_AS(find_face_contacts(mesh, tree, find_flat_faces(mesh), {stop.get_token(), {}}),
+                    Error);
 }
 
 }  // namespace
