@@ -24,7 +24,7 @@ std::size_t FindBefore(std::span<const PictureBoxes> level, std::span<const std:
         const PictureBoxes& boxes = level[block];
         std::uint32_t lanes = 0;
         for (std::size_t i = 0; i < PictureBoxes::k_boxes; i += hn::Lanes(d)) {
-            const auto load = [&](const auto& steps) { return hn::Load(d, &steps[i]); };
+            const auto load = [&](const auto& steps) HWY_ATTR { return hn::Load(d, &steps[i]); };
             auto misses =
                 hn::Or(hn::Gt(load(boxes.low_x), high_x), hn::Gt(load(boxes.low_y), high_y));
             misses = hn::Or(misses, hn::Or(hn::Gt(low_x, load(boxes.high_x)),
