@@ -133,6 +133,16 @@ TEST_CASE("on every instruction set the pairs of a soup are those that integers 
     }
 }
 
+TEST_CASE("a soup that all threads share has each pair once and the same in every run" *
+          doctest::test_suite("threads")) {
+    tests::Random random(7);
+    const Mesh mesh(grid_soup(random, 4000, 30));
+    const Pairs first = near_pairs(mesh);
+    CHECK(first.size() > 1000);
+    CHECK(std::ranges::adjacent_find(first) == first.end());
+    for (int run = 0; run < 3; ++run) CHECK(near_pairs(mesh) == first);
+}
+
 TEST_CASE("a curved surface has no pairs that may meet, at any scale") {
     for (const float scale : {1.0f, 0x1p-70f, 0x1p50f}) {
         MeshSource source = make_built_in_shape("sphere", 3000);
