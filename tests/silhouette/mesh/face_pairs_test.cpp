@@ -48,7 +48,7 @@ MeshSource grid_soup(tests::Random& random, int faces, int cells) {
     return source;
 }
 
-using Corners = std::array<glm::ivec3, 3>;
+using GridFace = std::array<glm::ivec3, 3>;
 
 int sign_of(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c, const glm::ivec3& d) {
     const glm::ivec3 u = b - a, v = c - a, w = d - a;
@@ -57,11 +57,11 @@ int sign_of(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c, const
     return (volume > 0) - (volume < 0);
 }
 
-bool is_corner(const Corners& face, const glm::ivec3& p) {
+bool is_corner(const GridFace& face, const glm::ivec3& p) {
     return std::ranges::find(face, p) != face.end();
 }
 
-bool boxes_meet(const Corners& a, const Corners& b) {
+bool boxes_meet(const GridFace& a, const GridFace& b) {
     for (int i = 0; i < 3; ++i) {
         const auto along = [i](const glm::ivec3& p) { return p[i]; };
         if (along(std::ranges::max(a, {}, along)) < along(std::ranges::min(b, {}, along)) ||
@@ -72,7 +72,7 @@ bool boxes_meet(const Corners& a, const Corners& b) {
 }
 
 // Whether all corners of `b` that are not corners of `a` lie strictly on one side of its plane.
-bool is_beside(const Corners& a, const Corners& b) {
+bool is_beside(const GridFace& a, const GridFace& b) {
     bool has_left = false, has_right = false;
     for (const glm::ivec3& p : b) {
         if (is_corner(a, p)) continue;
@@ -84,7 +84,7 @@ bool is_beside(const Corners& a, const Corners& b) {
 }
 
 // Whether each side of `a` that crosses the plane of `b` passes it strictly outside, and no other corner is on it.
-bool passes_by(const Corners& a, const Corners& b) {
+bool passes_by(const GridFace& a, const GridFace& b) {
     for (std::size_t k = 0; k < 3; ++k)
         if (!is_corner(b, a[k]) && sign_of(b[0], b[1], b[2], a[k]) == 0) return false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -104,14 +104,14 @@ bool passes_by(const Corners& a, const Corners& b) {
 
 // By integers, which the floats are.
 Pairs expected_pairs(const Mesh& mesh) {
-    std::vector<Corners> corners(mesh.face_count());
+    std::vector<GridFace> corners(mesh.face_count());
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
         for (std::size_t k = 0; k < 3; ++k)
             corners[f][k] = glm::ivec3(mesh.positions()[index(mesh.triangles()[f][k])]);
     Pairs pairs;
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
         for (std::uint32_t g = f + 1; g < mesh.face_count(); ++g) {
-            const Corners &a = corners[f], &b = corners[g];
+            const GridFace &a = corners[f], &b = corners[g];
             if (boxes_meet(a, b) && !is_beside(a, b) && !is_beside(b, a) &&
                 !(passes_by(a, b) && passes_by(b, a)))
                 pairs.emplace_back(f, g);
