@@ -68,7 +68,7 @@ struct SceneInstance {
     /// instance's bounds in the picture is sure to be drawn. Need not outlive the call.
     const PictureLines* picture_lines = nullptr;
     bool casts_shadows = true;
-    /// The result of is_solid(mesh()), which takes about a microsecond a face and is worth it for more than
+    /// The result of is_solid(mesh()), which takes about 0.2 microseconds a face and is worth it for more than
     /// a few frames. If true, back faces are not drawn while the camera is outside the bounds: half of the
     /// surfaces. The picture differs only in single pixels of silhouettes that showed a back by rounding.
     /// Ignored for a mesh that deforms.

@@ -33,7 +33,8 @@ public:
     int side_of(std::uint32_t x, const glm::dvec3& q) const {
         const double side = glm::dot(normal_, q);
         const double bound = bound_ * length_1(q);
-        const int sign = int(side > bound) - int(-side > bound);  // Which nothing predicts.
+        // Without a branch on the sign, which is either one at random.
+        const int sign = int(side > bound) - int(-side > bound);
         return sign != 0 ? sign : exact_side_of(x);
     }
     int exact_side_of(std::uint32_t x) const {
@@ -69,7 +70,7 @@ private:
     };
     static constexpr std::size_t k_links_at_once = 32;
 
-    // Without branches on sides and numbers, which nothing predicts: bits of links where a or b lies left or right.
+    // Without branches on sides and numbers, which are as good as random: bits of links where a or b lies left or right.
     void add_links(const Corner& corner, std::span<const VertexStars::Link> links,
                    Locals& locals) const {
         std::array<glm::dvec3, k_links_at_once> ways;

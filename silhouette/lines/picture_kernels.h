@@ -12,8 +12,8 @@
 namespace rimline::kernels {
 
 /// The boxes of one level of a tree that may lie before a box: they meet it in the picture, and their nearest depth
-/// is not behind its farthest. Only of those blocks whose numbers `blocks` holds. Writes their numbers to `found`, in the order of the blocks, and returns how many there are.
-/// `found` has room for all boxes of these blocks.
+/// is not behind its farthest. Tests only those blocks whose numbers `blocks` holds. Writes the numbers of the boxes to
+/// `found`, in the order of the blocks, and returns how many there are. `found` has room for all boxes of these blocks.
 std::size_t find_before(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
                         const PictureBox& box, std::uint32_t* found) noexcept;
 

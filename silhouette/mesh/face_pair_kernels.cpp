@@ -123,17 +123,19 @@ HWY_INLINE std::uint32_t planes_beside(const FaceBlock& a, std::size_t i, const 
     return sides.beside();
 }
 
-std::uint32_t FindNearFaces(const FaceBlock& a, const FaceBlock& b, bool is_same, NearFaces& near) {
+std::uint32_t FindNearFaces(const FaceBlock& a, std::uint32_t count_a, const FaceBlock& b,
+                            std::uint32_t count_b, bool is_same, NearFaces& near) {
     const Floats d;
     const std::uint32_t step_lanes = (1u << hn::Lanes(d)) - 1;
     const Boxes boxes_a(a), boxes_b(b);
     std::uint32_t pairs = 0;
-    for (std::size_t i = 0; i < FaceBlock::k_faces; ++i) {
+    for (std::size_t i = 0; i < count_a; ++i) {
         const std::array<float, 3> low{boxes_a.low[0][i], boxes_a.low[1][i], boxes_a.low[2][i]};
         const std::array<float, 3> high{boxes_a.high[0][i], boxes_a.high[1][i], boxes_a.high[2][i]};
         std::uint32_t lanes = 0;
         for (std::size_t v = 0; v < FaceBlock::k_faces; v += hn::Lanes(d))
             lanes |= boxes_b.meeting(v, low, high);
+        lanes &= (1u << count_b) - 1u;
         if (is_same) lanes &= ~((2u << i) - 1u);
         pairs += static_cast<std::uint32_t>(std::popcount(lanes));
         for (std::size_t v = 0; v < FaceBlock::k_faces; v += hn::Lanes(d))
@@ -153,9 +155,9 @@ namespace rimline::kernels {
 
 HWY_EXPORT(FindNearFaces);
 
-std::uint32_t find_near_faces(const FaceBlock& a, const FaceBlock& b, bool is_same,
-                              NearFaces& near) {
-    return HWY_DYNAMIC_DISPATCH(FindNearFaces)(a, b, is_same, near);
+std::uint32_t find_near_faces(const FaceBlock& a, std::uint32_t count_a, const FaceBlock& b,
+                              std::uint32_t count_b, bool is_same, NearFaces& near) {
+    return HWY_DYNAMIC_DISPATCH(FindNearFaces)(a, count_a, b, count_b, is_same, near);
 }
 
 }  // namespace rimline::kernels

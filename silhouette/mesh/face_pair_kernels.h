@@ -13,8 +13,7 @@
 
 namespace rimline::kernels {
 
-/// A block of a FaceTree. Lanes without a face have corners at infinity, so that
-/// their boxes meet no other.
+/// A block of a FaceTree.
 struct alignas(64) FaceBlock {
     static constexpr std::size_t k_faces = FaceTree::k_block_faces;
     /// A test has at most sixteen roundings, relative to the bound. And more than what is lost where numbers are
@@ -28,8 +27,8 @@ struct alignas(64) FaceBlock {
 
     Corners<float> x, y, z;
     Lanes<float> normal_x, normal_y, normal_z;  ///< (corner 1 - corner 0) x (corner 2 - corner 0).
-    Lanes<float>
-        bound;  ///< k_error times the product of the lengths of both differences, as sums of axes.
+    /// k_error times the product of the lengths of both differences, as sums along the axes.
+    Lanes<float> bound;
     Corners<std::uint32_t> vertices;
 };
 static_assert(sizeof(FaceBlock) == 64 * FaceBlock::k_faces);
@@ -37,10 +36,11 @@ static_assert(sizeof(FaceBlock) == 64 * FaceBlock::k_faces);
 /// For each face of a block, a bit for each face of the other.
 using NearFaces = FaceBlock::Lanes<std::uint16_t>;
 
-/// Finds the pairs of a face of `a` and one of `b` that may meet outside of shared corners: whose boxes meet, and
-/// where neither has all its corners but the shared ones on one side of the other's plane, certainly. Where
-/// `is_same`, each pair is found once. Returns the number of pairs whose boxes meet.
-std::uint32_t find_near_faces(const FaceBlock& a, const FaceBlock& b, bool is_same,
-                              NearFaces& near);
+/// Finds the pairs of one of the first `count_a` faces of `a` and one of the first `count_b` of `b` that may meet outside
+/// of shared corners: whose boxes meet, and where neither has all its corners but the shared ones on one side of the
+/// other's plane, certainly. Where `is_same`, each pair is found once. Returns the number of pairs whose boxes meet.
+/// Sets the first `count_a` of `near`.
+std::uint32_t find_near_faces(const FaceBlock& a, std::uint32_t count_a, const FaceBlock& b,
+                              std::uint32_t count_b, bool is_same, NearFaces& near);
 
 }  // namespace rimline::kernels

@@ -32,13 +32,14 @@ class BlockedFace {
 public:
     BlockedFace(const FaceBlock& block, std::uint32_t lane) : block_(block), lane_(lane) {}
 
-    // Whether no side of this face touches `other` outside of shared corners, certainly.
+    // Whether no side of this face touches `other` outside of shared corners, certainly. Not where all are shared.
     bool passes_by(const BlockedFace& other) const {
         std::array<int, 3> sides;
         for (std::size_t k = 0; k < 3; ++k) {
             sides[k] = other.has(block_.vertices[k][lane_]) ? k_shared : other.side_of(corner(k));
             if (sides[k] == k_unknown) return false;
         }
+        if ((sides[0] & sides[1] & sides[2]) == k_shared) return false;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             if (sides[k] + sides[next] != k_left + k_right) continue;
@@ -88,9 +89,12 @@ public:
     FaceBlocks(const Mesh& mesh, const FaceTree& tree) {
         const std::size_t count = (mesh.face_count() + FaceBlock::k_faces - 1) / FaceBlock::k_faces;
         blocks_ = std::make_unique_for_overwrite<FaceBlock[]>(std::max(count, std::size_t{1}));
-        // A power of two that makes the mesh about as large as 1, so that no product leaves the range of floats.
+        // A power of two that makes the mesh about as large as 1, so that no product leaves the range of floats. The
+        // smallest meshes stay smaller.
         const float scale =
-            mesh.radius() > 0.0 ? static_cast<float>(std::exp2(-std::ilogb(mesh.radius()))) : 1.0f;
+            mesh.radius() > 0.0
+                ? static_cast<float>(std::exp2(std::min(-std::ilogb(mesh.radius()), 127)))
+                : 1.0f;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& run) {
             for (std::size_t i = run.begin(); i < run.end(); ++i)
                 fill(mesh, tree.order().subspan(i * FaceBlock::k_faces), scale, blocks_[i]);
@@ -104,8 +108,7 @@ private:
     static void fill(const Mesh& mesh, std::span<const std::uint32_t> faces, float scale,
                      FaceBlock& block) {
         for (std::uint32_t lane = 0; lane < FaceBlock::k_faces; ++lane) {
-            std::array<glm::vec3, 3> p;
-            p.fill(glm::vec3(std::numeric_limits<float>::infinity()));
+            std::array<glm::vec3, 3> p{};
             glm::vec3 normal(0.0f);
             float bound = 0.0f;
             std::array<std::uint32_t, 3> vertices{};
@@ -139,8 +142,8 @@ struct Search {
                       const FaceTree::Node& b) {
         const FaceBlock &faces_a = blocks.of(a), &faces_b = blocks.of(b);
         kernels::NearFaces near;
-        const std::uint32_t pairs =
-            kernels::find_near_faces(faces_a, faces_b, a.number == b.number, near);
+        const std::uint32_t pairs = kernels::find_near_faces(faces_a, a.size(), faces_b, b.size(),
+                                                             a.number == b.number, near);
         for (std::uint32_t i = 0; i < a.size(); ++i)
             for (std::uint32_t rest = near[i]; rest != 0; rest &= rest - 1) {
                 const auto j = static_cast<std::uint32_t>(std::countr_zero(rest));
@@ -158,15 +161,15 @@ struct Search {
 bool each_near_face_pair(const Mesh& mesh, const FaceTree& tree, const TakeFacePairs& take,
                          const LongCall& call, std::uint64_t max_pairs) {
     const FaceBlocks blocks(mesh, tree);
-    const std::vector<FaceTree::NodePair> tasks = tree.node_pairs(k_pair_task_faces);
+    FaceTree::NodePairs walk(tree, k_pair_task_faces);
     tbb::enumerable_thread_specific<Search> searches;
     std::atomic<std::uint64_t> all_pairs = 0;
     std::atomic<bool> goes_on = true;
-    for (std::size_t first = 0; first < tasks.size() && goes_on;
-         first += k_pair_tasks_a_checkpoint) {
-        call.checkpoint(double(first) / double(tasks.size()));
-        const std::size_t last = std::min(tasks.size(), first + k_pair_tasks_a_checkpoint);
-        tbb::parallel_for(first, last, [&](std::size_t task) {
+    std::vector<FaceTree::NodePair> tasks;
+    do {
+        call.checkpoint(walk.done());
+        walk.next(k_pair_tasks_a_checkpoint, tasks);
+        tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t task) {
             Search& search = searches.local();
             std::uint64_t pairs = 0;
             tree.each_block_pair(tasks[task],
@@ -178,7 +181,7 @@ bool each_near_face_pair(const Mesh& mesh, const FaceTree& tree, const TakeFaceP
                 goes_on = false;
             search.found.clear();
         });
-    }
+    } while (goes_on && !tasks.empty());
     return goes_on;
 }
 

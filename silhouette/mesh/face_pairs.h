@@ -22,7 +22,7 @@ struct FacePair {
     std::uint32_t a, b;
 };
 
-/// Takes pairs of faces, and returns whether to go on. Called on several threads at once.
+/// Takes pairs of faces, and returns whether to go on. Called on several threads at once. It must not use oneTBB.
 using TakeFacePairs = std::function<bool(std::span<const FacePair>)>;
 
 /// Passes each pair of faces that may meet elsewhere than in shared corners and edges to `take`, once, in no order.

@@ -127,10 +127,16 @@ private:
         k_select[axis](places_.data() + first, places_.data() + middle, places_.data() + last);
     }
 
-    // As std::nth_element, which takes four times as long: half of its branches go the other way than predicted.
+    // As std::nth_element, which takes four times as long, because half of its branches go the other way than
+    // predicted. It does the rest where pivots stay bad.
     template <int axis>
-    static void select(Place* first, const Place* nth, Place* last) {
+    static void select(Place* first, Place* nth, Place* last) {
+        const auto less = [](const Place& a, const Place& b) {
+            return a.key<axis>() < b.key<axis>();
+        };
+        std::size_t rounds = 2 * std::bit_width(static_cast<std::size_t>(last - first));
         while (last - first > k_few_places) {
+            if (rounds-- == 0) return std::nth_element(first, nth, last, less);
             const std::int64_t pivot = pivot_near<axis>(first, nth, last);
             Place* below = first;
             for (Place* place = first; place != last; ++place) {
@@ -140,8 +146,7 @@ private:
             }
             (nth < below ? last : first) = below;
         }
-        std::sort(first, last,
-                  [](const Place& a, const Place& b) { return a.key<axis>() < b.key<axis>(); });
+        std::sort(first, last, less);
     }
 
     // A key that is neither the least nor less than all, a little on that side of the nth which has more places: so
@@ -151,8 +156,13 @@ private:
         std::array<std::int64_t, k_max_sample> keys;
         const std::ptrdiff_t count = last - first;
         const std::ptrdiff_t sample = count < 100 ? 3 : (count < 2000 ? 15 : k_max_sample);
-        for (std::ptrdiff_t i = 0; i < sample; ++i)
-            keys[i] = first[(2 * i + 1) * count / (2 * sample)].key<axis>();
+        // One anywhere in each part: places with a step would fall on the same column of a grid.
+        std::uint64_t random = static_cast<std::uint64_t>(count);
+        for (std::ptrdiff_t i = 0; i < sample; ++i) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            const std::ptrdiff_t begin = i * count / sample, end = (i + 1) * count / sample;
+            keys[i] = first[begin + std::ptrdiff_t(random >> 33) % (end - begin)].key<axis>();
+        }
         std::sort(keys.begin(), keys.begin() + sample);
         const double share = double(nth - first) / double(count);
         const double margin = 0.6 * std::sqrt(share * (1.0 - share) / double(sample));
@@ -186,27 +196,39 @@ FaceBox FaceTree::box_of(std::uint32_t face) const {
     return box;
 }
 
-std::vector<FaceTree::NodePair> FaceTree::node_pairs(std::uint32_t max_faces) const {
-    const Node root{0, 0, static_cast<std::uint32_t>(order_.size())};
-    std::vector<NodePair> done, open{{root, root}};
-    while (!open.empty()) {
-        const auto [a, b] = open.back();
-        open.pop_back();
+FaceTree::NodePairs::NodePairs(const FaceTree& tree, std::uint32_t max_faces)
+    : tree_(tree), max_faces_(max_faces) {
+    RIMLINE_CHECK(max_faces >= k_block_faces);
+    const Node root{0, 0, static_cast<std::uint32_t>(tree.order_.size())};
+    open_.push_back({{root, root}, 1.0});
+}
+
+void FaceTree::NodePairs::next(std::size_t count, std::vector<NodePair>& pairs) {
+    pairs.clear();
+    while (!open_.empty() && pairs.size() < count) {
+        const auto [pair, share] = open_.back();
+        const auto& [a, b] = pair;
+        open_.pop_back();
         const bool is_same = a.number == b.number;
-        if (!is_same && !boxes_[a.number].meets(boxes_[b.number])) continue;
+        const bool meets = is_same || tree_.boxes_[a.number].meets(tree_.boxes_[b.number]);
         const Node& larger = a.size() >= b.size() ? a : b;
-        if (is_leaf(larger) || larger.size() <= max_faces) {
-            done.push_back({a, b});
+        if (!meets || larger.size() <= max_faces_) {
+            if (meets) pairs.push_back(pair);
+            done_ += share;
             continue;
         }
         const auto [low, high] = children_of(larger);
         const Node& rest = a.size() >= b.size() ? b : a;
-        if (is_same)
-            open.insert(open.end(), {{low, high}, {high, high}, {low, low}});
-        else
-            open.insert(open.end(), {{high, rest}, {low, rest}});
+        if (is_same) {
+            // Most pairs of faces that meet are neighbors.
+            open_.push_back({{low, high}, 0.1 * share});
+            open_.push_back({{high, high}, 0.45 * share});
+            open_.push_back({{low, low}, 0.45 * share});
+        } else {
+            open_.push_back({{high, rest}, 0.5 * share});
+            open_.push_back({{low, rest}, 0.5 * share});
+        }
     }
-    return done;
 }
 
 // The margin is a few hundred times the rounding errors of the tests and of the ends. Along an axis on which the

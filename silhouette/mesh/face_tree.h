@@ -94,9 +94,28 @@ public:
     struct NodePair {
         Node a, b;  ///< The same node twice, or two apart from each other.
     };
-    /// Pairs of nodes of at most `max_faces` whose boxes meet, such that every pair of faces whose boxes meet is
-    /// in one of them: to share the work of each_block_pair() among threads. Their order depends on the mesh alone.
-    std::vector<NodePair> node_pairs(std::uint32_t max_faces) const;
+    /// Pairs of nodes of at most `max_faces` (k_block_faces or more) whose boxes meet, such that every pair of faces
+    /// whose boxes meet is in one of them: to share the work of each_block_pair() among threads. Their order depends
+    /// on the mesh alone.
+    class NodePairs {
+    public:
+        /// `tree` must outlive this object.
+        NodePairs(const FaceTree& tree, std::uint32_t max_faces);
+        /// Sets `pairs` to the next ones, at most `count`; to none after the last.
+        void next(std::size_t count, std::vector<NodePair>& pairs);
+        /// The share that next() has given or left out: ascends from 0 to 1.
+        double done() const noexcept { return std::min(done_, 1.0); }
+
+    private:
+        struct Open {
+            NodePair pair;
+            double share;
+        };
+        const FaceTree& tree_;
+        std::uint32_t max_faces_;
+        std::vector<Open> open_;  // A few for each level of the tree.
+        double done_ = 0.0;
+    };
     /// Calls visit(a, b) for each pair of blocks of the two nodes whose boxes meet, once; and, if the nodes are the
     /// same, for each block and itself.
     template <typename Visit>

@@ -269,7 +269,7 @@ void add_triangle(AreaGrid& grid, const glm::dvec3& a, const glm::dvec3& b, cons
             grid.add(corner + (u + v) / 3.0, area);
             if (i + j < parts - 1) grid.add(corner + (u + v) * (2.0 / 3.0), area);
         }
-}  // namespace
+}
 
 // What is measured of one mesh, in two steps: most meshes need the first only.
 class UprightMeasure {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <mutex>
 #include <span>
 #include <stop_token>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/solid.h"
 #include "tests/silhouette/hough/support/instruction_sets.h"
 #include "tests/silhouette/mesh/random.h"
 #include "tests/silhouette/mesh/small_meshes.h"
@@ -83,8 +85,10 @@ bool is_beside(const GridFace& a, const GridFace& b) {
     return has_left != has_right;
 }
 
-// Whether each side of `a` that crosses the plane of `b` passes it strictly outside, and no other corner is on it.
+// Whether each side of `a` that crosses the plane of `b` passes it strictly outside, and no other corner is on it. Not
+// where all corners are shared.
 bool passes_by(const GridFace& a, const GridFace& b) {
+    if (is_corner(b, a[0]) && is_corner(b, a[1]) && is_corner(b, a[2])) return false;
     for (std::size_t k = 0; k < 3; ++k)
         if (!is_corner(b, a[k]) && sign_of(b[0], b[1], b[2], a[k]) == 0) return false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -153,6 +157,30 @@ TEST_CASE("a curved surface has no pairs that may meet, at any scale") {
     CHECK(near_pairs(Mesh(tests::tetrahedron())).empty());
 }
 
+TEST_CASE("faces that are there twice may meet elsewhere") {
+    const MeshSource source{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
+    CHECK(near_pairs(Mesh(source)) == Pairs{{0, 1}});
+}
+
+TEST_CASE("the smallest meshes have the pairs of larger ones") {
+    MeshSource both = tests::octahedron();
+    const MeshSource other = tests::octahedron();
+    for (const glm::vec3& p : other.positions) both.positions.push_back(p + glm::vec3(0.5f, 0, 0));
+    for (const auto& t : other.triangles) both.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
+    const Pairs expected = near_pairs(Mesh(both));
+    CHECK(expected.size() > 4);
+    for (const int exponent : {-100, -126, -130, -135, -140}) {
+        CAPTURE(exponent);
+        MeshSource small = both;
+        for (glm::vec3& p : small.positions) p *= std::exp2(static_cast<float>(exponent));
+        const Mesh mesh(small);
+        const Pairs found = near_pairs(mesh);
+        CHECK(std::ranges::includes(found, expected));
+        for (const auto& [a, b] : found) CHECK(std::max(a, b) < mesh.face_count());
+        CHECK_FALSE(is_solid(mesh));
+    }
+}
+
 TEST_CASE(
     "a search ends where it is told to, where it has too many pairs, and where it is cancelled") {
     tests::Random random(6);
@@ -164,6 +192,16 @@ TEST_CASE(
     // The boxes of all pairs that are found meet, and those of no more than all pairs.
     CHECK_FALSE(each_near_face_pair(mesh, tree, take, {}, near_pairs(mesh).size() - 1));
     CHECK(each_near_face_pair(mesh, tree, take, {}, 500 * 499 / 2));
+    // One face, and two apart: no pairs. Two that share a corner: one.
+    const auto goes_on = [&](const MeshSource& source, std::uint64_t max_pairs) {
+        const Mesh some(source);
+        return each_near_face_pair(some, FaceTree(some), take, {}, max_pairs);
+    };
+    CHECK(goes_on({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0));
+    const MeshSource two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}},
+                         {{0, 1, 2}, {1, 3, 4}}};
+    CHECK_FALSE(goes_on(two, 0));
+    CHECK(goes_on(two, 1));
     std::stop_source stop;
     stop.request_stop();
     CHECK_THROWS_AS(each_near_face_pair(mesh, tree, take, {stop.get_token(), {}}), Error);

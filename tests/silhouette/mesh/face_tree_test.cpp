@@ -16,6 +16,21 @@ namespace {
 
 using tests::Random;
 
+// In several calls.
+std::vector<FaceTree::NodePair> node_pairs(const FaceTree& tree, std::uint32_t max_faces) {
+    FaceTree::NodePairs walk(tree, max_faces);
+    std::vector<FaceTree::NodePair> all, some;
+    double done = 0.0;
+    do {
+        walk.next(3, some);
+        CHECK(walk.done() >= done);
+        done = walk.done();
+        all.insert(all.end(), some.begin(), some.end());
+    } while (!some.empty());
+    CHECK(done == doctest::Approx(1.0));
+    return all;
+}
+
 // Small faces in a cube, some of them at the same place.
 Mesh scattered_faces(Random& random, std::uint32_t faces) {
     MeshSource source;
@@ -37,7 +52,7 @@ TEST_CASE("the order of a tree has each face once, and its leaves and blocks are
         std::ranges::sort(order);
         for (std::uint32_t f = 0; f < faces; ++f) CHECK(order[f] == f);
         std::vector<std::uint32_t> blocks;
-        for (const FaceTree::NodePair& pair : tree.node_pairs(64))
+        for (const FaceTree::NodePair& pair : node_pairs(tree, 64))
             tree.each_block_pair(pair, [&](const FaceTree::Node& a, const FaceTree::Node& b) {
                 if (a.number == b.number) blocks.push_back(a.block());
                 CHECK(a.size() == std::min(FaceTree::k_block_faces, faces - a.first));
@@ -85,7 +100,7 @@ TEST_CASE("pairs of blocks hold each pair of faces whose boxes meet, once") {
         };
         for (std::uint32_t i = 0; i < faces; ++i)
             for (std::uint32_t j = i + 1; j < faces; ++j) add(expected, i, j);
-        for (const FaceTree::NodePair& pair : tree.node_pairs(100))
+        for (const FaceTree::NodePair& pair : node_pairs(tree, 100))
             tree.each_block_pair(pair, [&](const FaceTree::Node& a, const FaceTree::Node& b) {
                 for (std::uint32_t i = a.first; i < a.last; ++i)
                     for (std::uint32_t j = a.number == b.number ? i + 1 : b.first; j < b.last; ++j)
