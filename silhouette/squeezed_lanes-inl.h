@@ -50,6 +50,8 @@ HWY_INLINE std::uint32_t lanes_of(D d, M mask) {
     hn::StoreMaskBits(d, mask, bits);
     std::uint32_t lanes = bits[0];
     if constexpr (hn::MaxLanes(D()) > 8) lanes |= std::uint32_t{bits[1]} << 8;
+    if constexpr (hn::MaxLanes(D()) > 16)
+        lanes |= std::uint32_t{bits[2]} << 16 | std::uint32_t{bits[3]} << 24;
     return lanes;
 }
 

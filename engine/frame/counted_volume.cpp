@@ -96,7 +96,7 @@ void VolumeCounter::update(const CountedVolume& volume, std::uint32_t enough, Vo
                     met += box_of_face(volume, face).meets(line) ? 1 : 0;
                 return met;
             }
-            volume.caster->faces().any_meeting(line, 0, [&](std::uint32_t) {
+            volume.caster->faces().any_meeting(line, [&](std::uint32_t) {
                 ++met;
                 return false;
             });

@@ -49,7 +49,7 @@ std::optional<std::vector<std::uint32_t>> faces_around(const FaceTree& tree, con
         const glm::dvec3 a = place(piece);
         const glm::dvec3 b = place(piece + 1);
         const FaceBox box{glm::vec3(glm::min(a, b) - slack), glm::vec3(glm::max(a, b) + slack)};
-        const bool has_too_many = tree.any_meeting(box, 0, [&](std::uint32_t face) {
+        const bool has_too_many = tree.any_meeting(box, [&](std::uint32_t face) {
             faces.push_back(face);
             return faces.size() > k_max_faces;
         });

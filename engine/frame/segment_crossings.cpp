@@ -88,7 +88,7 @@ std::optional<int> winding_number(const FaceTree& tree, const Mesh& mesh, const 
     const double size = glm::length(glm::dvec3(mesh.bounds().high) - glm::dvec3(mesh.bounds().low));
     const double slack = margin + 0x1p-22 * (size + glm::length(point));
     const bool is_near = tree.any_meeting(
-        {glm::vec3(point - slack), glm::vec3(point + slack)}, 0, [&](std::uint32_t face) {
+        {glm::vec3(point - slack), glm::vec3(point + slack)}, [&](std::uint32_t face) {
             return distance_to_triangle(glm::dvec3(0.0), corners_from(mesh, FaceId{face}, point)) <=
                    margin;
         });

@@ -41,9 +41,10 @@ public:
         return seen_side(point_, frame_.position(v_), frame_.position(w_), frame_.position(x));
     }
     struct Locals {
-        std::int32_t count = 0;  // How many of the faces at the end hide the line there.
-        std::int32_t balance =
-            0;  // Of the line's own faces: those left of it minus those right of it.
+        // How many of the faces at the end hide the line there.
+        std::int32_t count = 0;
+        // Of the line's own faces, those left of it minus those right of it.
+        std::int32_t balance = 0;
     };
     // At the first vertex (turn 1) or the second (turn -1). Of both the balance is the same.
     Locals locals_at(int turn) const {

@@ -30,13 +30,7 @@ std::size_t FindBefore(std::span<const PictureBoxes> level, std::span<const std:
             misses = hn::Or(misses, hn::Or(hn::Gt(low_x, load(boxes.high_x)),
                                            hn::Gt(low_y, load(boxes.high_y))));
             misses = hn::Or(misses, hn::Gt(load(boxes.near), far));
-            std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, hn::Not(misses), bits);
-            std::uint32_t some = bits[0];
-            if constexpr (hn::MaxLanes(Steps()) > 8) some |= std::uint32_t{bits[1]} << 8;
-            if constexpr (hn::MaxLanes(Steps()) > 16)
-                some |= std::uint32_t{bits[2]} << 16 | std::uint32_t{bits[3]} << 24;
-            lanes |= some << i;
+            lanes |= lanes_of(d, hn::Not(misses)) << i;
         }
         for (; lanes != 0; lanes &= lanes - 1)
             *found++ = static_cast<std::uint32_t>(block * PictureBoxes::k_boxes) +

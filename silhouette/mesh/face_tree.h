@@ -43,15 +43,13 @@ public:
     std::span<const std::uint32_t> order() const noexcept { return order_; }
     FaceBox box_of(std::uint32_t face) const;
 
-    /// Calls visit(face) for each face whose box meets `box`, in the order of the tree from place `from` on,
-    /// until it returns true. Returns whether it did.
+    /// Calls visit(face) for each face whose box meets `box`, in the order of the tree, until it returns true. Returns
+    /// whether it did.
     template <typename Visit>
-    bool any_meeting(const FaceBox& box, std::uint32_t from, Visit&& visit) const {
-        const auto is_outside = [&](const Node& node) {
-            return node.last <= from || !boxes_[node.number].meets(box);
-        };
+    bool any_meeting(const FaceBox& box, Visit&& visit) const {
+        const auto is_outside = [&](const Node& node) { return !boxes_[node.number].meets(box); };
         return any_leaf(is_outside, [&](const Node& node) {
-            for (std::uint32_t i = std::max(node.first, from); i < node.last; ++i)
+            for (std::uint32_t i = node.first; i < node.last; ++i)
                 if (box_of(order_[i]).meets(box) && visit(order_[i])) return true;
             return false;
         });
@@ -152,8 +150,9 @@ private:
             }
             return begin <= end + 0x1p-44;
         }
-        glm::dvec3 behind, before,
-            inverse;  // Its begin, moved by the margin along all axes, up and down.
+        // Its begin, moved by the margin along all axes, up and down.
+        glm::dvec3 behind, before;
+        glm::dvec3 inverse;
     };
     static bool is_leaf(const Node& node) noexcept { return node.size() <= k_leaf_faces; }
     static bool is_block(const Node& node) noexcept { return node.size() <= k_block_faces; }
