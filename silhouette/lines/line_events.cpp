@@ -53,17 +53,12 @@ void LineEvents::fill_tree(const LineFrame& frame, double margin) {
         }
     const PictureSteps steps(low, high);
     tree_.clear();
-    placed_.clear();
-    const auto add = [&](std::uint32_t i) {
+    for (std::size_t i = 0; i < frame.lines.size(); ++i) {
         const auto& [ends, depths, shares] = frame.flats[i];
-        const bool is_drawn = frame.lines[i].is_drawn, hides = frame.lines[i].balance != 0;
+        const bool may_lie_before = frame.lines[i].is_drawn || frame.lines[i].balance != 0;
         const glm::dvec3 a(ends[0], depths[0]), b(ends[1], depths[1]);
-        placed_.push_back({frame.flats[i], i, is_drawn, hides});
-        tree_.add(steps.box(a, b),
-                  is_drawn || hides ? steps.box(a, b, margin) : k_empty_picture_box);
-    };
-    for (const std::uint32_t i : frame.walk) add(i);
-    for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i) add(i);
+        tree_.add(steps.box(a, b), may_lie_before ? steps.box(a, b, margin) : k_empty_picture_box);
+    }
     tree_.finish();
 }
 
@@ -71,23 +66,21 @@ void LineEvents::find_crossings(LineFrame& frame, bool finds_parallels) {
     // Lines that coincide lie beside each other by up to the tolerance, and so may their boxes.
     const double tolerance = coincidence_tolerance(frame);
     fill_tree(frame, finds_parallels ? tolerance : 0.0);
-    tree_.each_pair([&](std::uint32_t place, std::uint32_t other) {
-        const Placed &own = placed_[place], &before = placed_[other];
-        if (place == other) return;
-        if (finds_parallels && own.is_drawn && before.is_drawn &&
-            may_coincide(own.flat, before.flat, tolerance))
-            frame.parallels.push_back(
-                {std::min(own.line, before.line), std::max(own.line, before.line)});
-        if (!before.hides) return;
-        if (own.line < frame.edge_lines)
-            cross(frame, own.line, before);
+    tree_.each_pair([&](std::uint32_t line, std::uint32_t other) {
+        if (line == other) return;
+        if (finds_parallels && frame.lines[line].is_drawn && frame.lines[other].is_drawn &&
+            may_coincide(frame.flats[line], frame.flats[other], tolerance))
+            frame.parallels.push_back({std::min(line, other), std::max(line, other)});
+        if (frame.lines[other].balance == 0) return;
+        if (line < frame.edge_lines)
+            cross(frame, line, other);
         else
-            cross_segment(frame, own.line, before);
+            cross_segment(frame, line, other);
     });
 }
 
-void LineEvents::cross(LineFrame& frame, std::uint32_t i, const Placed& occluder) {
-    const ViewLine &line = frame.lines[i], &other = frame.lines[occluder.line];
+void LineEvents::cross(LineFrame& frame, std::uint32_t i, std::uint32_t occluder) {
+    const ViewLine &line = frame.lines[i], &other = frame.lines[occluder];
     const auto [v, w] = line.vertices;
     const auto [c, d] = other.vertices;
     if (v == c || v == d || w == c || w == d) return;
@@ -102,12 +95,12 @@ void LineEvents::cross(LineFrame& frame, std::uint32_t i, const Placed& occluder
                                      frame.position(vp));
     };
     const auto& [a, b] = flat.ends;
-    const auto& [p, q] = occluder.flat.ends;
+    const auto& [p, q] = frame.flats[occluder].ends;
     const int side_c = side(a, b, p, v, w, c);
     if (side_c * side(a, b, q, v, w, d) >= 0) return;
     const int side_w = side(p, q, b, c, d, w);
     if (side_w * side(p, q, a, c, d, v) >= 0) return;
-    const CrossingPlace place = crossing_of(flat, occluder.flat);
+    const CrossingPlace place = crossing_of(flat, frame.flats[occluder]);
     // Where a line has an end behind the eye, the two may cross behind the eye.
     if (is_cut && !(place.share >= 0.0 && place.share <= 1.0 && place.other_share >= 0.0 &&
                     place.other_share <= 1.0))
@@ -213,10 +206,10 @@ void LineEvents::add_footholds(LineFrame& frame) {
 // The ends of a segment are rounded, and segments that share a node share its position. So a line passes behind
 // the chain of segments where it does exactly, but perhaps beside the segment that says so. A segment is doubtful
 // where an occluder passes so near to it that doubles do not decide on which side, or which lies in front.
-void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, const Placed& occluder) {
+void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, std::uint32_t occluder) {
     const IntersectionCurves& curves = frame.surface->curves();
     const IntersectionCurves::Segment& segment = curves.segments()[frame.lines[i].source];
-    const ViewLine& other = frame.lines[occluder.line];
+    const ViewLine& other = frame.lines[occluder];
     // The edges of its own faces do not pass before it, and those at its ends are up to the local rule.
     for (const FaceId face : frame.surface->mesh().faces_of(EdgeId{other.source}))
         if (index(face) == segment.faces[0] || index(face) == segment.faces[1]) return;
@@ -225,7 +218,7 @@ void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, const Placed& 
             return;
     const FlatLine& flat = frame.flats[i];
     const auto& [a, b] = flat.ends;
-    const auto& [p, q] = occluder.flat.ends;
+    const auto& [p, q] = frame.flats[occluder].ends;
     bool is_sure = true;
     const auto side = [&](const glm::dvec2& u, const glm::dvec2& v, const glm::dvec2& x) {
         const int turn = turn_in_picture(u, v, x, frame.picture_size);
@@ -241,10 +234,10 @@ void LineEvents::cross_segment(LineFrame& frame, std::uint32_t i, const Placed& 
                    ? glm::mix(line.depths[0], line.depths[1], share)
                    : 1.0 / glm::mix(1.0 / line.depths[0], 1.0 / line.depths[1], share);
     };
-    const CrossingPlace place = crossing_of(flat, occluder.flat);
+    const CrossingPlace place = crossing_of(flat, frame.flats[occluder]);
     const double share = std::clamp(place.share, 0.0, 1.0);
-    const double behind =
-        depth_at(flat, share) - depth_at(occluder.flat, std::clamp(place.other_share, 0.0, 1.0));
+    const double behind = depth_at(flat, share) -
+                          depth_at(frame.flats[occluder], std::clamp(place.other_share, 0.0, 1.0));
     const double slack = k_depth_slack * frame.surface->mesh().radius();
     if (!(behind > -slack)) return;
     if (!is_sure || behind < slack) frame.set_doubtful(i);

@@ -20,29 +20,20 @@ public:
     void find(LineFrame& frame, bool finds_parallels);
 
 private:
-    // A line at its place in the tree.
-    struct Placed {
-        FlatLine flat;
-        std::uint32_t line;
-        bool is_drawn;
-        bool hides;  // Its balance is not 0.
-    };
-
     void fill_tree(const LineFrame& frame, double margin);
     void find_crossings(LineFrame& frame, bool finds_parallels);
-    void cross(LineFrame& frame, std::uint32_t line, const Placed& occluder);
+    void cross(LineFrame& frame, std::uint32_t line, std::uint32_t occluder);
     void find_contacts(LineFrame& frame);
     void add_piercings(LineFrame& frame);
     void add_edge_crossings(LineFrame& frame);
     void add_footholds(LineFrame& frame);
     void add_contact(LineFrame& frame, std::uint32_t line, std::int32_t jump,
                      double share_in_space);
-    void cross_segment(LineFrame& frame, std::uint32_t line, const Placed& occluder);
+    void cross_segment(LineFrame& frame, std::uint32_t line, std::uint32_t occluder);
     void add_passages(LineFrame& frame);
     void sort(LineFrame& frame);
 
     PictureTree tree_;
-    std::vector<Placed> placed_;
     std::vector<std::uint32_t> line_of_edge_;
     std::vector<LineEvent> found_;
     std::vector<std::uint32_t> next_;

@@ -90,8 +90,6 @@ struct LineFrame {
     std::vector<std::uint32_t> node_curves;    ///< The IntersectionCurves' node of each other one.
     std::vector<std::uint32_t> end_begin;      ///< Of each node, and one more.
     std::vector<LineEnd> ends;                 ///< Ends that are cut are at no node.
-    /// All edge lines in the order of a walk along them, so that what comes next lies near in memory.
-    std::vector<std::uint32_t> walk;
 
     std::vector<std::array<std::int32_t, 2>> locals;  ///< Of the ends of each line.
     /// By segment of an intersection: doubles do not decide one of its signs. A ray decides each of its pieces.

@@ -49,26 +49,6 @@ void LineGraph::link(LineFrame& frame) {
     for (std::uint32_t i = 0; i < frame.lines.size(); ++i)
         for (std::uint32_t k = 0; k < 2; ++k)
             if (!frame.lines[i].is_cut[k]) frame.ends[next_[frame.nodes[i][k]]++] = 2 * i + k;
-    walk(frame);
-}
-
-void LineGraph::walk(LineFrame& frame) {
-    frame.walk.clear();
-    is_walked_.assign(frame.edge_lines, 0);
-    for (std::uint32_t first = 0; first < frame.edge_lines; ++first) {
-        std::uint32_t line = first;
-        std::uint32_t node = frame.nodes[first][1];
-        while (is_walked_[line] == 0) {
-            is_walked_[line] = 1;
-            frame.walk.push_back(line);
-            for (const LineEnd end : frame.ends_at(node)) {
-                if (is_walked_[end / 2] != 0) continue;
-                line = end / 2;
-                node = frame.nodes[line][1 - end % 2];
-                break;
-            }
-        }
-    }
 }
 
 }  // namespace rimline

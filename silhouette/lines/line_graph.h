@@ -1,6 +1,6 @@
 #pragma once
 
-// Which lines of a view share a node, and an order in which lines follow each other.
+// Which lines of a view share a node.
 
 #include <cstdint>
 #include <vector>
@@ -11,20 +11,18 @@ namespace rimline {
 
 class LineGraph {
 public:
-    /// Sets nodes, node_vertices, node_curves, end_begin, ends and walk of the frame. O(lines).
+    /// Sets nodes, node_vertices, node_curves, end_begin and ends of the frame. O(lines).
     void link(LineFrame& frame);
 
 private:
     std::uint32_t node_of(std::vector<std::uint32_t>& stamps, std::vector<std::uint32_t>& numbers,
                           std::uint32_t place, std::uint32_t next);
-    void walk(LineFrame& frame);
 
     std::uint32_t frame_number_ = 0;
     // By vertex of the mesh, and by node of its curves: the frame in which it became a node, and the node.
     std::vector<std::uint32_t> vertex_stamps_, vertex_nodes_;
     std::vector<std::uint32_t> curve_stamps_, curve_nodes_;
     std::vector<std::uint32_t> next_;
-    std::vector<std::uint8_t> is_walked_;
 };
 
 }  // namespace rimline

@@ -13,7 +13,7 @@ namespace rimline {
 namespace {
 
 // So far ahead the stars of lines are asked for, which lie anywhere in memory.
-constexpr std::size_t k_lines_ahead = 8;
+constexpr std::uint32_t k_lines_ahead = 8;
 
 // The sides of one line: the plane through the eye and the line.
 class LineSides {
@@ -111,8 +111,11 @@ private:
             left_a |= std::uint32_t{side > 0} << i;
             right_a |= std::uint32_t{side < 0} << i;
         }
-        locals.balance += std::popcount(ends_a & left_b) - std::popcount(ends_a & right_b) +
-                          std::popcount(ends_b & left_a) - std::popcount(ends_b & right_a);
+        const auto bits = [](std::uint32_t a, std::uint32_t b) {
+            return std::popcount(std::uint64_t{a} << 32 | b);
+        };
+        locals.balance +=
+            bits(ends_a & left_b, ends_b & left_a) - bits(ends_a & right_b, ends_b & right_a);
         for (std::uint32_t rest = (left_a & right_b) | (right_a & left_b); rest != 0;
              rest &= rest - 1) {
             const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
@@ -186,12 +189,10 @@ bool lies_before(const LineFrame& frame, std::uint32_t face, std::uint32_t verte
 void find_locals(LineFrame& frame, bool draws_creases, float crease_angle_rad) {
     const Mesh& mesh = frame.surface->mesh();
     frame.locals.resize(frame.edge_lines);
-    for (std::size_t place = 0; place < frame.walk.size(); ++place) {
-        if (place + k_lines_ahead < frame.walk.size())
-            for (const std::uint32_t vertex :
-                 frame.lines[frame.walk[place + k_lines_ahead]].vertices)
+    for (std::uint32_t i = 0; i < frame.edge_lines; ++i) {
+        if (i + k_lines_ahead < frame.edge_lines)
+            for (const std::uint32_t vertex : frame.lines[i + k_lines_ahead].vertices)
                 frame.surface->stars().fetch(vertex);
-        const std::uint32_t i = frame.walk[place];
         ViewLine& line = frame.lines[i];
         const auto [v, w] = line.vertices;
         const LineSides sides(frame, v, w);

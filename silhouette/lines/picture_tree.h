@@ -2,9 +2,9 @@
 
 // A tree of boxes over the lines of a picture: which lines may lie before which.
 //
-// Lines that are added one after another lie near each other, as those of a chain do. So 32 of them make a block,
-// 32 blocks a block of the next level, and so on up to one. Blocks are compared with blocks first, and lines only
-// with those of the blocks that are left.
+// The lines are sorted by cells of the picture along a Z curve, so that those which follow each other lie near each
+// other. 32 of them make a block, 32 blocks a block of the next level, and so on up to one. Blocks are compared with
+// blocks first, and lines only with those of the blocks that are left.
 
 #include <algorithm>
 #include <cstddef>
@@ -34,10 +34,13 @@ public:
 private:
     static constexpr std::uint32_t k_width = PictureBoxes::k_boxes;
 
+    void sort();
     void find_groups(const PictureBox& box);
     std::span<const std::uint32_t> find_lines(const PictureBox& box);
 
     std::vector<PictureBox> boxes_, before_;
+    std::vector<std::uint32_t> order_;  // The lines by their cells.
+    std::vector<std::uint32_t> cells_, begin_;
     // From the lines up: of each block the boxes in it. The last level has one block.
     std::vector<std::vector<PictureBoxes>> levels_{1};
     std::vector<PictureBox> sums_, next_sums_;  // Of the blocks of one level.
@@ -51,12 +54,12 @@ template <typename Visit>
 void PictureTree::each_pair(Visit&& visit) {
     for (std::size_t first = 0; first < boxes_.size(); first += k_width) {
         const std::size_t last = std::min(first + k_width, boxes_.size());
-        PictureBox all = boxes_[first];
-        for (std::size_t i = first + 1; i < last; ++i) all.include(boxes_[i]);
+        PictureBox all = k_empty_picture_box;
+        for (std::size_t i = first; i < last; ++i) all.include(boxes_[order_[i]]);
         find_groups(all);
         for (std::size_t i = first; i < last; ++i)
-            for (const std::uint32_t other : find_lines(boxes_[i]))
-                visit(static_cast<std::uint32_t>(i), other);
+            for (const std::uint32_t other : find_lines(boxes_[order_[i]]))
+                visit(order_[i], order_[other]);
     }
 }
 
