@@ -5,6 +5,7 @@
 #   tools/install_packages.sh cpu         to build the CPU library and its commands (RIMLINE_ENGINE=OFF)
 #   tools/install_packages.sh cpu-tests   to build and run their tests too
 #   tools/install_packages.sh demo        to build and run everything but the tests
+#   tools/install_packages.sh packages    to make Debian packages of it too
 #   tools/install_packages.sh tests       to build and run everything
 #   tools/install_packages.sh fuzz        to build and run the fuzz targets
 #   tools/install_packages.sh cluster     to run the tests of Slurm and Dask too
@@ -18,9 +19,10 @@ cpu=(g++ cmake ninja-build libglm-dev libtinyobjloader-dev libstb-dev nlohmann-j
 engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libglfw3-dev libimgui-dev
     fonts-dejavu-core libmeshoptimizer-dev libqhull-dev)
 python=(pybind11-dev python3-dev python3-numpy)
+packages=(dpkg-dev file "${python[@]}")
 site=(doxygen python3-sphinx python3-myst-parser furo python3-breathe)
 cpu_tests=(ccache doctest-dev libgmp-dev python3 librsvg2-bin poppler-utils python3-ezdxf)
-engine_tests=(dpkg-dev libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb "${python[@]}"
+engine_tests=("${packages[@]}" libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb
     python3-pytest python3-pip python3-setuptools python3-wheel mypy "${site[@]}")
 fuzz=(clang-16 libclang-rt-16-dev python3)
 web=(emscripten nodejs chromium)
@@ -30,6 +32,7 @@ case "${1:-}" in
     cpu) wanted=("${cpu[@]}") ;;
     cpu-tests) wanted=("${cpu[@]}" "${cpu_tests[@]}") ;;
     demo) wanted=("${cpu[@]}" "${engine[@]}") ;;
+    packages) wanted=("${cpu[@]}" "${engine[@]}" "${packages[@]}") ;;
     tests) wanted=("${cpu[@]}" "${engine[@]}" "${cpu_tests[@]}" "${engine_tests[@]}") ;;
     fuzz) wanted=("${cpu[@]}" "${fuzz[@]}") ;;
     cluster) wanted=("${cluster[@]}") ;;
@@ -37,7 +40,7 @@ case "${1:-}" in
         wanted=("${cpu[@]}" "${web[@]}")
         command -v npm >/dev/null || wanted+=(npm)  # Other nodejs packages than Debian's contain it.
         ;;
-    *) stop "usage: $script_name cpu|cpu-tests|demo|tests|fuzz|cluster|web" ;;
+    *) stop "usage: $script_name cpu|cpu-tests|demo|packages|tests|fuzz|cluster|web" ;;
 esac
 
 command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||

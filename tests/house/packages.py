@@ -13,8 +13,8 @@ import sys
 
 build, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 python = sys.argv[3]
-if shutil.which("dpkg") is None or shutil.which("dpkg-shlibdeps") is None:
-    print("SKIPPED: no dpkg and dpkg-dev")
+if any(shutil.which(tool) is None for tool in ("dpkg", "dpkg-shlibdeps", "file")):
+    print("SKIPPED: no dpkg, dpkg-dev and file")
     sys.exit(77)
 
 

@@ -1,6 +1,6 @@
 """pip install ./tools/python: builds the extension module by CMake from the sources that this folder belongs to.
 
-Needs the packages of tools/install_packages.sh demo, pybind11-dev and python3-dev; no network. RIMLINE_BUILD_DIR names
+Needs the packages of tools/install_packages.sh packages; no network. RIMLINE_BUILD_DIR names
 a build folder that is configured with -DRIMLINE_PYTHON=ON for the same Python, to use it instead of a new one.
 """
 
