@@ -35,30 +35,34 @@ bool passes_by(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& towar
 
 }  // namespace
 
-std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& view,
-                                 std::uint32_t vertex) {
+std::span<const std::int32_t> VertexRays::count_before(const LineGeometry& surface,
+                                                       const LineView& view,
+                                                       std::span<const std::uint32_t> vertices) {
     const std::span<const glm::vec3> positions = surface.mesh().positions();
-    const glm::vec3& p = positions[vertex];
-    const glm::dvec3 from(p), eye(view.point().xyz());
-    const glm::dvec3 towards = view.is_orthographic() ? eye : eye - from;
-    const double bound = k_determinant_error * length_1(towards);
-    std::int32_t count = 0;
-    surface.tree().each_along(
-        ray_end(surface, view, glm::dvec3(p)), glm::dvec3(p), [&](std::uint32_t face) {
-            const Triangle& t = surface.mesh().triangles()[face];
-            if (index(t[0]) == vertex || index(t[1]) == vertex || index(t[2]) == vertex) return;
-            const glm::vec3 &a = positions[index(t[0])], &b = positions[index(t[1])],
-                            &c = positions[index(t[2])];
-            if (passes_by({glm::dvec3(a) - from, glm::dvec3(b) - from, glm::dvec3(c) - from},
-                          towards, bound))
-                return;
-            const int side = seen_side(view.point(), a, b, p);
-            if (side != 0 && seen_side(view.point(), b, c, p) == side &&
-                seen_side(view.point(), c, a, p) == side && plane_side(a, b, c, p) == -side &&
-                seen_side(view.point(), a, b, c) == side)  // Else it lies behind the eye.
-                ++count;
-        });
-    return count;
+    const glm::dvec3 eye(view.point().xyz());
+    rays_.clear();
+    for (const std::uint32_t vertex : vertices) {
+        const glm::dvec3 from(positions[vertex]);
+        rays_.add(ray_end(surface, view, from), from);
+    }
+    counts_.assign(vertices.size(), 0);
+    rays_.each_along(surface.tree(), [&](std::uint32_t ray, std::uint32_t face) {
+        const std::uint32_t vertex = vertices[ray];
+        const Triangle& t = surface.mesh().triangles()[face];
+        if (index(t[0]) == vertex || index(t[1]) == vertex || index(t[2]) == vertex) return;
+        const glm::vec3 &a = positions[index(t[0])], &b = positions[index(t[1])],
+                        &c = positions[index(t[2])], &p = positions[vertex];
+        const glm::dvec3 from(p), towards = view.is_orthographic() ? eye : eye - from;
+        if (passes_by({glm::dvec3(a) - from, glm::dvec3(b) - from, glm::dvec3(c) - from}, towards,
+                      k_determinant_error * length_1(towards)))
+            return;
+        const int side = seen_side(view.point(), a, b, p);
+        if (side != 0 && seen_side(view.point(), b, c, p) == side &&
+            seen_side(view.point(), c, a, p) == side && plane_side(a, b, c, p) == -side &&
+            seen_side(view.point(), a, b, c) == side)  // Else it lies behind the eye.
+            ++counts_[ray];
+    });
+    return counts_;
 }
 
 bool is_covered(const LineGeometry& surface, const LineView& view, const glm::dvec2& place) {

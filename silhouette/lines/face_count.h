@@ -1,19 +1,31 @@
 #pragma once
 
-// How many faces lie strictly between the eye and a point: by one ray that meets all of them.
+// How many faces lie strictly between the eye and a point: by a ray that meets all of them.
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
+#include <vector>
 
 #include "silhouette/lines/line_geometry.h"
 #include "silhouette/lines/line_view.h"
+#include "silhouette/mesh/face_tree_segments.h"
 
 namespace rimline {
 
-/// Before a vertex, exactly. Faces that contain the vertex do not count. O(log faces + faces on the ray).
-std::int32_t count_before_vertex(const LineGeometry& surface, const LineView& view,
-                                 std::uint32_t vertex);
+/// Before vertices, exactly. Reuses its memory.
+class VertexRays {
+public:
+    /// The number of each vertex, valid until the next call. Faces that contain the vertex do not count.
+    /// O(vertices · log faces + faces on the rays).
+    std::span<const std::int32_t> count_before(const LineGeometry& surface, const LineView& view,
+                                               std::span<const std::uint32_t> vertices);
+
+private:
+    FaceTree::Segments rays_;
+    std::vector<std::int32_t> counts_;
+};
 
 struct RayCount {
     std::int32_t count;

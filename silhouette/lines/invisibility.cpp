@@ -5,8 +5,6 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "silhouette/lines/face_count.h"
-
 namespace rimline {
 
 namespace {
@@ -97,12 +95,19 @@ void Invisibility::fail_component(const LineFrame& frame) {
 
 // A ray is exact at a vertex.
 void Invisibility::spread_edges(LineFrame& frame) {
+    first_vertices_.clear();
+    set_of_.resize(frame.node_vertices.size());
     for (std::uint32_t node = 0; node < frame.node_vertices.size(); ++node) {
         if (bases_[node] != k_unknown_base || frame.ends_at(node).empty()) continue;
-        const std::int32_t base =
-            count_before_vertex(*frame.surface, *frame.view, frame.node_vertices[node]);
-        if (!spread_from(node, base, frame)) fail_component(frame);
+        if (!spread_from(node, 0, frame)) fail_component(frame);
+        for (const std::uint32_t other : queue_)
+            set_of_[other] = static_cast<std::uint32_t>(first_vertices_.size());
+        first_vertices_.push_back(frame.node_vertices[node]);
     }
+    const std::span<const std::int32_t> counts =
+        rays_.count_before(*frame.surface, *frame.view, first_vertices_);
+    for (std::uint32_t node = 0; node < frame.node_vertices.size(); ++node)
+        if (bases_[node] != k_unknown_base) bases_[node] += counts[set_of_[node]];
 }
 
 // A ray to a node of intersections may be unsure: then another node of the component may do. A second ray checks

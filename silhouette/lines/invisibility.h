@@ -4,13 +4,14 @@
 //
 // The invisibility of a line at an end is base(vertex) + local(end), where base counts faces before the vertex
 // that are not its own. The events of a line give the difference of base between its vertices. So base is a
-// potential: one ray gives it for one vertex of each set of connected lines, the lines give it for the others,
+// potential: the lines give it for all vertices of a set of connected lines but for a number, one ray gives that,
 // and every cycle of lines is a check of all signs along it. Where a check fails, each piece of the lines of the
 // set is decided by a ray of its own.
 
 #include <cstdint>
 #include <vector>
 
+#include "silhouette/lines/face_count.h"
 #include "silhouette/lines/line_frame.h"
 
 namespace rimline {
@@ -32,8 +33,11 @@ private:
     std::vector<std::int32_t> steps_;  // Of base, along each line.
     std::vector<std::int32_t> bases_;  // By node.
     std::vector<std::uint32_t> queue_;
-    std::vector<std::uint8_t> has_failed_;  // By line.
-    std::vector<std::uint8_t> is_used_;     // By line: it gave a base, or checked one.
+    VertexRays rays_;
+    std::vector<std::uint32_t> first_vertices_;  // Of each set of connected edges.
+    std::vector<std::uint32_t> set_of_;          // By node.
+    std::vector<std::uint8_t> has_failed_;       // By line.
+    std::vector<std::uint8_t> is_used_;          // By line: it gave a base, or checked one.
 };
 
 }  // namespace rimline

@@ -11,6 +11,8 @@ namespace {
 
 // Lines are cut at this depth before a perspective eye, in radii of the mesh.
 constexpr double k_near_share = 1e-5;
+// So far ahead the ends of lines are asked for, which lie anywhere in memory.
+constexpr std::size_t k_lines_ahead = 16;
 
 // Faces whose plane cannot tell on which side the point is: a plane's normal and distance are rounded to float,
 // and so are the three products and sums. The bound is twice the sum of their errors.
@@ -117,6 +119,9 @@ void LineCollection::project(LineFrame& frame) const {
     std::size_t kept = 0;
     std::uint32_t kept_edges = 0;
     for (std::size_t i = 0; i < frame.lines.size(); ++i) {
+        if (i + k_lines_ahead < frame.edge_lines)
+            for (const std::uint32_t vertex : frame.lines[i + k_lines_ahead].vertices)
+                __builtin_prefetch(&frame.position(vertex));
         ViewLine line = frame.lines[i];
         std::array<glm::dvec3, 2> ends;
         for (std::size_t k = 0; k < 2; ++k) ends[k] = frame.end_of(line, k);

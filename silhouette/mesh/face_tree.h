@@ -78,6 +78,8 @@ public:
         });
     }
 
+    class Segments;  // face_tree_segments.h
+
     static constexpr std::uint32_t k_leaf_faces = 4;    ///< Of the last leaf: at most.
     static constexpr std::uint32_t k_block_faces = 16;  ///< Of the last block: at most.
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "silhouette/mesh/face_tree_segments.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/mesh/random.h"
 
@@ -140,6 +141,37 @@ TEST_CASE(
             return false;
         });
         CHECK(found == 3000);
+    }
+}
+
+TEST_CASE("segments together find the faces that each of them finds alone") {
+    Random random(5);
+    FaceTree::Segments segments;
+    for (const std::uint32_t faces : {0u, 1u, 4u, 5u, 17u, 300u, 4000u}) {
+        CAPTURE(faces);
+        const Mesh mesh = scattered_faces(random, faces);
+        const FaceTree tree(mesh);
+        for (const std::uint32_t count : {0u, 1u, 40u}) {
+            segments.clear();
+            std::vector<std::pair<std::uint32_t, std::uint32_t>> expected, found;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const glm::dvec3 from(random.in_cube());
+                // One along an axis, one without length.
+                const glm::dvec3 way(i == 0   ? glm::vec3(0, 0, 1)
+                                     : i == 1 ? glm::vec3(0)
+                                              : random.in_cube());
+                segments.add(from, from + way);
+                tree.each_along(from, from + way,
+                                [&](std::uint32_t face) { expected.emplace_back(i, face); });
+            }
+            segments.each_along(tree, [&](std::uint32_t segment, std::uint32_t face) {
+                found.emplace_back(segment, face);
+            });
+            std::ranges::sort(expected);
+            std::ranges::sort(found);
+            CHECK(found == expected);
+            if (faces == 4000 && count == 40) CHECK(found.size() > 1000);
+        }
     }
 }
 
