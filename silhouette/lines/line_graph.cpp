@@ -3,23 +3,16 @@
 namespace rimline {
 
 // `next` is the number of a new node.
-std::uint32_t LineGraph::node_of(std::vector<std::uint32_t>& stamps,
-                                 std::vector<std::uint32_t>& numbers, std::uint32_t place,
-                                 std::uint32_t next) {
-    if (stamps[place] != frame_number_) {
-        stamps[place] = frame_number_;
-        numbers[place] = next;
-    }
-    return numbers[place];
+std::uint32_t LineGraph::node_at(Place& place, std::uint32_t next) const {
+    if (place.stamp != frame_number_) place = {frame_number_, next};
+    return place.node;
 }
 
 void LineGraph::link(LineFrame& frame) {
     ++frame_number_;
     const LineGeometry& surface = *frame.surface;
-    vertex_stamps_.resize(surface.mesh().vertex_count());
-    vertex_nodes_.resize(surface.mesh().vertex_count());
-    curve_stamps_.resize(surface.curves().node_count());
-    curve_nodes_.resize(surface.curves().node_count());
+    vertices_.resize(surface.mesh().vertex_count());
+    curves_.resize(surface.curves().node_count());
     frame.nodes.resize(frame.lines.size());
     frame.node_vertices.clear();
     frame.node_curves.clear();
@@ -27,7 +20,7 @@ void LineGraph::link(LineFrame& frame) {
         for (std::size_t k = 0; k < 2; ++k) {
             const std::uint32_t vertex = frame.lines[i].vertices[k];
             const auto next = static_cast<std::uint32_t>(frame.node_vertices.size());
-            const std::uint32_t node = node_of(vertex_stamps_, vertex_nodes_, vertex, next);
+            const std::uint32_t node = node_at(vertices_[vertex], next);
             if (node == next) frame.node_vertices.push_back(vertex);
             frame.nodes[i][k] = node;
         }
@@ -35,7 +28,7 @@ void LineGraph::link(LineFrame& frame) {
     for (std::size_t i = frame.edge_lines; i < frame.lines.size(); ++i)
         for (std::size_t k = 0; k < 2; ++k) {
             const std::uint32_t node = surface.curves().segments()[frame.lines[i].source].nodes[k];
-            frame.nodes[i][k] = node_of(curve_stamps_, curve_nodes_, node, count);
+            frame.nodes[i][k] = node_at(curves_[node], count);
             if (frame.nodes[i][k] == count) ++count, frame.node_curves.push_back(node);
         }
 

@@ -15,13 +15,14 @@ public:
     void link(LineFrame& frame);
 
 private:
-    std::uint32_t node_of(std::vector<std::uint32_t>& stamps, std::vector<std::uint32_t>& numbers,
-                          std::uint32_t place, std::uint32_t next);
+    // The frame in which a vertex became a node, and the node.
+    struct Place {
+        std::uint32_t stamp = 0, node = 0;
+    };
+    std::uint32_t node_at(Place& place, std::uint32_t next) const;
 
     std::uint32_t frame_number_ = 0;
-    // By vertex of the mesh, and by node of its curves: the frame in which it became a node, and the node.
-    std::vector<std::uint32_t> vertex_stamps_, vertex_nodes_;
-    std::vector<std::uint32_t> curve_stamps_, curve_nodes_;
+    std::vector<Place> vertices_, curves_;  // By vertex of the mesh, and by node of its curves.
     std::vector<std::uint32_t> next_;
 };
 
