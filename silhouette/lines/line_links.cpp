@@ -23,13 +23,20 @@ void LineLinks::link(LineEnd a, LineEnd b) noexcept {
 void LineLinks::find(const LineFrame& frame, SmoothNormals& normals) {
     next_.assign(2 * frame.lines.size(), k_no_end);
     const std::size_t nodes = frame.end_begin.size() - 1;
-    for (std::uint32_t node = 0; node < nodes; ++node)
+    const auto is_drawn = [&](LineEnd end) { return frame.lines[end / 2].is_drawn; };
+    const auto kind_of = [&](LineEnd end) { return frame.lines[end / 2].kind; };
+    for (std::uint32_t node = 0; node < nodes; ++node) {
+        const std::span<const LineEnd> ends = frame.ends_at(node);
+        if (ends.size() == 2) {  // As most have.
+            if (is_drawn(ends[0]) && is_drawn(ends[1]) && kind_of(ends[0]) == kind_of(ends[1]))
+                link(ends[0], ends[1]);
+            continue;
+        }
         for (std::uint32_t k = 0; k < k_line_kinds; ++k) {
             const auto kind = static_cast<LineKind>(k);
             ends_.clear();
-            for (const LineEnd end : frame.ends_at(node))
-                if (frame.lines[end / 2].is_drawn && frame.lines[end / 2].kind == kind)
-                    ends_.push_back(end);
+            for (const LineEnd end : ends)
+                if (is_drawn(end) && kind_of(end) == kind) ends_.push_back(end);
             if (ends_.size() == 2)
                 link(ends_[0], ends_[1]);
             else if (ends_.size() > 2 &&
@@ -37,6 +44,7 @@ void LineLinks::find(const LineFrame& frame, SmoothNormals& normals) {
                        link_around_sectors(frame, frame.node_vertices[node], normals)))
                 link_best(frame);
         }
+    }
 }
 
 // Returns whether the vertex has one closed fan of faces, and around it fronts and backs between the silhouettes in

@@ -81,12 +81,13 @@ public:
             left_a |= std::uint32_t{side > 0} << i;
             right_a |= std::uint32_t{side < 0} << i;
         }
-        const auto bits = [](std::uint32_t a, std::uint32_t b) {
-            return std::popcount(std::uint64_t{a} << 32 | b);
+        // Mostly one bit or none, for which no instruction is needed that not every machine has.
+        const auto count = [](std::uint32_t bits) {
+            return (bits & (bits - 1)) == 0 ? int(bits != 0) : std::popcount(bits);
         };
         Locals locals;
-        locals.balance =
-            bits(ends_a & left_b, ends_b & left_a) - bits(ends_a & right_b, ends_b & right_a);
+        locals.balance = count(ends_a & left_b) + count(ends_b & left_a) - count(ends_a & right_b) -
+                         count(ends_b & right_a);
         for (std::uint32_t rest = (left_a & right_b) | (right_a & left_b); rest != 0;
              rest &= rest - 1) {
             const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
