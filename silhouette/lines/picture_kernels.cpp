@@ -13,8 +13,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Steps = hn::CappedTag<std::int16_t, PictureBoxes::k_boxes>;
 
-std::size_t FindBefore(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
-                       const PictureBox& box, std::uint32_t* found) {
+HWY_INLINE std::size_t boxes_before(std::span<const PictureBoxes> level,
+                                    std::span<const std::uint32_t> blocks, const PictureBox& box,
+                                    std::uint32_t* found) {
     const Steps d;
     const auto low_x = hn::Set(d, box.low_x), low_y = hn::Set(d, box.low_y),
                high_x = hn::Set(d, box.high_x), high_y = hn::Set(d, box.high_y),
@@ -39,6 +40,18 @@ std::size_t FindBefore(std::span<const PictureBoxes> level, std::span<const std:
     return static_cast<std::size_t>(found - begin);
 }
 
+std::size_t FindBefore(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
+                       const PictureBox& box, std::uint32_t* found) {
+    return boxes_before(level, blocks, box, found);
+}
+
+std::size_t FindBelow(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
+                      std::span<const PictureBoxes> below, const PictureBox& box,
+                      std::uint32_t* found_blocks, std::uint32_t* found) {
+    const std::size_t count = boxes_before(level, blocks, box, found_blocks);
+    return boxes_before(below, {found_blocks, count}, box, found);
+}
+
 }  // namespace rimline::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -46,10 +59,17 @@ HWY_AFTER_NAMESPACE();
 namespace rimline::kernels {
 
 HWY_EXPORT(FindBefore);
+HWY_EXPORT(FindBelow);
 
 std::size_t find_before(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
                         const PictureBox& box, std::uint32_t* found) noexcept {
     return HWY_DYNAMIC_DISPATCH(FindBefore)(level, blocks, box, found);
+}
+
+std::size_t find_below(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
+                       std::span<const PictureBoxes> below, const PictureBox& box,
+                       std::uint32_t* found_blocks, std::uint32_t* found) noexcept {
+    return HWY_DYNAMIC_DISPATCH(FindBelow)(level, blocks, below, box, found_blocks, found);
 }
 
 }  // namespace rimline::kernels

@@ -17,4 +17,9 @@ namespace rimline::kernels {
 std::size_t find_before(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
                         const PictureBox& box, std::uint32_t* found) noexcept;
 
+/// The same of the level below, in those blocks that it finds in `level`, and writes to `found_blocks`.
+std::size_t find_below(std::span<const PictureBoxes> level, std::span<const std::uint32_t> blocks,
+                       std::span<const PictureBoxes> below, const PictureBox& box,
+                       std::uint32_t* found_blocks, std::uint32_t* found) noexcept;
+
 }  // namespace rimline::kernels

@@ -92,13 +92,12 @@ void PictureTree::find_groups(const PictureBox& box) {
 }
 
 std::span<const std::uint32_t> PictureTree::find_lines(const PictureBox& box) {
-    std::size_t block_count = 1;
-    blocks_[0] = 0;
-    if (levels_.size() > 1)
-        block_count =
-            kernels::find_before(levels_[1], {groups_.data(), group_count_}, box, blocks_.data());
-    return {lines_.data(),
-            kernels::find_before(levels_[0], {blocks_.data(), block_count}, box, lines_.data())};
+    const std::span<const std::uint32_t> groups{groups_.data(), group_count_};
+    const std::size_t count = levels_.size() > 1
+                                  ? kernels::find_below(levels_[1], groups, levels_[0], box,
+                                                        blocks_.data(), lines_.data())
+                                  : kernels::find_before(levels_[0], groups, box, lines_.data());
+    return {lines_.data(), count};
 }
 
 }  // namespace rimline

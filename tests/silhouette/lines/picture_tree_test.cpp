@@ -105,6 +105,15 @@ TEST_CASE("a box that includes others meets what they meet, and an empty one not
             Numbers numbers(PictureBoxes::k_boxes);
             const Numbers blocks{1};
             numbers.resize(kernels::find_before(level, blocks, box, numbers.data()));
+            // A level above, whose second box is that of block 1.
+            std::vector<PictureBoxes> above(1);
+            for (std::size_t k = 0; k < PictureBoxes::k_boxes; ++k)
+                above[0].set(k, k == 1 ? all : k_empty_picture_box);
+            Numbers found_blocks(PictureBoxes::k_boxes), below(PictureBoxes::k_boxes);
+            const Numbers first{0};
+            below.resize(
+                kernels::find_below(above, first, level, box, found_blocks.data(), below.data()));
+            CHECK(below == numbers);
             return numbers;
         };
         CHECK(found(steps.box({0, 0, 0}, {1, 1, 1})) == Numbers{33, 36, 63});
