@@ -11,7 +11,7 @@ namespace {
 
 // Lines are cut at this depth before a perspective eye, in radii of the mesh.
 constexpr double k_near_share = 1e-5;
-// So far ahead the ends of lines are asked for, which lie anywhere in memory.
+// So far ahead edges and their ends are asked for, which lie anywhere in memory.
 constexpr std::size_t k_lines_ahead = 16;
 
 // Faces whose plane cannot tell on which side the point is: a plane's normal and distance are rounded to float,
@@ -84,8 +84,14 @@ void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptio
     const Mesh::EdgeRange borders = mesh.edges_of_class(EdgeClass::border);
     for (std::uint32_t e = borders.first; e < borders.last; ++e)
         add_edge(EdgeId{e}, LineKind::border, draws(LineKind::border), frame);
-    for (const EdgeId edge : silhouette)
-        add_edge(edge, LineKind::silhouette, draws(LineKind::silhouette), frame);
+    for (std::size_t i = 0; i < silhouette.size(); ++i) {
+        if (i + k_lines_ahead < silhouette.size()) {
+            const EdgeId ahead = silhouette[i + k_lines_ahead];
+            __builtin_prefetch(&stamps_[index(ahead)]);
+            __builtin_prefetch(&mesh.edge(ahead));
+        }
+        add_edge(silhouette[i], LineKind::silhouette, draws(LineKind::silhouette), frame);
+    }
     // Special edges first: local_rule.h would draw them as silhouettes where their balance is not zero.
     for (const EdgeId edge : frame.surface->special_edges())
         add_edge(edge, LineKind::crease, false, frame);

@@ -2,6 +2,13 @@
 
 namespace rimline {
 
+namespace {
+
+// So far ahead the vertices of edges are asked for, which lie anywhere in memory.
+constexpr std::uint32_t k_edges_ahead = 16;
+
+}  // namespace
+
 // `next` is the number of a new node.
 std::uint32_t LineGraph::node_at(Place& place, std::uint32_t next) const {
     if (place.stamp != frame_number_) place = {frame_number_, next};
@@ -16,7 +23,10 @@ void LineGraph::link(LineFrame& frame) {
     frame.nodes.resize(frame.lines.size());
     frame.node_vertices.clear();
     frame.node_curves.clear();
-    for (std::uint32_t i = 0; i < frame.edge_lines; ++i)
+    for (std::uint32_t i = 0; i < frame.edge_lines; ++i) {
+        if (i + k_edges_ahead < frame.edge_lines)
+            for (const std::uint32_t vertex : frame.lines[i + k_edges_ahead].vertices)
+                __builtin_prefetch(&vertices_[vertex]);
         for (std::size_t k = 0; k < 2; ++k) {
             const std::uint32_t vertex = frame.lines[i].vertices[k];
             const auto next = static_cast<std::uint32_t>(frame.node_vertices.size());
@@ -24,6 +34,7 @@ void LineGraph::link(LineFrame& frame) {
             if (node == next) frame.node_vertices.push_back(vertex);
             frame.nodes[i][k] = node;
         }
+    }
     auto count = static_cast<std::uint32_t>(frame.node_vertices.size());
     for (std::size_t i = frame.edge_lines; i < frame.lines.size(); ++i)
         for (std::size_t k = 0; k < 2; ++k) {
