@@ -66,10 +66,11 @@ void LineEvents::find_crossings(LineFrame& frame, bool finds_parallels) {
     // Lines that coincide lie beside each other by up to the tolerance, and so may their boxes.
     const double tolerance = coincidence_tolerance(frame);
     fill_tree(frame, finds_parallels ? tolerance : 0.0);
-    // Lines that are near enough to coincide meet as (line, other) and as (other, line), unless one lies behind the other.
+    // Lines that are near enough to coincide meet as (line, other) and as (other, line), unless one of them lies
+    // behind.
     const auto meets_again = [&](std::uint32_t line, std::uint32_t other) {
-        const std::array<double, 2>&own = frame.flats[line].depths,
-                                 &others = frame.flats[other].depths;
+        const auto& own = frame.flats[line].depths;
+        const auto& others = frame.flats[other].depths;
         return line > other && std::min(own[0], own[1]) <= std::max(others[0], others[1]);
     };
     tree_.each_pair([&](std::uint32_t line, std::uint32_t other) {
