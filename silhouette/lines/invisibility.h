@@ -4,9 +4,9 @@
 //
 // The invisibility of a line at an end is base(vertex) + local(end), where base counts faces before the vertex
 // that are not its own. The events of a line give the difference of base between its vertices. So base is a
-// potential: the lines give it for all vertices of a set of connected lines but for a number, one ray gives that,
-// and every cycle of lines is a check of all signs along it. Where a check fails, each piece of the lines of the
-// set is decided by a ray of its own.
+// potential: the lines give it for all vertices of a set of connected lines, up to one number for the set. One ray
+// gives that number, and every cycle of lines is a check of all signs along it. Where a check fails, each piece of the
+// lines of the set is decided by a ray of its own.
 
 #include <cstdint>
 #include <vector>
