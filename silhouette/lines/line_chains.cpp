@@ -69,27 +69,26 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
     const bool is_orthographic = frame.view->is_orthographic();
     const std::array<glm::dvec3, 2> ends{frame.end_of(frame.lines[line], 0),
                                          frame.end_of(frame.lines[line], 1)};
+    const EdgeId edge =
+        frame.lines[line].is_intersection() ? k_no_edge : EdgeId{frame.lines[line].source};
     bool is_first = true;
     const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
         const double share = flat.share_in_space(share_in_picture, is_orthographic);
-        LinePoint point;
-        if (is_first && !points_.empty()) {
-            point = points_.back().point;  // The end of the line before.
+        ChainPoint& added = points_.emplace_back();
+        const LinePoint* const last = points_.size() > 1 ? &(&added)[-1].point : nullptr;
+        if (is_first && last != nullptr) {
+            added.point = *last;  // The end of the line before.
         } else {
             const auto [position, depth] = frame.view->project(glm::mix(ends[0], ends[1], share));
-            point = {position, depth, 0.0};
-            if (!points_.empty())
-                point.arc = points_.back().point.arc +
-                            glm::length(position - points_.back().point.position);
+            added.point = {
+                position, depth,
+                last != nullptr ? last->arc + glm::length(position - last->position) : 0.0};
         }
         is_first = false;
-        const EdgeId edge =
-            frame.lines[line].is_intersection() ? k_no_edge : EdgeId{frame.lines[line].source};
-        points_.push_back({point,
-                           {edge, static_cast<float>(share)},
-                           count,
-                           is_covered,
-                           glm::mix(shifts[0], shifts[1], share_in_picture)});
+        added.source = {edge, static_cast<float>(share)};
+        added.count = count;
+        added.is_covered = is_covered;
+        added.shift = glm::mix(shifts[0], shifts[1], share_in_picture);
     };
     const std::span<const LineEvent> events = frame.events_of(line);
     const std::span<const CoveredStretch> stretches = covered.of(line);

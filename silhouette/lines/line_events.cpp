@@ -20,14 +20,38 @@ constexpr double k_depth_slack = 0x1p-40;
 
 double cross_2d(const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; }
 
-// The turn a -> b -> c in the picture, where doubles decide it. A coordinate errs by a few 2^-53 of `size`.
+double length_1(const glm::dvec2& u) { return std::abs(u.x) + std::abs(u.y); }
+
+// A turn in the picture, cross_2d(u, v), errs by less than this times the sum of length_1 of u and v and times the
+// greatest coordinate, of which each coordinate errs by a few 2^-53.
+constexpr double k_turn_error = 0x1p-46;
+
+// The turn a -> b -> c in the picture, where doubles decide it.
 int turn_in_picture(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, double size) {
     const glm::dvec2 u = b - a, v = c - a;
-    const double turn = cross_2d(u, v);
-    const double bound =
-        0x1p-46 * size * (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y));
+    const double turn = cross_2d(u, v), bound = k_turn_error * size * (length_1(u) + length_1(v));
     return turn > bound ? 1 : (-turn > bound ? -1 : 0);
 }
+
+// On which sides of each other the ends of two segments of the picture lie, left being positive.
+struct SegmentTurns {
+    // Without branches: most pairs do not cross, but which of the turns says so is as good as random.
+    SegmentTurns(const std::array<glm::dvec2, 2>& line, const std::array<glm::dvec2, 2>& other,
+                 double size) {
+        const glm::dvec2 u = line[1] - line[0], v = other[1] - other[0], w = other[0] - line[0];
+        others = {cross_2d(u, w), cross_2d(u, other[1] - line[0])};
+        own = {cross_2d(v, line[0] - other[0]), cross_2d(v, line[1] - other[0])};
+        const double least = std::min(std::min(std::abs(others[0]), std::abs(others[1])),
+                                      std::min(std::abs(own[0]), std::abs(own[1])));
+        // No other vector that the turns are made of is longer than w and one of the two.
+        is_sure = least > k_turn_error * size * (length_1(u) + length_1(v) + length_1(w));
+    }
+    bool cross() const {
+        return ((others[0] > 0.0) != (others[1] > 0.0)) & ((own[0] > 0.0) != (own[1] > 0.0));
+    }
+    std::array<double, 2> own, others;
+    bool is_sure;  // Doubles decide all four.
+};
 
 struct CrossingPlace {
     double share, other_share;
@@ -95,19 +119,22 @@ void LineEvents::cross(LineFrame& frame, std::uint32_t i, std::uint32_t occluder
     const FlatLine& flat = frame.flats[i];
     // Picture coordinates of an end that was cut are not those of its vertex.
     const bool is_cut = line.is_cut[0] || line.is_cut[1] || other.is_cut[0] || other.is_cut[1];
-    const auto side = [&](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p,
-                          std::uint32_t va, std::uint32_t vb, std::uint32_t vp) {
-        const int turn = is_cut ? 0 : turn_in_picture(a, b, p, frame.picture_size);
-        return turn != 0 ? turn
-                         : seen_side(frame.view->point(), frame.position(va), frame.position(vb),
-                                     frame.position(vp));
-    };
-    const auto& [a, b] = flat.ends;
-    const auto& [p, q] = frame.flats[occluder].ends;
-    const int side_c = side(a, b, p, v, w, c);
-    if (side_c * side(a, b, q, v, w, d) >= 0) return;
-    const int side_w = side(p, q, b, c, d, w);
-    if (side_w * side(p, q, a, c, d, v) >= 0) return;
+    const SegmentTurns turns(flat.ends, frame.flats[occluder].ends, frame.picture_size);
+    int side_c, side_w;
+    if (turns.is_sure && !is_cut) {
+        if (!turns.cross()) return;
+        side_c = turns.others[0] > 0.0 ? 1 : -1;
+        side_w = turns.own[1] > 0.0 ? 1 : -1;
+    } else {
+        const auto side = [&](std::uint32_t a, std::uint32_t b, std::uint32_t p) {
+            return seen_side(frame.view->point(), frame.position(a), frame.position(b),
+                             frame.position(p));
+        };
+        side_c = side(v, w, c);
+        if (side_c * side(v, w, d) >= 0) return;
+        side_w = side(c, d, w);
+        if (side_w * side(c, d, v) >= 0) return;
+    }
     const CrossingPlace place = crossing_of(flat, frame.flats[occluder]);
     // Where a line has an end behind the eye, the two may cross behind the eye.
     if (is_cut && !(place.share >= 0.0 && place.share <= 1.0 && place.other_share >= 0.0 &&
