@@ -94,19 +94,23 @@ double DiscountedField::value(const glm::dvec3& point, TangentialField::Work& wo
 }
 
 void DiscountedField::values(std::span<const glm::dvec3> points, std::span<double> out,
-                             const LongCall& call) const {
-    many_values(points, out, call, [this] {
-        return [this, scratch = field_->sums_->make_scratch(), work = kernels::FieldWork()](
-                   const glm::dvec3& point) mutable { return value_with(scratch, point, work); };
+                             const LongCall& call, double tolerances) const {
+    RIMLINE_CHECK(tolerances >= 1.0);
+    many_values(points, out, call, [&] {
+        return [this, tolerances, scratch = field_->sums_->make_scratch(),
+                work = kernels::FieldWork()](const glm::dvec3& point) mutable {
+            return value_with(scratch, point, work, tolerances);
+        };
     });
 }
 
 double DiscountedField::value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
-                                   kernels::FieldWork& work) const {
-    if (!discount_) return field_->value_with(scratch, point, work);
+                                   kernels::FieldWork& work, double tolerances) const {
+    if (!discount_) return field_->value_with(scratch, point, work, tolerances);
     RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
     const FieldSums& sums = *field_->sums_;
-    if (FieldSums::is_near(point)) return sums.sum(discount_.get(), point, scratch, work);
+    if (FieldSums::is_near(point))
+        return sums.sum(discount_.get(), point, scratch, work, tolerances);
     double sum = 0.0;
     for (std::size_t i = 0; i < previous_.size(); ++i) {
         const auto& plane = sums.planes[i];

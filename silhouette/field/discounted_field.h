@@ -42,8 +42,9 @@ public:
     /// As in TangentialField.
     double value(const glm::dvec3& point) const;
     double value(const glm::dvec3& point, TangentialField::Work& work) const;
+    /// With errors of up to `tolerances` times FieldOptions::tolerance.
     void values(std::span<const glm::dvec3> points, std::span<double> out,
-                const LongCall& call = {}) const;
+                const LongCall& call = {}, double tolerances = 1.0) const;
 
     /// Upper bound of the error of a value.
     double error_bound() const noexcept;
@@ -51,7 +52,7 @@ public:
 
 private:
     double value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
-                      kernels::FieldWork& work) const;
+                      kernels::FieldWork& work, double tolerances = 1.0) const;
 
     const TangentialField* field_;
     // Previous votes by plane, in leaf order. Empty before the first point is chosen.

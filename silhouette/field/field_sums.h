@@ -35,12 +35,13 @@ struct FieldSums {
         if (budget > 0.0) scratch.reserve(clusters);
         return scratch;
     }
-    /// The sum at a near point.
+    /// The sum at a near point, with an error of up to `tolerances` budgets.
     double sum(const kernels::Discount* discount, const glm::dvec3& point,
-               kernels::FieldScratch& scratch, kernels::FieldWork& work) const {
+               kernels::FieldScratch& scratch, kernels::FieldWork& work,
+               double tolerances = 1.0) const {
         if (budget > 0.0)
-            return kernels::sum_clusters(clusters, function, discount, point, budget, scratch,
-                                         work);
+            return kernels::sum_clusters(clusters, function, discount, point, tolerances * budget,
+                                         scratch, work);
         work.planes += planes.size();
         return kernels::sum_planes(clusters, function, discount, point);
     }

@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::uint32_t k_max_rounds = 200;  // Rounds of a climb, 26 samples each. Usually 15.
 constexpr std::size_t k_max_fine_climbs = 2;
+// Where the lattice only says where climbs start, its sums may err by so many tolerances. At 2, four origins of nine
+// models are those found at 1; at 4 they take 12% less time, and the fourth of fandisk has 3% fewer votes.
+constexpr double k_lattice_tolerances = 2.0;
 
 double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
     return 2.0 * domain.outer_radius / (lattice - 1);
@@ -236,8 +239,9 @@ public:
     }
 
 private:
-    void evaluate(std::span<const glm::dvec3> points, std::span<double> out, const LongCall& call) {
-        votes_.values(points, out, call);
+    void evaluate(std::span<const glm::dvec3> points, std::span<double> out, const LongCall& call,
+                  double tolerances = 1.0) {
+        votes_.values(points, out, call, tolerances);
         result_.evaluations += points.size();
     }
 
@@ -245,13 +249,13 @@ private:
         // The lattice takes about half of the time.
         std::vector<double> votes(lattice_.points().size());
         evaluate(lattice_.points(), votes,
-                 {call.stop, [&](double done) { call.checkpoint(0.5 * done); }});
+                 {call.stop, [&](double done) { call.checkpoint(0.5 * done); }},
+                 options_.weigh ? 1.0 : k_lattice_tolerances);
         const LongCall silent{call.stop, {}};
         Climbs climbs(domain_, 0.5 * spacing_of(domain_, options_.lattice), options_.tolerance);
         // With weights, any peak may win.
         if (!options_.weigh) climbs.prune_when_fine();
-        for (const Sample& maximum : lattice_.local_maxima(votes, options_.climbs))
-            climbs.start(maximum);
+        for (const Sample& start : starts(votes, silent)) climbs.start(start);
         const std::vector<Sample> peaks =
             climbs.to_peaks([&](std::span<const glm::dvec3> points, std::span<double> out) {
                 evaluate(points, out, silent);
@@ -263,15 +267,28 @@ private:
             });
             if (is_new) candidates.push_back(peak);
         }
-        const std::uint32_t stride = options_.weigh ? options_.weighed_stride : 1;
-        for (std::size_t i = 0; i < votes.size(); ++i)
-            if (lattice_.is_at_stride(i, stride))
-                candidates.push_back({lattice_.points()[i], votes[i]});
+        // Without weights, no sample has more votes than the peaks.
+        if (options_.weigh)
+            for (std::size_t i = 0; i < votes.size(); ++i)
+                if (lattice_.is_at_stride(i, options_.weighed_stride))
+                    candidates.push_back({lattice_.points()[i], votes[i]});
         call.checkpoint(0.7);
         std::optional<PointOfInterest> best = best_of(candidates, std::nullopt, silent);
         if (best && options_.weigh) best = refine(*best, silent);
         call.checkpoint(1.0);
         return best;
+    }
+
+    // The best local maxima of the lattice, with votes as exact as those of climbs.
+    std::vector<Sample> starts(std::span<const double> votes, const LongCall& call) {
+        std::vector<Sample> maxima = lattice_.local_maxima(votes, options_.climbs);
+        if (options_.weigh) return maxima;
+        std::vector<glm::dvec3> points;
+        for (const Sample& maximum : maxima) points.push_back(maximum.point);
+        std::vector<double> own(points.size());
+        evaluate(points, own, call);
+        for (std::size_t i = 0; i < maxima.size(); ++i) maxima[i].votes = own[i];
+        return maxima;
     }
 
     // Returns the same point, or a better one near it.

@@ -5,8 +5,11 @@
 //
 // The domain is sampled on a lattice. The best local maxima of the samples start climbs. A climb evaluates
 // a pattern of 27 points and moves to the best one. It halves the pattern if its center is the best, until
-// the width is below the tolerance. Without weights, only the best two climbs continue after all patterns
-// have shrunk to an eighth. Candidates are the lattice samples and the peaks. The best one is chosen.
+// the width is below the tolerance.
+//
+// With weights, candidates are the lattice samples and the peaks. Without, the best peak is chosen, and only the best
+// two climbs continue after all patterns have shrunk to an eighth. Samples then only say where climbs start, so their
+// sums may err by two tolerances of the field.
 //
 //   Weights. A candidate's score is its votes times a weight in [0, 1] (4.5.3: the visible share of the
 //   silhouette). A weight may be expensive. Votes times a cheap bound of the weight bound scores, so

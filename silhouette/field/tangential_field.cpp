@@ -70,9 +70,9 @@ void TangentialField::values(std::span<const glm::dvec3> points, std::span<doubl
 }
 
 double TangentialField::value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
-                                   kernels::FieldWork& work) const {
+                                   kernels::FieldWork& work, double tolerances) const {
     RIMLINE_CHECK(is_finite(point));
-    if (FieldSums::is_near(point)) return sums_->sum(nullptr, point, scratch, work);
+    if (FieldSums::is_near(point)) return sums_->sum(nullptr, point, scratch, work, tolerances);
     double sum = 0.0;
     for (const FieldSums::ExactPlane& plane : sums_->planes)
         sum += plane.weight * function_.value(plane.distance(point));

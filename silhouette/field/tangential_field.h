@@ -84,7 +84,7 @@ private:
     friend class DiscountedField;
 
     double value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
-                      kernels::FieldWork& work) const;
+                      kernels::FieldWork& work, double tolerances = 1.0) const;
 
     UnitFrame frame_;
     TangentialFunction function_;

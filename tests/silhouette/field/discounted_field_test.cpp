@@ -53,5 +53,22 @@ TEST_CASE("many discounted values are those of single calls") {
     for (std::size_t i = 0; i < points.size(); ++i) CHECK(discounted.value(points[i]) == values[i]);
 }
 
+TEST_CASE("less exact values are within so many tolerances, those of a field with that tolerance") {
+    const UnitPlanes planes{Mesh(make_built_in_shape("torus", 3000))};
+    const TangentialField fine(planes, origin_function(), {2e-3}),
+        coarse(planes, origin_function(), {8e-3});
+    const auto points = tests::probe_points(500, 5);
+    std::vector<double> exact(points.size()), less_exact(points.size()), expected(points.size());
+    for (const bool is_discounted : {false, true}) {
+        DiscountedField of_fine(fine), of_coarse(coarse);
+        if (is_discounted) of_fine.discount(points[0]), of_coarse.discount(points[0]);
+        of_fine.values(points, exact);
+        of_fine.values(points, less_exact, {}, 4.0);
+        of_coarse.values(points, expected);
+        CHECK(less_exact == expected);
+        CHECK(less_exact != exact);
+    }
+}
+
 }  // namespace
 }  // namespace rimline

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "silhouette/field/discounted_field.h"
 #include "silhouette/field/named_functions.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/field/reference_sum.h"
@@ -67,6 +68,24 @@ TEST_CASE("next points have the votes that those before them have not had") {
         CHECK(point.votes <= found.points[k - 1].votes);
         for (const glm::dvec3& c : chosen) CHECK(glm::distance(c, point.point) > 0.05);
         chosen.push_back(point.point);
+    }
+}
+
+// Also of a peak on the lattice, whose samples are less exact.
+TEST_CASE("points have the votes of the field at a tolerance that shows") {
+    for (const char* shape : {"knot", "torus", "spring", "scene"}) {
+        CAPTURE(shape);
+        const UnitPlanes planes{Mesh(make_built_in_shape(shape, 2000))};
+        const TangentialField field(planes, origin_function(), {0.1});
+        DiscountedField left(field);
+        InterestOptions options;
+        options.count = 4;
+        options.tolerance = 0.2;  // Climbs end where they start, or near it.
+        for (const PointOfInterest& point :
+             find_points_of_interest(field, k_ball, options).points) {
+            CHECK(point.votes == left.value(point.point));
+            left.discount(point.point);
+        }
     }
 }
 

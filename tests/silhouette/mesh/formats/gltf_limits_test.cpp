@@ -71,9 +71,13 @@ double longest_stop_s(const std::string& name, const std::string& bytes) {
     const std::filesystem::path path = folder.write(name, bytes);
     clockid_t reader{};
     REQUIRE(pthread_getcpuclockid(pthread_self(), &reader) == 0);
-    const double begin_s = cpu_s(reader);
-    read_mesh_file(path, FaceRequirement::faces_or_points);
-    const double whole_s = cpu_s(reader) - begin_s;
+    // The first reading may take twice as long as those after it, which would be over before the later moments.
+    double whole_s = std::numeric_limits<double>::infinity();
+    for (int reading = 0; reading < 3; ++reading) {
+        const double begin_s = cpu_s(reader);
+        read_mesh_file(path, FaceRequirement::faces_or_points);
+        whole_s = std::min(whole_s, cpu_s(reader) - begin_s);
+    }
     constexpr int k_moments = 12;
     double longest_s = 0.0;
     int stopped = 0;
