@@ -267,7 +267,7 @@ private:
             });
             if (is_new) candidates.push_back(peak);
         }
-        // Without weights, no sample has more votes than the peaks.
+        // Without weights, no sample has more votes than the best peak, up to the samples' error.
         if (options_.weigh)
             for (std::size_t i = 0; i < votes.size(); ++i)
                 if (lattice_.is_at_stride(i, options_.weighed_stride))
