@@ -1,10 +1,14 @@
 #pragma once
 
-// What shadows need of a mesh besides its silhouettes, made once for each mesh.
+// What frames need of a mesh besides its silhouettes, made once for each mesh.
 
+#include <glm/vec3.hpp>
 #include <map>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "engine/frame/bounding_polytope.h"
 #include "engine/frame/vertex_places.h"
 #include "silhouette/mesh/face_tree.h"
 
@@ -13,10 +17,13 @@ namespace rimline {
 class CasterMesh {
 public:
     /// `mesh` must outlive it. O(vertices).
-    explicit CasterMesh(const Mesh& mesh) : vertices_(mesh) {}
+    explicit CasterMesh(const Mesh& mesh)
+        : vertices_(mesh), polytope_(polytope_around(mesh.positions())) {}
 
     const Mesh& mesh() const noexcept { return vertices_.mesh(); }
     const VertexPlaces& vertices() const noexcept { return vertices_; }
+    /// Corners of a polytope around the mesh.
+    std::span<const glm::dvec3> polytope() const noexcept { return polytope_; }
     /// Made by the first call, in O(faces log faces), with up to 28 bytes a face: only a light within the mesh's
     /// bounds needs it.
     const FaceTree& faces() {
@@ -26,6 +33,7 @@ public:
 
 private:
     VertexPlaces vertices_;
+    std::vector<glm::dvec3> polytope_;
     std::optional<FaceTree> faces_;
 };
 

@@ -1,5 +1,10 @@
 #include "engine/frame/frame_view.h"
 
+#include <array>
+#include <glm/vec2.hpp>
+#include <span>
+
+#include "engine/frame/scene_data.h"
 #include "engine/frame/silhouette_points.h"
 
 namespace rimline {
@@ -20,6 +25,24 @@ InstanceView view_of(const Scene& scene, const SceneInstance& instance,
     return view;
 }
 
+std::optional<ScreenBox> screen_box_of(const FrameView& view, const SceneInstance& instance,
+                                       const CasterMeshes& casters) {
+    const glm::dvec2 picture(view.size.width, view.size.height);
+    const auto box_of = [&](std::span<const glm::dvec3> points) {
+        return screen_box(view.scene, view.projection, instance, points, picture);
+    };
+    if (!instance.deforming)
+        if (const auto caster = casters.find(&instance.mesh()); caster != casters.end())
+            return box_of(caster->second.polytope());
+    const CasterBox box = caster_box(instance);
+    std::array<glm::dvec3, 8> corners;
+    for (unsigned corner = 0; corner < corners.size(); ++corner)
+        corners[corner] = {(corner & 1u) != 0 ? box.high.x : box.low.x,
+                           (corner & 2u) != 0 ? box.high.y : box.low.y,
+                           (corner & 4u) != 0 ? box.high.z : box.low.z};
+    return box_of(corners);
+}
+
 }  // namespace
 
 FrameView::FrameView(const Scene& seen, VkExtent2D picture, const CasterMeshes& casters)
@@ -30,8 +53,10 @@ FrameView::FrameView(const Scene& seen, VkExtent2D picture, const CasterMeshes& 
                                  bounds.radius)),
       eye_from_world(camera_from_world(seen.camera)) {
     instances.reserve(seen.instances.size());
-    for (const SceneInstance& instance : seen.instances)
+    for (const SceneInstance& instance : seen.instances) {
         instances.push_back(view_of(seen, instance, casters));
+        instances.back().screen = screen_box_of(*this, instance, casters);
+    }
 }
 
 }  // namespace rimline

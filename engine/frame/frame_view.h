@@ -11,6 +11,7 @@
 
 #include "engine/camera.h"
 #include "engine/frame/caster_mesh.h"
+#include "engine/frame/screen_box.h"
 #include "engine/scene.h"
 #include "silhouette/mesh/homogeneous_point.h"
 
@@ -27,11 +28,14 @@ struct InstanceView {
     HomogeneousPoint camera;                ///< Of Scene::camera.
     std::optional<HomogeneousPoint> lines;  ///< Of lines_camera(); see has_silhouette_lines().
     std::vector<LightView> lights;          ///< One for each light of the scene.
+    /// Where its surfaces can be on the screen (screen_box()).
+    std::optional<ScreenBox> screen = std::nullopt;
 };
 
 struct FrameView {
-    /// For a picture of `size`. Holds a reference: `scene` must outlive it. `casters` is only for lights, as
-    /// casting_point() needs it. O(instances * lights).
+    /// For a picture of `size`. Holds a reference: `scene` must outlive it. Around a mesh that is not
+    /// among `casters`, or deforms, a box is taken; lights that cast shadows need it there, as casting_point() says.
+    /// O(instances * lights).
     FrameView(const Scene& scene, VkExtent2D size, const CasterMeshes& casters);
 
     const Scene& scene;

@@ -20,7 +20,7 @@ namespace rimline {
 namespace {
 
 // Relative error of positions in the shaders, with a margin (shadow_choice.cpp).
-constexpr double k_rounding = 0x1p-17;
+constexpr double k_shader_rounding = 0x1p-17;
 // Without the margin.
 constexpr double k_rounding_per_slack = 1.0 / 16.0;
 // Of the arithmetic here, relative to the size of everything.
@@ -165,56 +165,70 @@ public:
     // `slack` is the shaders' rounding with its margin.
     PictureReach(const FrameView& view, double slack)
         : view_(view),
+          picture_(view.size.width, view.size.height),
           plane_(view.projection.is_orthographic() ? 0.0 : 0.5 * view.projection.z[1]),
           is_uncertain_(slack * k_rounding_per_slack > plane_) {}
 
-    /// Points of a convex set, homogeneous: that includes all of its vertices.
-    void include(std::span<const glm::dvec4> points) {
-        bool is_before = false;
+    /// Points of a convex set, homogeneous: that includes all of its vertices. Of that, what is in `screen`.
+    void include(std::span<const glm::dvec4> points, const ScreenBox& screen) {
         bool is_behind = false;
+        Part part;
         for (const glm::dvec4& point : points) {
-            if (distance_before(point) > 0.0) {
-                is_before = true;
-                include(point);
-            } else {
+            if (distance_before(point) > 0.0)
+                add(part, point);
+            else
                 is_behind = true;
+        }
+        if (part.is_empty()) return;
+        if (is_behind) {
+            if (is_uncertain_) {
+                is_everywhere_ = true;
+                return;
+            }
+            // Where its edges, and more lines between its points, meet the plane.
+            for (const glm::dvec4& point : points) {
+                const double before = distance_before(point);
+                if (!(before > 0.0)) continue;
+                for (const glm::dvec4& other : points)
+                    if (const double behind = distance_before(other); !(behind > 0.0))
+                        add(part, point + before / (before - behind) * (other - point));
             }
         }
-        if (!is_before || !is_behind) return;
-        if (is_uncertain_) {
-            is_everywhere_ = true;
-            return;
-        }
-        // Where its edges, and more lines between its points, meet the plane.
-        for (const glm::dvec4& point : points) {
-            const double before = distance_before(point);
-            if (!(before > 0.0)) continue;
-            for (const glm::dvec4& other : points)
-                if (const double behind = distance_before(other); !(behind > 0.0))
-                    include(point + before / (before - behind) * (other - point));
-        }
+        const ScreenBox seen{glm::max(part.box.low, screen.low) - k_slack_px,
+                             glm::min(part.box.high, screen.high) + k_slack_px};
+        if (!(seen.low.x < seen.high.x && seen.low.y < seen.high.y)) return;
+        all_.box.join(seen);
+        all_.near = std::max(all_.near, part.near);
+        all_.far = std::min(all_.far, part.far);
     }
 
     ShadowReach reach() const {
         if (is_everywhere_) return whole_picture(view_);
-        const glm::dvec2 picture(view_.size.width, view_.size.height);
-        const glm::dvec2 low =
-            glm::max(glm::floor((0.5 * low_ + 0.5) * picture - k_slack_px), glm::dvec2(0.0));
-        const glm::dvec2 high =
-            glm::min(glm::ceil((0.5 * high_ + 0.5) * picture + k_slack_px), picture);
+        const glm::dvec2 low = glm::max(glm::floor(all_.box.low), glm::dvec2(0.0));
+        const glm::dvec2 high = glm::min(glm::ceil(all_.box.high), picture_);
         if (!(low.x < high.x && low.y < high.y)) return {};
         const auto slack = [](double depth) {
             return k_absolute_depth_slack + k_relative_depth_slack * std::abs(depth);
         };
-        return {.x = static_cast<std::int32_t>(low.x),
-                .y = static_cast<std::int32_t>(low.y),
-                .width = static_cast<std::uint32_t>(high.x - low.x),
-                .height = static_cast<std::uint32_t>(high.y - low.y),
-                .min_depth = static_cast<float>(std::clamp(far_ - slack(far_), 0.0, 1.0)),
-                .max_depth = static_cast<float>(std::clamp(near_ + slack(near_), 0.0, 1.0))};
+        return {
+            .x = static_cast<std::int32_t>(low.x),
+            .y = static_cast<std::int32_t>(low.y),
+            .width = static_cast<std::uint32_t>(high.x - low.x),
+            .height = static_cast<std::uint32_t>(high.y - low.y),
+            .min_depth = static_cast<float>(std::clamp(all_.far - slack(all_.far), 0.0, 1.0)),
+            .max_depth = static_cast<float>(std::clamp(all_.near + slack(all_.near), 0.0, 1.0))};
     }
 
 private:
+    // Of the picture, and of the depths in it.
+    struct Part {
+        ScreenBox box{};
+        double near = -std::numeric_limits<double>::infinity();
+        double far = std::numeric_limits<double>::infinity();
+
+        bool is_empty() const { return !(far <= near); }
+    };
+
     // From a plane at half of the near plane's distance, so that rounding does not matter. Orthographic: everything
     // is before it.
     double distance_before(const glm::dvec4& point) const {
@@ -222,25 +236,23 @@ private:
         return projection.is_orthographic() ? 1.0 : projection.w[0] * point.z - plane_ * point.w;
     }
 
-    void include(const glm::dvec4& point) {
+    void add(Part& part, const glm::dvec4& point) const {
         const Projection& projection = view_.projection;
         const double z = projection.z[0] * point.z + projection.z[1] * point.w;
         const double w = projection.w[0] * point.z + projection.w[1] * point.w;
         const glm::dvec2 ndc = projection.scale * glm::dvec2(point) / w + projection.shift;
-        low_ = glm::min(low_, ndc);
-        high_ = glm::max(high_, ndc);
-        near_ = std::max(near_, z / w);
-        far_ = std::min(far_, z / w);
+        const glm::dvec2 place = (0.5 * ndc + 0.5) * picture_;
+        part.box.join({place, place});
+        part.near = std::max(part.near, z / w);
+        part.far = std::min(part.far, z / w);
     }
 
     const FrameView& view_;
+    glm::dvec2 picture_;
     double plane_;
     bool is_uncertain_;
     bool is_everywhere_ = false;
-    glm::dvec2 low_{std::numeric_limits<double>::infinity()};
-    glm::dvec2 high_{-std::numeric_limits<double>::infinity()};
-    double near_ = -std::numeric_limits<double>::infinity();
-    double far_ = std::numeric_limits<double>::infinity();
+    Part all_;
 };
 
 // The vertices of S, where it is not limited by surfaces: each corner, and the end of its ray, at infinity where
@@ -276,9 +288,14 @@ ShadowBounds::Box ShadowBounds::box_of(std::size_t instance) const {
     return {axes, low, high, glm::length(glm::max(glm::abs(low), glm::abs(high)))};
 }
 
-void ShadowBounds::add_receiver(const Box& box) {
-    Receiver receiver{box, {}};
-    const double slack = k_rounding * box.reach;
+ScreenBox ShadowBounds::screen_box_of(std::size_t instance) const {
+    const std::optional<ScreenBox>& screen = view_.instances[instance].screen;
+    return screen ? *screen : ScreenBox::everywhere();
+}
+
+void ShadowBounds::add_receiver(const Box& box, const ScreenBox& screen) {
+    Receiver receiver{box, screen, {}};
+    const double slack = k_shader_rounding * box.reach;
     receiver.box.low -= slack;
     receiver.box.high += slack;
     for (unsigned corner = 0; corner < 8; ++corner)
@@ -298,14 +315,16 @@ ShadowBounds::ShadowBounds(const FrameView& view, bool has_backdrop)
     if (has_backdrop) return;
     const std::size_t count = view.scene.instances.size();
     if (count <= k_max_receivers) {
-        for (std::size_t i = 0; i < count; ++i) add_receiver(box_of(i));
+        for (std::size_t i = 0; i < count; ++i) add_receiver(box_of(i), screen_box_of(i));
         return;
     }
     const std::size_t joined = (count + k_max_receivers - 1) / k_max_receivers;
     for (std::size_t first = 0; first < count; first += joined) {
         Box all{glm::dmat3(1.0), glm::dvec3(std::numeric_limits<double>::infinity()),
                 glm::dvec3(-std::numeric_limits<double>::infinity()), 0.0};
+        ScreenBox screen;
         for (std::size_t i = first; i < std::min(first + joined, count); ++i) {
+            screen.join(screen_box_of(i));
             const Box box = box_of(i);
             for (unsigned corner = 0; corner < 8; ++corner) {
                 all.low = glm::min(all.low, box.corner(corner));
@@ -313,7 +332,7 @@ ShadowBounds::ShadowBounds(const FrameView& view, bool has_backdrop)
             }
             all.reach = std::max(all.reach, box.reach);
         }
-        add_receiver(all);
+        add_receiver(all, screen);
     }
 }
 
@@ -330,13 +349,13 @@ ShadowReach ShadowBounds::reach_of(std::size_t instance, std::size_t light, floa
     double all_reach = caster.reach;
     for (const Receiver& receiver : receivers_) all_reach = std::max(all_reach, receiver.box.reach);
     if (!point.is_direction()) all_reach = std::max(all_reach, glm::length(glm::dvec3(from)));
-    const double slack = 4.0 * k_rounding * all_reach;
+    const double slack = 4.0 * k_shader_rounding * all_reach;
     const ShadowSpace space(caster.axes, caster.low - slack, caster.high + slack, from,
                             k_tolerance * all_reach);
     if (space.is_everything() && has_backdrop_) return whole_picture(view_);
     PictureReach reach(view_, slack);
     if (has_backdrop_) {
-        reach.include(vertices_of(space, extrusion));
+        reach.include(vertices_of(space, extrusion), ScreenBox::everywhere());
         return reach.reach();
     }
     const double tolerance = k_tolerance * all_reach;
@@ -375,7 +394,7 @@ ShadowReach ShadowBounds::reach_of(std::size_t instance, std::size_t light, floa
                          clip_by(receiver.box, space.corners()[corner], space.rays()[corner],
                                  {0.0, std::numeric_limits<double>::infinity()}));
         }
-        reach.include(points);
+        reach.include(points, receiver.screen);
     }
     return reach.reach();
 }

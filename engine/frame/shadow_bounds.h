@@ -6,7 +6,8 @@
 // Let C be the box of the caster, and S the set of all points whose way to the light meets C. S is convex. It is
 // bounded by the faces of C that the light sees, and by the planes through the light and the edges between these and
 // the other faces. For each box R of a surface, the vertices of S and R together lie on the edges of R, clipped by the
-// planes of S, or on the edges of S, clipped by R. They are projected, and the reach is what lies between them.
+// planes of S, or on the edges of S, clipped by R. They are projected, and the reach is what lies between them, and
+// where the surface itself can be in the picture (InstanceView::screen), which is less than its box.
 //
 // A sample outside of the reach has a surface that is not in S, where closed volumes count to zero. A scissor and
 // bounds of the stored depth, which volumes do not change, leave out whole samples. So what they count elsewhere is
@@ -49,11 +50,13 @@ private:
     };
     struct Receiver {
         Box box;
+        ScreenBox screen;
         std::array<glm::dvec3, 8> corners;  // Grown by the rounding.
     };
 
     Box box_of(std::size_t instance) const;
-    void add_receiver(const Box& box);
+    ScreenBox screen_box_of(std::size_t instance) const;
+    void add_receiver(const Box& box, const ScreenBox& screen);
 
     const FrameView& view_;
     bool has_backdrop_;
