@@ -3,8 +3,8 @@
 
 // Surfaces in one style. Each style is its own pipeline, because a CPU device executes both sides of every
 // dynamic branch. The output is the shaded surface (as in shadow), or the light added where the stencil
-// test passes, or both at once for a single light without shadows. The sum over all lights is the fully lit
-// surface. For light, draw.choice is 1 where the instance casts a shadow: then the face's bit is also used if
+// test passes, or both at once for a single light, with the surface in shadow as a second output where it casts
+// shadows. The sum over all lights is the fully lit surface. For light, draw.choice is 1 where the instance casts a shadow: then the face's bit is also used if
 // the light grazes the face (surface_corner.glsl).
 
 #include "draw.glsl"
@@ -39,29 +39,41 @@ vec3 shown(vec3 lit, float amount, vec3 facing_normal) {
     return mix(lit, instance.ink, hatch_ink(position, facing_normal, density));
 }
 
-// The output for a surface that is `lit` in full light.
-vec4 shaded_surface(vec3 lit) {
+// What the outputs add up to: a surface that is `lit` in full light, in the shadow of all lights, and the light.
+struct Shading {
+    vec4 shade, light;
+};
+
+Shading shading_of(vec3 lit) {
     vec3 n = normalize(normal);
     // Open sheets are lit on the visible side.
     if (!gl_FrontFacing) n = -n;
     const vec3 shaded = shown(lit, 0.0, n);
     // No line coverage yet, if alpha is that.
-    vec4 color = vec4(k_has_shade ? shaded : vec3(0.0), k_is_layer && k_has_shade ? 1.0 : 0.0);
+    vec4 shade = vec4(k_has_shade ? shaded : vec3(0.0), k_is_layer && k_has_shade ? 1.0 : 0.0);
+    vec4 added = vec4(0.0);
     if (k_has_light) {
         const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
         const vec4 light_point = light.point;
         const vec3 to_light = normalize(light_point.xyz - light_point.w * position);
         // A surface that fades into the background is the background, with shadows on it.
         const float amount = k_fades ? 1.0 : reached ? tone(dot(n, to_light)) : 0.0;
-        color.rgb += (shown(lit, amount, n) - shaded) * light.color;
+        added.rgb = (shown(lit, amount, n) - shaded) * light.color;
     }
     if (k_fades) {
         const float away = distance(position, instance.fade_center);
         const float fade = smoothstep(0.45, 1.0, away / instance.fade_radius);
-        if (k_is_layer) color *= 1.0 - fade;
-        else color.rgb = mix(color.rgb, k_has_shade ? frame.background : vec3(0.0), fade);
+        if (k_is_layer) shade *= 1.0 - fade;
+        else shade.rgb = mix(shade.rgb, k_has_shade ? frame.background : vec3(0.0), fade);
+        added *= 1.0 - fade;
     }
-    return color;
+    return Shading(shade, added);
+}
+
+// The output for a surface that is `lit` in full light.
+vec4 shaded_surface(vec3 lit) {
+    const Shading shading = shading_of(lit);
+    return shading.shade + shading.light;
 }
 
 #endif

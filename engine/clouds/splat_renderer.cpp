@@ -100,8 +100,8 @@ void SplatRenderer::State::prepare_targets(VkExtent2D size) {
     if (has_targets_for(size)) return;
     targets.reset();  // Frees their memory before the new ones are made.
     const std::uint32_t scale = fitting_scale(context, size, wanted_scale, 1);
-    auto made = std::make_unique<RenderTargets>(context, size,
-                                                Sampling{.samples = 1, .scale = scale}, false);
+    auto made = std::make_unique<RenderTargets>(
+        context, size, Sampling{.samples = 1, .scale = scale}, RenderTargets::Parts{});
     composite_pass.set_surfaces(made->surfaces());
     targets = std::move(made);
 }

@@ -43,6 +43,7 @@ public:
         list_ = {.data = parts_.draw_data.set(ring_slot_),
                  .light_count = light_count,
                  .shadows = scene_.shadows,
+                 .surface_lights = surface_lights(scene_, parts_.target, parts_.targets.samples()),
                  .is_orthographic = scene_.camera.is_orthographic(),
                  .instances = {},
                  .inks = {},
@@ -103,19 +104,20 @@ private:
     void add_instance(std::size_t i) {
         const SceneInstance& instance = scene_.instances[i];
         InstanceState& state = state_of(i);
-        DrawnInstance drawn{.data = 0,
-                            .indices = state.mesh->indices(),
-                            .face_count = state.mesh->face_count(),
-                            .border_count = state.mesh->border_count(),
-                            .crease_count = 0,
-                            .loose_count = state.mesh->loose_count(),
-                            .has_lines = has_lines(scene_, instance),
-                            .surface = surface_kind(scene_, parts_.target, instance),
-                            .textured_faces = {},
-                            .inks = {},
-                            .silhouette = {},
-                            .every_edge = {},
-                            .lights = {}};
+        DrawnInstance drawn{
+            .data = 0,
+            .indices = state.mesh->indices(),
+            .face_count = state.mesh->face_count(),
+            .border_count = state.mesh->border_count(),
+            .crease_count = 0,
+            .loose_count = state.mesh->loose_count(),
+            .has_lines = has_lines(scene_, instance),
+            .surface = surface_kind(scene_, parts_.target, instance, parts_.targets.samples()),
+            .textured_faces = {},
+            .inks = {},
+            .silhouette = {},
+            .every_edge = {},
+            .lights = {}};
         if (state.deforming) deform(i);
         const VkDeviceAddress slots = drawn.has_lines ? add_lines(i, drawn) : 0;
         drawn.data = put_instance(i, slots);

@@ -81,6 +81,7 @@ FramePasses::FramePasses(const DeviceContext& context, const RendererOptions& op
       outline_(options.outline),
       surface_pass_(context, draw_data, surface_formats(sampling_.samples)),
       shadow_pass_(context, draw_data, surface_formats(sampling_.samples), options.shadow_sides),
+      shadow_color_pass_(context, surface_formats(sampling_.samples)),
       line_pass_(context, draw_data, k_surface_format, options.line_path),
       ink_pass_(context, k_surface_format),
       backdrop_pass_(context, surface_formats(sampling_.samples), options.frames_in_flight),
@@ -103,6 +104,10 @@ CompositeKind FramePasses::composite_kind(const Scene& scene, const PictureTarge
     return {target.format, targets_->scale(), target.use, is_layer(scene, target)};
 }
 
+bool FramePasses::has_shadow_colors(const Scene& scene, const PictureTarget& target) const {
+    return surface_lights(scene, target, sampling_.samples) == SurfaceLights::beside_shadow;
+}
+
 bool FramePasses::has_targets_for(const Scene& scene, const PictureTarget& target) const {
     return targets_ && targets_->size().width == target.extent.width &&
            targets_->size().height == target.extent.height &&
@@ -113,12 +118,16 @@ bool FramePasses::has_targets_for(const Scene& scene, const PictureTarget& targe
 void FramePasses::make_targets(const Scene& scene, const PictureTarget& target) {
     targets_.reset();  // Frees their memory before the new ones are made.
     auto targets = std::make_unique<RenderTargets>(
-        context_, target.extent, Sampling{sampling_.samples, scale_for(target)}, keeps_stencil_,
-        is_layer(scene, target), sobel_pass_.has_value());
+        context_, target.extent, Sampling{sampling_.samples, scale_for(target)},
+        RenderTargets::Parts{.keeps_stencil = keeps_stencil_,
+                             .coverage = is_layer(scene, target),
+                             .shapes = sobel_pass_.has_value(),
+                             .shadow_colors = sampling_.samples == 1});
     line_pass_.set_surface_depth(targets->depth());
     composite_pass_.set_surfaces(targets->surfaces());
     if (sobel_pass_) sobel_pass_->set_shapes(targets->shapes());
     if (targets->has_coverage()) ink_pass_.set_coverage(targets->coverage());
+    if (targets->has_shadow_colors()) shadow_color_pass_.set_colors(targets->shadow_colors());
     targets_ = std::move(targets);
 }
 
@@ -129,8 +138,9 @@ void FramePasses::prepare(const Scene& scene, const PictureTarget& target) {
     if (target.backdrop) backdrop_pass_.prepare(context_, *target.backdrop);
     composite_pass_.prepare(context_, composite_kind(scene, target));
     if (is_layer(scene, target)) ink_pass_.prepare_fold(context_);
+    if (has_shadow_colors(scene, target)) shadow_color_pass_.prepare(context_);
     for (const SceneInstance& instance : scene.instances) {
-        surface_pass_.prepare(context_, surface_kind(scene, target, instance));
+        surface_pass_.prepare(context_, surface_kind(scene, target, instance, sampling_.samples));
         if (draws_edges(scene, instance)) line_pass_.prepare_edges(context_);
         if (draws_segments(scene, instance)) line_pass_.prepare_segments(context_);
     }
@@ -149,8 +159,10 @@ bool FramePasses::is_prepared(const Scene& scene, const PictureTarget& target) c
     return composite_pass_.is_prepared(composite_kind(scene, target)) &&
            (!is_layer(scene, target) || ink_pass_.is_fold_prepared()) &&
            (!target.backdrop || backdrop_pass_.is_prepared()) &&
+           (!has_shadow_colors(scene, target) || shadow_color_pass_.is_prepared()) &&
            std::ranges::all_of(scene.instances, [&](const SceneInstance& instance) {
-               return surface_pass_.is_prepared(surface_kind(scene, target, instance)) &&
+               return surface_pass_.is_prepared(
+                          surface_kind(scene, target, instance, sampling_.samples)) &&
                       (!draws_edges(scene, instance) || line_pass_.has_edges()) &&
                       (!draws_segments(scene, instance) || line_pass_.has_segments());
            });
@@ -168,7 +180,10 @@ void FramePasses::record(Commands commands, Commands picture, const FrameView& v
     }
     if (shape_pass_) record_shapes(commands, frame);
     targets_->record_before_surfaces(commands);
-    record_surfaces(commands, frame);
+    if (list.surface_lights == SurfaceLights::beside_shadow)
+        record_surfaces_beside_shadow(commands, frame);
+    else
+        record_surfaces(commands, frame);
     targets_->record_before_lines(commands);
     if (is_layer(view.scene, target))
         record_layer_lines(commands, frame);
@@ -192,17 +207,19 @@ void FramePasses::record_shapes(Commands commands, const Frame& frame) const {
     frame.clock.end_pass(commands, "shapes");
 }
 
+glm::vec3 FramePasses::under_surfaces(const Frame& frame) {
+    const Scene& scene = frame.view.scene;
+    return is_layer(scene, frame.target) ? glm::vec3(0.0f) : scene.palette.background;
+}
+
 void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "surfaces");
-    const Scene& scene = frame.view.scene;
     const DrawList& list = frame.list;
-    const glm::vec3 under =
-        is_layer(scene, frame.target) ? glm::vec3(0.0f) : scene.palette.background;
-    targets_->begin_surfaces(commands, under, frame.area);
+    targets_->begin_surfaces(commands, under_surfaces(frame), frame.area);
     if (frame.target.backdrop)
         backdrop_pass_.record_depth(commands, frame.ring_slot, frame.backdrop, frame.target.corner);
-    if (!list.shadows && list.light_count == 1) {
-        surface_pass_.record_shadowless(commands, list);
+    if (list.surface_lights == SurfaceLights::together) {
+        surface_pass_.record_whole(commands, list);
         frame.clock.end_pass(commands, "surfaces");
     } else {
         surface_pass_.record_unlit(commands, list);
@@ -210,26 +227,52 @@ void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
         for (std::size_t light = 0; light < list.light_count; ++light)
             record_light(commands, frame, light);
     }
-    if (back_pass_) {
-        back_pass_->record(commands, list, is_layer(scene, frame.target));
-        frame.clock.end_pass(commands, "backs");
-    }
+    record_backs(commands, frame);
     commands->CmdEndRendering(commands);
     if (sampling_.samples > 1) frame.clock.end_pass(commands, "resolve");
 }
 
-void FramePasses::record_light(Commands commands, const Frame& frame, std::size_t light) const {
+void FramePasses::record_surfaces_beside_shadow(Commands commands, const Frame& frame) const {
+    const PassLabel label(commands, "surfaces");
     const DrawList& list = frame.list;
-    if (list.shadows) {
-        const PassLabel shadows(commands, "shadow volumes");
-        shadow_pass_.record(commands, list, light, targets_->in_pass(frame.area.rect));
-        if (frame.target.backdrop)
-            backdrop_pass_.record_shade(
-                commands, frame.ring_slot, frame.backdrop, frame.target.corner,
-                shadow_opacity(frame.view.scene) * shadow_share(frame.view.scene, light));
-        frame.clock.end_pass(commands, "shadow volumes", light);
+    targets_->begin_surfaces_beside_shadow(commands, under_surfaces(frame), frame.area);
+    surface_pass_.record_whole(commands, list);
+    commands->CmdEndRendering(commands);
+    frame.clock.end_pass(commands, "surfaces");
+    targets_->record_before_shadows(commands);
+    targets_->begin_shadows(commands, frame.area);
+    const VkRect2D area = targets_->in_pass(frame.area.rect);
+    record_volumes(commands, frame, 0);
+    if (const VkRect2D counted = ShadowVolumePass::counted_rect(list, 0, area);
+        counted.extent.width > 0) {
+        commands->CmdSetScissor(commands, 0, 1, &counted);
+        shadow_color_pass_.record(commands);
+        commands->CmdSetScissor(commands, 0, 1, &area);
     }
-    surface_pass_.record_lit(commands, list, light);
+    frame.clock.end_pass(commands, "surfaces, in shadow");
+    record_backs(commands, frame);
+    commands->CmdEndRendering(commands);
+}
+
+void FramePasses::record_volumes(Commands commands, const Frame& frame, std::size_t light) const {
+    const PassLabel label(commands, "shadow volumes");
+    shadow_pass_.record(commands, frame.list, light, targets_->in_pass(frame.area.rect));
+    if (frame.target.backdrop)
+        backdrop_pass_.record_shade(
+            commands, frame.ring_slot, frame.backdrop, frame.target.corner,
+            shadow_opacity(frame.view.scene) * shadow_share(frame.view.scene, light));
+    frame.clock.end_pass(commands, "shadow volumes", light);
+}
+
+void FramePasses::record_backs(Commands commands, const Frame& frame) const {
+    if (!back_pass_) return;
+    back_pass_->record(commands, frame.list, is_layer(frame.view.scene, frame.target));
+    frame.clock.end_pass(commands, "backs");
+}
+
+void FramePasses::record_light(Commands commands, const Frame& frame, std::size_t light) const {
+    if (frame.list.shadows) record_volumes(commands, frame, light);
+    surface_pass_.record_lit(commands, frame.list, light);
     frame.clock.end_pass(commands, "surfaces", light);
 }
 

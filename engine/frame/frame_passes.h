@@ -5,6 +5,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 
@@ -17,6 +18,7 @@
 #include "engine/passes/draw_list.h"
 #include "engine/passes/ink_pass.h"
 #include "engine/passes/line_pass.h"
+#include "engine/passes/shadow_color_pass.h"
 #include "engine/passes/shadow_volume_pass.h"
 #include "engine/passes/shape_pass.h"
 #include "engine/passes/sobel_pass.h"
@@ -77,11 +79,17 @@ private:
     };
 
     std::uint32_t scale_for(const PictureTarget& target) const;
+    bool has_shadow_colors(const Scene& scene, const PictureTarget& target) const;
     CompositeKind composite_kind(const Scene& scene, const PictureTarget& target) const;
     bool draws_edges(const Scene& scene, const SceneInstance& instance) const;
     bool draws_segments(const Scene& scene, const SceneInstance& instance) const;
+    // The color that surfaces are drawn over.
+    static glm::vec3 under_surfaces(const Frame& frame);
     void record_shapes(Commands commands, const Frame& frame) const;
     void record_surfaces(Commands commands, const Frame& frame) const;
+    void record_surfaces_beside_shadow(Commands commands, const Frame& frame) const;
+    void record_backs(Commands commands, const Frame& frame) const;
+    void record_volumes(Commands commands, const Frame& frame, std::size_t light) const;
     void record_sobel(Commands commands, const Frame& frame) const;
     void record_light(Commands commands, const Frame& frame, std::size_t light) const;
     void record_lines(Commands commands, const Frame& frame) const;
@@ -94,6 +102,7 @@ private:
     Outline outline_;
     SurfacePass surface_pass_;
     ShadowVolumePass shadow_pass_;
+    ShadowColorPass shadow_color_pass_;
     LinePass line_pass_;
     InkPass ink_pass_;
     BackdropPass backdrop_pass_;

@@ -4,7 +4,6 @@
 #include <glm/vec2.hpp>
 #include <span>
 
-#include "engine/frame/scene_data.h"
 #include "engine/frame/silhouette_points.h"
 
 namespace rimline {

@@ -1,6 +1,8 @@
 #include "engine/frame/render_targets.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "engine/vulkan/image_barrier.h"
 #include "engine/vulkan/layout_uses.h"
@@ -58,14 +60,15 @@ StageAccess later_uses(const PictureTarget& target) {
 
 // `area` is the render area; only `drawn`, a part of it, is drawn into.
 void begin_rendering(Commands commands, VkExtent2D extent, const VkRect2D& area,
-                     const VkRect2D& drawn, float guard, const VkRenderingAttachmentInfo& color,
+                     const VkRect2D& drawn, float guard,
+                     std::span<const VkRenderingAttachmentInfo> colors,
                      const VkRenderingAttachmentInfo* depth = nullptr,
                      const VkRenderingAttachmentInfo* stencil = nullptr, VkOffset2D corner = {}) {
     const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                .renderArea = area,
                                .layerCount = 1,
-                               .colorAttachmentCount = 1,
-                               .pColorAttachments = &color,
+                               .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
+                               .pColorAttachments = colors.data(),
                                .pDepthAttachment = depth,
                                .pStencilAttachment = stencil};
     commands->CmdBeginRendering(commands, &info);
@@ -90,12 +93,23 @@ VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp 
             .clearValue = {}};
 }
 
+// Depth is cleared to infinity, the stencil to zero.
+VkRenderingAttachmentInfo depth_attachment(VkImageView view, VkAttachmentLoadOp load) {
+    return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+            .imageView = view,
+            .imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+            .loadOp = load,
+            .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+            .clearValue = {.depthStencil = {0.0f, 0}}};
+}
+
 }  // namespace
 
 std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
                             std::uint32_t samples) {
-    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved.
-    const std::uint64_t pixel_bytes = 16 * (samples > 1 ? samples + 1 : 1);
+    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved; with one sample colors of
+    // shadows (8).
+    const std::uint64_t pixel_bytes = samples > 1 ? 16 * (samples + 1) : 24;
     VkDeviceSize memory = 0;
     for (std::uint32_t i = 0; i < context.memory.memoryHeapCount; ++i)
         if ((context.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
@@ -112,16 +126,16 @@ std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::
 }
 
 RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
-                             const Sampling& sampling, bool keeps_stencil, bool is_layer,
-                             bool has_shapes)
+                             const Sampling& sampling, const Parts& parts)
     : size_(size),
       scale_(sampling.scale),
       samples_(sampling.samples),
       clear_area_(choose_clear_area(context.type, context.driver)),
-      keeps_stencil_(keeps_stencil),
+      keeps_stencil_(parts.keeps_stencil),
       must_resolve_stencil_(!context.independent_resolve_none),
       guard_(fitting_guard(context.limits, pass_extent())) {
     RIMLINE_CHECK(size.width > 0 && size.height > 0 && scale_ > 0);
+    RIMLINE_CHECK(!parts.shadow_colors || !is_multisampled());
     const VkExtent2D extent = pass_extent();
     constexpr VkImageUsageFlags k_drawn_and_read =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
@@ -133,10 +147,13 @@ RenderTargets::RenderTargets(const DeviceContext& context, VkExtent2D size,
                              VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                     .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
                    "the picture's depth");
-    if (is_layer)
+    if (parts.coverage)
         coverage_ = Image(context, {k_surface_format, extent, k_drawn_and_read},
                           "the coverage of the picture's lines");
-    if (has_shapes) {
+    if (parts.shadow_colors)
+        shadow_colors_ = Image(context, {k_surface_format, extent, k_drawn_and_read},
+                               "the picture's colors of shadows");
+    if (parts.shapes) {
         shapes_ =
             Image(context, {k_shape_format, extent, k_drawn_and_read}, "the picture's shapes");
         shapes_depth_ = Image(
@@ -170,13 +187,9 @@ void RenderTargets::begin_surfaces(Commands commands, const glm::vec3& backgroun
         color_attachment((is_multisampled() ? multisampled_surfaces_ : surfaces_).attachment_view(),
                          VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = {{background.r, background.g, background.b, 0.0f}};
-    VkRenderingAttachmentInfo depth{
-        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-        .imageView = (is_multisampled() ? multisampled_depth_ : depth_).attachment_view(),
-        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
-        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-        .clearValue = {.depthStencil = {0.0f, 0}}};
+    VkRenderingAttachmentInfo depth =
+        depth_attachment((is_multisampled() ? multisampled_depth_ : depth_).attachment_view(),
+                         VK_ATTACHMENT_LOAD_OP_CLEAR);
     VkRenderingAttachmentInfo stencil = depth;
     if (!keeps_stencil_ || is_multisampled()) stencil.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
     if (is_multisampled()) {
@@ -191,14 +204,40 @@ void RenderTargets::begin_surfaces(Commands commands, const glm::vec3& backgroun
         if (must_resolve_stencil_) stencil = depth;
     }
     const VkRect2D drawn = in_pass(area.rect);
-    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_, color, &depth,
+    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_, {&color, 1}, &depth,
                     &stencil);
+}
+
+void RenderTargets::begin_surfaces_beside_shadow(Commands commands, const glm::vec3& background,
+                                                 const DrawnArea& area) const {
+    std::array colors{
+        color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR),
+        color_attachment(shadow_colors_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR)};
+    for (VkRenderingAttachmentInfo& color : colors)
+        color.clearValue.color = {{background.r, background.g, background.b, 0.0f}};
+    const VkRenderingAttachmentInfo depth =
+        depth_attachment(depth_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR);
+    const VkRect2D drawn = in_pass(area.rect);
+    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_, colors, &depth,
+                    &depth);
+}
+
+void RenderTargets::begin_shadows(Commands commands, const DrawnArea& area) const {
+    const VkRenderingAttachmentInfo color =
+        color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD);
+    const VkRenderingAttachmentInfo depth =
+        depth_attachment(depth_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD);
+    VkRenderingAttachmentInfo stencil = depth;
+    if (!keeps_stencil_) stencil.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    const VkRect2D drawn = in_pass(area.rect);
+    begin_rendering(commands, pass_extent(), drawn, drawn, guard_, {&color, 1}, &depth, &stencil);
 }
 
 void RenderTargets::begin_lines(Commands commands, const DrawnArea& area) const {
     const VkRect2D drawn = in_pass(area.rect);
-    begin_rendering(commands, pass_extent(), drawn, drawn, guard_,
-                    color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD));
+    const VkRenderingAttachmentInfo color =
+        color_attachment(surfaces_.attachment_view(), VK_ATTACHMENT_LOAD_OP_LOAD);
+    begin_rendering(commands, pass_extent(), drawn, drawn, guard_, {&color, 1});
 }
 
 void RenderTargets::begin_picture(Commands commands, const PictureTarget& target,
@@ -213,28 +252,25 @@ void RenderTargets::begin_picture(Commands commands, const PictureTarget& target
     const VkOffset2D corner = target.corner;
     const VkRect2D drawn{{corner.x + area.rect.offset.x, corner.y + area.rect.offset.y},
                          area.rect.extent};
-    begin_rendering(commands, target.extent, {corner, target.extent}, drawn, 1.0f, color, nullptr,
-                    nullptr, corner);
+    begin_rendering(commands, target.extent, {corner, target.extent}, drawn, 1.0f, {&color, 1},
+                    nullptr, nullptr, corner);
 }
 
 void RenderTargets::begin_coverage(Commands commands, const DrawnArea& area) const {
     const VkRect2D drawn = in_pass(area.rect);
-    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_,
-                    color_attachment(coverage_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR));
+    const VkRenderingAttachmentInfo color =
+        color_attachment(coverage_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR);
+    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_, {&color, 1});
 }
 
 void RenderTargets::begin_shapes(Commands commands, const DrawnArea& area) const {
-    const VkRenderingAttachmentInfo depth{
-        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-        .imageView = shapes_depth_.attachment_view(),
-        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
-        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-        .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
-        .clearValue = {.depthStencil = {0.0f, 0}}};
+    const VkRenderingAttachmentInfo depth =
+        depth_attachment(shapes_depth_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR);
+    const VkRenderingAttachmentInfo color =
+        color_attachment(shapes_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR);
     const VkRect2D drawn = in_pass(area.rect);
-    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_,
-                    color_attachment(shapes_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR),
-                    &depth, &depth);
+    begin_rendering(commands, pass_extent(), render_area(drawn), drawn, guard_, {&color, 1}, &depth,
+                    &depth);
 }
 
 void RenderTargets::record_before_shapes(Commands commands) const {
@@ -280,9 +316,23 @@ void RenderTargets::record_before_surfaces(Commands commands) const {
                         {depth_, k_fresh, k_depth},
                         {multisampled_surfaces_, k_fresh, k_color},
                         {multisampled_depth_, k_fresh, k_depth}});
+    else if (has_shadow_colors())
+        record_barrier(commands, k_drawing_and_sampling, k_drawing,
+                       {{surfaces_, k_fresh, k_color},
+                        {shadow_colors_, k_fresh, k_color},
+                        {depth_, k_fresh, k_depth}});
     else
         record_barrier(commands, k_drawing_and_sampling, k_drawing,
                        {{surfaces_, k_fresh, k_color}, {depth_, k_fresh, k_depth}});
+}
+
+void RenderTargets::record_before_shadows(Commands commands) const {
+    constexpr VkImageLayout k_color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    constexpr VkImageLayout k_depth = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    record_barrier(commands, k_drawing, k_drawing_and_sampling,
+                   {{surfaces_, k_color, k_color},
+                    {shadow_colors_, k_color, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+                    {depth_, k_depth, k_depth}});
 }
 
 void RenderTargets::record_before_lines(Commands commands) const {

@@ -6,7 +6,9 @@
 //     lines are drawn against depth into the surfaces' alpha, as coverage; composite averages scale x
 //     scale texels to a pixel of the target.
 //
-// For a layer (PictureUse) the surfaces' alpha is opacity, and coverage has an image of its own.
+// For a layer (PictureUse) the surfaces' alpha is opacity, and coverage has an image of its own. Where the only light
+// is drawn with the surfaces (SurfaceLights::beside_shadow), the colors of shadows have an image of their own, and
+// surfaces two scopes: of both images with depth, and of shadows over them.
 
 #include <vulkan/vulkan.h>
 
@@ -40,9 +42,18 @@ struct DrawnArea {
 
 class RenderTargets {
 public:
-    /// `keeps_stencil`: as in RendererOptions. Throws Error{too_large} naming the limit.
+    /// What not every frame needs.
+    struct Parts {
+        bool keeps_stencil = false;  ///< As in RendererOptions.
+        bool coverage = false;       ///< For a layer.
+        bool shapes = false;
+        bool shadow_colors =
+            false;  ///< For SurfaceLights::beside_shadow; only with one sample (RIMLINE_CHECK).
+    };
+
+    /// Throws Error{too_large} naming the limit.
     RenderTargets(const DeviceContext& context, VkExtent2D size, const Sampling& sampling,
-                  bool keeps_stencil, bool is_layer = false, bool has_shapes = false);
+                  const Parts& parts);
 
     VkExtent2D size() const noexcept { return size_; }
     /// The size of the images that the surface and line passes draw into.
@@ -58,10 +69,12 @@ public:
     float guard() const noexcept { return guard_; }
     /// Whether a layer can be drawn.
     bool has_coverage() const noexcept { return coverage_.handle() != VK_NULL_HANDLE; }
+    bool has_shadow_colors() const noexcept { return shadow_colors_.handle() != VK_NULL_HANDLE; }
 
     const Image& surfaces() const noexcept { return surfaces_; }
     const Image& depth() const noexcept { return depth_; }
     const Image& coverage() const noexcept { return coverage_; }
+    const Image& shadow_colors() const noexcept { return shadow_colors_; }
     /// Normals and depth of what each pixel of the passes shows, one sample each (engine/passes/shape_pass.h). Only
     /// with `has_shapes`.
     const Image& shapes() const noexcept { return shapes_; }
@@ -71,6 +84,11 @@ public:
     /// area is cleared to linear `background` and alpha 0: no line covers it.
     void begin_surfaces(Commands commands, const glm::vec3& background,
                         const DrawnArea& area) const;
+    /// Likewise with the colors of shadows, cleared to the same, as the second attachment.
+    void begin_surfaces_beside_shadow(Commands commands, const glm::vec3& background,
+                                      const DrawnArea& area) const;
+    /// For drawing over these surfaces, with their depth and stencil.
+    void begin_shadows(Commands commands, const DrawnArea& area) const;
     /// For drawing over the finished surfaces and into their alpha.
     void begin_lines(Commands commands, const DrawnArea& area) const;
     /// For drawing coverage of lines into its own image, which is cleared.
@@ -84,6 +102,7 @@ public:
 
     /// Layout changes between the scopes, for all images at once; the last one includes the target.
     void record_before_surfaces(Commands commands) const;
+    void record_before_shadows(Commands commands) const;
     static void record_before_backdrop(Commands commands, const BackdropDepth& backdrop);
     void record_before_lines(Commands commands) const;
     /// Before and after coverage is drawn, to be read by the next scope of lines.
@@ -111,6 +130,7 @@ private:
     float guard_;
     Image surfaces_, depth_;                            // One sample.
     Image coverage_;                                    // Likewise, and only for a layer.
+    Image shadow_colors_;                               // Likewise, and only with shadow colors.
     Image shapes_, shapes_depth_;                       // Likewise, and only with shapes.
     Image multisampled_surfaces_, multisampled_depth_;  // Only with several.
 };

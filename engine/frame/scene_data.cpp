@@ -73,14 +73,6 @@ ShadowView shadow_view(const FrameView& view, const SceneInstance& instance) {
     return shadow;
 }
 
-CasterBox caster_box(const SceneInstance& instance) {
-    if (!instance.deforming)
-        return {glm::dvec3(instance.mesh().bounds().low),
-                glm::dvec3(instance.mesh().bounds().high)};
-    const BoundingSphere sphere = instance.bounds();
-    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
-}
-
 const glm::vec3& line_color(const Scene& scene, const SceneInstance& instance) {
     return instance.material.line_color ? *instance.material.line_color : scene.palette.ink;
 }
@@ -102,10 +94,21 @@ bool is_layer(const Scene& scene, const PictureTarget& target) {
            !std::ranges::all_of(scene.instances, &SceneInstance::has_surfaces);
 }
 
+SurfaceLights surface_lights(const Scene& scene, const PictureTarget& target,
+                             std::uint32_t samples) {
+    if (scene.lights.size() != 1) return SurfaceLights::apart;
+    if (!scene.shadows) return SurfaceLights::together;
+    // Shadows of one sample cannot take their color from an image with a color for all samples of a pixel. Those on
+    // backdrops, and on what has no color of its own, are no colors of surfaces.
+    const bool have_colors = samples == 1 && !target.backdrop &&
+                             std::ranges::all_of(scene.instances, &SceneInstance::has_surfaces);
+    return have_colors ? SurfaceLights::beside_shadow : SurfaceLights::apart;
+}
+
 SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
-                         const SceneInstance& instance) {
+                         const SceneInstance& instance, std::uint32_t samples) {
     SurfaceKind kind{.fades = instance.fade_radius > 0.0,
-                     .has_lights_apart = scene.shadows || scene.lights.size() != 1};
+                     .lights = surface_lights(scene, target, samples)};
     if (instance.has_surfaces) {
         kind.style = static_cast<std::uint32_t>(scene.style);
         kind.colors = surface_colors(scene, instance);
@@ -114,8 +117,8 @@ SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
         kind.output = SurfaceOutput::held_out;
     }
     // Strokes and the colors of corners are no functions of a vertex.
-    kind.shades_vertices = kind.has_lights_apart && kind.style != RIMLINE_STYLE_HATCH &&
-                           kind.colors == SurfaceColors::one &&
+    kind.shades_vertices = kind.lights == SurfaceLights::apart &&
+                           kind.style != RIMLINE_STYLE_HATCH && kind.colors == SurfaceColors::one &&
                            instance.mesh().vertex_count() <= k_max_indexed_vertices;
     return kind;
 }

@@ -28,9 +28,12 @@ SurfaceColors surface_colors(const Scene& scene, const SceneInstance& instance);
 
 /// Whether the scene is drawn as a layer (PictureUse): color premultiplied, alpha opacity.
 bool is_layer(const Scene& scene, const PictureTarget& target);
+/// How the lights of this scene reach its surfaces, with so many samples a pixel.
+SurfaceLights surface_lights(const Scene& scene, const PictureTarget& target,
+                             std::uint32_t samples);
 /// The pipelines that an instance needs in this scene.
 SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
-                         const SceneInstance& instance);
+                         const SceneInstance& instance, std::uint32_t samples);
 
 /// The share of a light in the light of a fully lit surface of this instance; 0 if it does not count there.
 float light_share(const Scene& scene, const SceneInstance& instance, std::size_t light);
@@ -52,12 +55,6 @@ float finite_extrusion(const Light& light, const SceneInstance& instance,
 
 /// The camera for choosing how `instance` casts.
 ShadowView shadow_view(const FrameView& view, const SceneInstance& instance);
-
-/// A box around all of an instance, in its own coordinates.
-struct CasterBox {
-    glm::dvec3 low, high;
-};
-CasterBox caster_box(const SceneInstance& instance);
 
 /// How many of a mesh's creases are drawn as lines in this scene.
 std::uint32_t crease_count(const Scene& scene, const GpuMesh& mesh);

@@ -16,6 +16,14 @@ constexpr double k_transform_rounding = 4e-7;
 
 }  // namespace
 
+CasterBox caster_box(const SceneInstance& instance) {
+    if (!instance.deforming)
+        return {glm::dvec3(instance.mesh().bounds().low),
+                glm::dvec3(instance.mesh().bounds().high)};
+    const BoundingSphere sphere = instance.bounds();
+    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
+}
+
 void ScreenBox::join(const ScreenBox& other) {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);

@@ -13,6 +13,12 @@
 
 namespace rimline {
 
+/// A box around all of an instance, in its own coordinates.
+struct CasterBox {
+    glm::dvec3 low, high;
+};
+CasterBox caster_box(const SceneInstance& instance);
+
 /// In pixels of the picture, from its upper left corner. Empty where `low` is not below `high`.
 struct ScreenBox {
     glm::dvec2 low{std::numeric_limits<double>::infinity()};

@@ -43,15 +43,23 @@ enum class SurfaceColors {
     textures,  ///< These and its textures.
 };
 
+/// How the lights of a frame reach its surfaces.
+enum class SurfaceLights {
+    together,  ///< One light without shadows: with the surface, in one draw.
+    /// One light with shadows: likewise, and the surface in shadow into an image of its own, from which shadows take
+    /// their color (shadow_color_pass.h).
+    beside_shadow,
+    apart,  ///< Each in a draw of its own, after the surface in shadow.
+};
+
 /// Surfaces that the same pipelines draw.
 struct SurfaceKind {
     std::uint32_t style = RIMLINE_STYLE_INK;  ///< A RIMLINE_STYLE_ value.
     SurfaceColors colors = SurfaceColors::one;
     SurfaceOutput output = SurfaceOutput::picture;
     bool fades = false;
-    /// Each light is drawn by itself, after the surface in shadow: the frame has shadows, or not one light.
-    bool has_lights_apart = true;
-    /// The surface in shadow is computed once for each vertex, not for each corner of a face.
+    SurfaceLights lights = SurfaceLights::apart;
+    /// The surface in shadow is computed once for each vertex, not for each corner of a face. Only with lights apart.
     bool shades_vertices = false;
     auto operator<=>(const SurfaceKind&) const = default;
 };
@@ -121,6 +129,7 @@ struct DrawList {
     VkDescriptorSet data = VK_NULL_HANDLE;  ///< DrawData's.
     std::size_t light_count = 0;
     bool shadows = false;
+    SurfaceLights surface_lights = SurfaceLights::apart;
     bool is_orthographic = false;
     std::vector<DrawnInstance> instances;
     /// The colors of lines, each once, in linear light. Lines of a later color lie over those of earlier

@@ -45,6 +45,9 @@ public:
     void record(Commands commands, const DrawList& list, std::size_t light,
                 const VkRect2D& area) const;
 
+    /// The rectangle around all that a light's volumes count, within `area`; no extent where they count nothing.
+    static VkRect2D counted_rect(const DrawList& list, std::size_t light, const VkRect2D& area);
+
 private:
     struct Pipelines {
         OwnedPipeline caps;
@@ -63,8 +66,6 @@ private:
                      const ShadowBatch& batch, const VkRect2D& area) const;
     void record_sides(Commands commands, const DrawList& list, std::size_t light,
                       const ShadowBatch& batch, const VkRect2D& area) const;
-    // The rectangle around all that a light's volumes count.
-    static VkRect2D counted_rect(const DrawList& list, std::size_t light, const VkRect2D& area);
     // Limits the next draws to where a volume matters. False: it matters nowhere.
     bool limit(Commands commands, const DrawnLight& drawn, const VkRect2D& area) const;
 

@@ -6,9 +6,12 @@
 
 #include "held_out_frag.h"
 #include "surface_colored_frag.h"
+#include "surface_colored_shadowed_frag.h"
 #include "surface_colored_vert.h"
 #include "surface_frag.h"
+#include "surface_shadowed_frag.h"
 #include "surface_textured_frag.h"
+#include "surface_textured_shadowed_frag.h"
 #include "surface_textured_vert.h"
 #include "surface_unlit_vert.h"
 #include "surface_vert.h"
@@ -35,16 +38,22 @@ SurfacePass::SurfacePass(const DeviceContext& context, VkDescriptorSetLayout dra
 void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind) {
     if (pipelines_.contains(kind)) return;
     const bool is_held_out = kind.output == SurfaceOutput::held_out;
+    const bool is_beside_shadow = kind.lights == SurfaceLights::beside_shadow;
     SpirvCode corners = surface_vert;
-    SpirvCode shading = surface_frag;
+    SpirvCode shading =
+        is_beside_shadow ? SpirvCode(surface_shadowed_frag) : SpirvCode(surface_frag);
     if (is_held_out) shading = held_out_frag;
     if (kind.colors == SurfaceColors::mesh) {
         corners = surface_colored_vert;
-        shading = surface_colored_frag;
+        shading = is_beside_shadow ? SpirvCode(surface_colored_shadowed_frag)
+                                   : SpirvCode(surface_colored_frag);
     } else if (kind.colors == SurfaceColors::textures) {
         corners = surface_textured_vert;
-        shading = surface_textured_frag;
+        shading = is_beside_shadow ? SpirvCode(surface_textured_shadowed_frag)
+                                   : SpirvCode(surface_textured_frag);
     }
+    AttachmentFormats formats = formats_;
+    if (is_beside_shadow) formats.color_count = 2;
     const StencilUse lit = is_held_out ? StencilUse::not_zero : StencilUse::zero;
     const auto make = [&](bool has_shade, bool has_light, SpirvCode vertex) {
         const std::array<std::uint32_t, 5> constants{kind.style, has_shade, has_light, kind.fades,
@@ -58,7 +67,7 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
              .geometry = {},
              .fragment = shading,
              .fragment_constants = constants,
-             .formats = formats_,
+             .formats = formats,
              .blend = has_shade ? Blend::replace : Blend::add,
              .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
              .depth_write = has_shade,
@@ -67,11 +76,11 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
              .layout = layout_});
     };
     Pipelines pipelines;
-    if (kind.has_lights_apart) {
+    if (kind.lights == SurfaceLights::apart) {
         pipelines.unlit = make(true, false, kind.shades_vertices ? surface_unlit_vert : corners);
         pipelines.lit = make(false, true, corners);
     } else {
-        pipelines.shadowless = make(true, true, corners);
+        pipelines.whole = make(true, true, corners);
     }
     pipelines_.emplace(kind, std::move(pipelines));
 }
@@ -116,8 +125,8 @@ void SurfacePass::record_lit(Commands commands, const DrawList& list, std::size_
     record(commands, list, &Pipelines::lit, light);
 }
 
-void SurfacePass::record_shadowless(Commands commands, const DrawList& list) const {
-    record(commands, list, &Pipelines::shadowless, 0);
+void SurfacePass::record_whole(Commands commands, const DrawList& list) const {
+    record(commands, list, &Pipelines::whole, 0);
 }
 
 }  // namespace rimline

@@ -1,7 +1,7 @@
 #pragma once
 
 // Depth and shading. First the color of every surface in shadow, with depth; then, for each light, the light
-// it adds where the stencil is zero. Both in one draw if there is one light without shadows.
+// it adds where the stencil is zero. Both in one draw if there is one light (SurfaceLights).
 //
 // Each style has its own pipelines, for surfaces in one color, in the colors of their mesh, and with textures. With
 // a common one that branches on the style in the fragment stage, lavapipe computed the strokes of hatch for
@@ -17,6 +17,8 @@ namespace rimline {
 
 class SurfacePass {
 public:
+    /// Draws into attachments of `formats`; record_whole() with SurfaceLights::beside_shadow into a second color
+    /// attachment besides.
     SurfacePass(const DeviceContext& context, VkDescriptorSetLayout draw_data,
                 const AttachmentFormats& formats);
 
@@ -28,16 +30,17 @@ public:
 
     /// Writes color and depth. Inside a rendering scope with cleared attachments.
     void record_unlit(Commands commands, const DrawList& list) const;
-    /// Equals record_unlit() and record_lit() of the only light with a stencil of zero everywhere.
-    void record_shadowless(Commands commands, const DrawList& list) const;
+    /// Where lights are not apart: equals record_unlit() and record_lit() of the only light with a stencil of zero
+    /// everywhere. With SurfaceLights::beside_shadow the second color is what record_unlit() writes.
+    void record_whole(Commands commands, const DrawList& list) const;
     /// Where the depth equals that of record_unlit(): adds light `light` where the stencil is zero. For surfaces
     /// that are held out, adds opacity where it is not, if there are shadows.
     void record_lit(Commands commands, const DrawList& list, std::size_t light) const;
 
 private:
-    // Of one kind: the first two where it has lights apart, else the last.
+    // Of one kind: the first two where lights are apart, else the last.
     struct Pipelines {
-        OwnedPipeline unlit, lit, shadowless;
+        OwnedPipeline unlit, lit, whole;
     };
 
     void record(Commands commands, const DrawList& list, OwnedPipeline Pipelines::*pipeline,

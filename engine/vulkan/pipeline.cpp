@@ -94,7 +94,7 @@ OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, const std
     const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                           .setLayoutCount = static_cast<std::uint32_t>(sets.size()),
                                           .pSetLayouts = sets.begin(),
-                                          .pushConstantRangeCount = 1,
+                                          .pushConstantRangeCount = size_bytes > 0 ? 1u : 0u,
                                           .pPushConstantRanges = &range};
     VkPipelineLayout layout = VK_NULL_HANDLE;
     vk_check(context.vk->CreatePipelineLayout(context.device, &info, nullptr, &layout),
@@ -157,26 +157,32 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::st
         .depthBiasEnable = description.depth_bias_slopes != 0.0f,
         .depthBiasSlopeFactor = description.depth_bias_slopes,
         .lineWidth = 1.0f};
+    const AttachmentFormats& formats = description.formats;
     const VkPipelineMultisampleStateCreateInfo multisample{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-        .rasterizationSamples = static_cast<VkSampleCountFlagBits>(description.formats.samples),
+        .rasterizationSamples = static_cast<VkSampleCountFlagBits>(formats.samples),
         .pSampleMask = &description.sample_mask};
     const VkStencilOpState stencil = stencil_state(description);
     const VkPipelineDepthStencilStateCreateInfo depth_stencil{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-        .depthTestEnable = description.formats.depth_stencil != VK_FORMAT_UNDEFINED,
+        .depthTestEnable = formats.depth_stencil != VK_FORMAT_UNDEFINED,
         .depthWriteEnable = description.depth_write,
         .depthCompareOp = description.depth_compare,
         .depthBoundsTestEnable = description.depth_bounds,
         .stencilTestEnable = description.stencil != StencilUse::off,
         .front = stencil,
         .back = stencil};
-    const VkPipelineColorBlendAttachmentState attachment = blend_state(description.blend);
-    const bool has_color = description.formats.color != VK_FORMAT_UNDEFINED;
+    const std::uint32_t color_count =
+        formats.color == VK_FORMAT_UNDEFINED ? 0 : formats.color_count;
+    RIMLINE_CHECK(color_count <= AttachmentFormats::k_max_colors);
+    std::array<VkPipelineColorBlendAttachmentState, AttachmentFormats::k_max_colors> attachments;
+    attachments.fill(blend_state(description.blend));
+    std::array<VkFormat, AttachmentFormats::k_max_colors> color_formats;
+    color_formats.fill(formats.color);
     const VkPipelineColorBlendStateCreateInfo blend{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-        .attachmentCount = has_color ? 1u : 0u,
-        .pAttachments = &attachment};
+        .attachmentCount = color_count,
+        .pAttachments = attachments.data()};
     std::vector<VkDynamicState> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     if (description.stencil == StencilUse::count) {
         dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_OP);
@@ -189,12 +195,12 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::st
         .pDynamicStates = dynamic_states.data()};
     const VkPipelineRenderingCreateInfo rendering{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-        .colorAttachmentCount = has_color ? 1u : 0u,
-        .pColorAttachmentFormats = &description.formats.color,
-        .depthAttachmentFormat = description.formats.depth_stencil,
+        .colorAttachmentCount = color_count,
+        .pColorAttachmentFormats = color_formats.data(),
+        .depthAttachmentFormat = formats.depth_stencil,
         .stencilAttachmentFormat =
-            (depth_aspects(description.formats.depth_stencil) & VK_IMAGE_ASPECT_STENCIL_BIT) != 0
-                ? description.formats.depth_stencil
+            (depth_aspects(formats.depth_stencil) & VK_IMAGE_ASPECT_STENCIL_BIT) != 0
+                ? formats.depth_stencil
                 : VK_FORMAT_UNDEFINED};
     const VkGraphicsPipelineCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,

@@ -18,7 +18,7 @@ using SpirvCode = std::span<const std::uint32_t>;
 
 // Names are for debug_names.h.
 
-/// Push constants of `size_bytes` for `stages`, and descriptor sets of `sets`.
+/// Push constants of `size_bytes`, or none, for `stages`, and descriptor sets of `sets`.
 OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, const std::string& name,
                                          std::uint32_t size_bytes, VkShaderStageFlags stages,
                                          std::initializer_list<VkDescriptorSetLayout> sets = {});
@@ -53,6 +53,8 @@ struct AttachmentFormats {
     VkFormat color = VK_FORMAT_UNDEFINED;
     VkFormat depth_stencil = VK_FORMAT_UNDEFINED;
     std::uint32_t samples = 1;
+    std::uint32_t color_count = 1;  ///< Attachments of `color`, at most k_max_colors.
+    static constexpr std::uint32_t k_max_colors = 2;
 };
 
 /// Viewport and scissor are dynamic state. Counter-clockwise on the screen is front.

@@ -88,8 +88,8 @@ std::vector<double> times_of(const FrameReport& report) {
 }
 
 const std::vector<std::string> k_one_light{
-    "silhouettes",       "surfaces, unlit", "shadow volumes, light 0",
-    "surfaces, light 0", "lines",           "picture"};
+    "silhouettes",         "surfaces", "shadow volumes, light 0",
+    "surfaces, in shadow", "lines",    "picture"};
 // The steps of the clock. The one before the last, 243, lies between two command buffers.
 const std::vector<double> k_one_light_ms{1, 3, 9, 27, 81, 729};
 

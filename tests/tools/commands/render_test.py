@@ -488,7 +488,8 @@ def test_render_reports_the_time_of_each_pass_where_it_is_asked():
         assert "no timestamps" in text
         return
     names = [p["name"] for p in result["passes"]]
-    assert names[:3] == ["silhouettes", "surfaces, unlit", "shadow volumes, light 0"] and names[-1] == "picture"
+    assert names[0] == "silhouettes" and names[1] in ("surfaces", "surfaces, unlit"), names
+    assert names[2] == "shadow volumes, light 0" and names[-1] == "picture", names
     assert all(f"    {name} " in text for name in names), text
     assert 0 < sum(p["ms"] for p in result["passes"]) <= result["frame_ms"]
 

@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "engine/renderer.h"
+#include "engine/view_defaults.h"
+#include "tests/engine/support/gpu_fixture.h"
+#include "tests/engine/support/shadow_scenes.h"
+
+namespace rimline {
+namespace {
+
+constexpr std::uint32_t k_side = 96;
+
+// With a second light whose share is too small to be seen, the lights are drawn after the surfaces, one by one.
+Scene with_lights_apart(Scene scene) {
+    scene.lights.push_back(
+        {.vector = {0, 1, 0}, .directional = true, .share = 1e-6f, .casts_shadows = false});
+    return scene;
+}
+
+struct Difference {
+    int greatest = 0;
+    std::size_t pixels = 0;
+};
+
+Difference difference(const Picture& a, const Picture& b) {
+    Difference difference;
+    for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+        int most = 0;
+        for (std::size_t c = 0; c < 4; ++c)
+            most = std::max(most, std::abs(a.rgba[i + c] - b.rgba[i + c]));
+        difference.greatest = std::max(difference.greatest, most);
+        difference.pixels += most > 0 ? 1 : 0;
+    }
+    return difference;
+}
+
+// Colors are rounded to half floats once instead of twice.
+TEST_CASE("surfaces drawn at once with their color in shadow are those drawn light by light") {
+    RIMLINE_OPEN_GPU(gpu);
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 2, .pass_times = true});
+    tests::RandomScenes scenes(20261127);
+    std::size_t shaded = 0;
+    std::size_t different = 0;
+    for (int number = 0; number < 48; ++number) {
+        Scene scene = scenes.next();
+        scene.lights.resize(1);
+        scene.lights[0].share = 1.0f;
+        scene.style = std::array{Style::ink, Style::toon, Style::hatch, Style::mask}[number % 4];
+        scene.palette = default_palette(scene.style, style_defaults(scene.style).background);
+        scene.lines = number % 3 == 0;
+        if (number % 5 == 0) scene.instances[0].fade_radius = 9.0;
+        if (number % 5 == 0) scene.instances[0].fade_center = scene.instances[0].translation;
+        CAPTURE(number);
+        const Picture at_once = renderer.render(scene, k_side, k_side);
+        const auto& passes = renderer.report().passes;
+        if (!passes.empty()) CHECK(passes[3].name == "surfaces, in shadow");
+        const Picture apart = renderer.render(with_lights_apart(scene), k_side, k_side);
+        if (!passes.empty()) CHECK(renderer.report().passes[3].name == "surfaces, light 0");
+        const Difference ways = difference(at_once, apart);
+        CHECK(ways.greatest <= 1);
+        different += ways.pixels;
+        scene.shadows = false;
+        const Difference shadows = difference(at_once, renderer.render(scene, k_side, k_side));
+        if (shadows.greatest > 20) ++shaded;
+    }
+    CHECK(shaded > 24);
+    CHECK(different < 48 * k_side * k_side / 50);
+}
+
+}  // namespace
+}  // namespace rimline
