@@ -1,5 +1,8 @@
 #include "silhouette/mesh/solid.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -119,29 +122,70 @@ bool meet_elsewhere(const Mesh& mesh, const FacePair& pair) {
                                            std::max(glm::length(u), glm::length(v));
 }
 
+// Of faces, around one point.
+class SumOfVolumes {
+public:
+    explicit SumOfVolumes(const glm::dvec3& origin) : origin_(origin) {}
+
+    void add(Corners corners) {
+        for (glm::dvec3& corner : corners) corner -= origin_;
+        const double term = glm::dot(corners[0], glm::cross(corners[1], corners[2]));
+        volume_ += term;
+        terms_ += std::abs(term);
+        products_ += glm::length(corners[0]) * glm::length(corners[1]) * glm::length(corners[2]);
+        ++faces_;
+    }
+    void add(const SumOfVolumes& other) {
+        volume_ += other.volume_;
+        terms_ += other.terms_;
+        products_ += other.products_;
+        faces_ += other.faces_;
+    }
+    // By more than the rounding error. A term has at most five errors of 2^-53 times its product. The sum has one per
+    // face.
+    bool is_positive() const { return volume_ > 0x1p-49 * products_ + 0x1p-52 * faces_ * terms_; }
+
+private:
+    glm::dvec3 origin_;
+    // Six times the volume, and two sums that bound its rounding error.
+    double volume_ = 0.0, terms_ = 0.0, products_ = 0.0;
+    std::uint32_t faces_ = 0;
+};
+
+glm::dvec3 first_corner(const Mesh& mesh, std::uint32_t face) { return corners_of(mesh, face)[0]; }
+
+bool one_shell_turns_outwards(const Mesh& mesh) {
+    using Range = tbb::blocked_range<std::uint32_t>;
+    constexpr std::uint32_t k_faces_a_task = 1u << 14;
+    const SumOfVolumes none(first_corner(mesh, 0));
+    const SumOfVolumes all = tbb::parallel_deterministic_reduce(
+        Range(0, mesh.face_count(), k_faces_a_task), none,
+        [&](const Range& faces, SumOfVolumes sum) {
+            for (std::uint32_t face = faces.begin(); face < faces.end(); ++face)
+                sum.add(corners_of(mesh, face));
+            return sum;
+        },
+        [](SumOfVolumes sum, const SumOfVolumes& other) {
+            sum.add(other);
+            return sum;
+        });
+    return all.is_positive();
+}
+
 // Whether every set of faces connected by edges encloses a positive volume.
 bool shells_turn_outwards(const Mesh& mesh) {
+    if (mesh.component_count() == 1) return one_shell_turns_outwards(mesh);
     std::vector<std::uint8_t> seen(mesh.face_count(), 0);
     std::vector<std::uint32_t> open;
     for (std::uint32_t first = 0; first < mesh.face_count(); ++first) {
         if (seen[first]) continue;
-        const glm::dvec3 origin(mesh.positions()[index(mesh.triangles()[first][0])]);
-        // Six times the volume, and two sums that bound its rounding error.
-        double volume = 0.0, terms = 0.0, products = 0.0;
-        std::uint32_t faces = 0;
+        SumOfVolumes sum(first_corner(mesh, first));
         seen[first] = 1;
         open.assign(1, first);
         while (!open.empty()) {
             const std::uint32_t face = open.back();
             open.pop_back();
-            ++faces;
-            const auto corner = [&](std::size_t i) {
-                return glm::dvec3(mesh.positions()[index(mesh.triangles()[face][i])]) - origin;
-            };
-            const double term = glm::dot(corner(0), glm::cross(corner(1), corner(2)));
-            volume += term;
-            terms += std::abs(term);
-            products += glm::length(corner(0)) * glm::length(corner(1)) * glm::length(corner(2));
+            sum.add(corners_of(mesh, face));
             for (const EdgeId edge : mesh.edges_of(FaceId{face}))
                 for (const FaceId next : mesh.edge(edge).faces)
                     if (!seen[index(next)]) {
@@ -149,8 +193,7 @@ bool shells_turn_outwards(const Mesh& mesh) {
                         open.push_back(index(next));
                     }
         }
-        // A term has at most five rounding errors of 2^-53 times its product. The sum has one per face.
-        if (!(volume > 0x1p-49 * products + 0x1p-52 * faces * terms)) return false;
+        if (!sum.is_positive()) return false;
     }
     return true;
 }
