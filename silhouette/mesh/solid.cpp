@@ -198,10 +198,25 @@ bool shells_turn_outwards(const Mesh& mesh) {
     return true;
 }
 
+std::uint64_t max_pairs(const Mesh& mesh) {
+    return std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs);
+}
+
+// Whether the faces around corners are already too many pairs, before anything is searched: their boxes overlap there.
+// All edges are regular: no pair shares a corner more than once, but for one edge of each further time.
+bool has_large_fans(const Mesh& mesh) {
+    std::vector<std::uint32_t> faces_at(mesh.vertex_count(), 0);
+    std::uint64_t pairs = 0;
+    for (const Triangle& triangle : mesh.triangles())
+        for (const VertexId corner : triangle) pairs += faces_at[index(corner)]++;
+    return pairs > max_pairs(mesh) + mesh.edge_count();
+}
+
 bool may_be_solid(const Mesh& mesh) {
     return mesh.face_count() > 0 &&
            mesh.edges_of_class(EdgeClass::regular).size() == mesh.edge_count() &&
-           std::ranges::all_of(mesh.planes(), &Plane::has_normal) && shells_turn_outwards(mesh);
+           std::ranges::all_of(mesh.planes(), &Plane::has_normal) && shells_turn_outwards(mesh) &&
+           !has_large_fans(mesh);
 }
 
 bool meets_itself_nowhere(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {
@@ -211,7 +226,7 @@ bool meets_itself_nowhere(const Mesh& mesh, const FaceTree& tree, const LongCall
             return std::ranges::none_of(
                 pairs, [&](const FacePair& pair) { return meet_elsewhere(mesh, pair); });
         },
-        call, std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs));
+        call, max_pairs(mesh));
 }
 
 }  // namespace

@@ -156,10 +156,38 @@ MeshSource cone(std::uint32_t sides) {
     return source;
 }
 
-TEST_CASE("a fan of thousands is given up as nobody waits for it and a smaller one is a solid" *
+// Long thin faces between two rings, one of them tiny: their boxes overlap, and few meet in any corner.
+MeshSource spike(std::uint32_t sides) {
+    MeshSource source;
+    for (const double radius : {1.0, 1e-3})
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / sides;
+            source.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                          1.0 - radius);
+        }
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t next = (i + 1) % sides;
+        source.triangles.push_back({i, next, sides + i});
+        source.triangles.push_back({next, sides + next, sides + i});
+    }
+    // The ends, by a zigzag.
+    for (std::uint32_t low = 0, high = sides - 1; high - low > 1;) {
+        const bool is_low = (low + high) % 2 != 0;
+        const std::uint32_t middle = is_low ? low + 1 : high - 1;
+        source.triangles.push_back({low, high, middle});
+        source.triangles.push_back({sides + high, sides + low, sides + middle});
+        (is_low ? low : high) = middle;
+    }
+    return source;
+}
+
+TEST_CASE("fans and spikes of thousands are given up as nobody waits, and smaller ones are solids" *
           doctest::test_suite("plain")) {
     CHECK(is_solid(Mesh(cone(500))));
-    CHECK_FALSE(is_solid(Mesh(cone(20000))));
+    // Without a search, which would report how far it is, and take ten seconds.
+    CHECK_FALSE(is_solid(Mesh(cone(500'000)), {{}, [](double) { FAIL_CHECK("searched"); }}));
+    CHECK(is_solid(Mesh(spike(500))));
+    CHECK_FALSE(is_solid(Mesh(spike(20000))));
 }
 
 TEST_CASE("dented balls are solids just where no edge goes through a face") {
