@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <span>
+#include <vector>
 
 #include "silhouette/error.h"
 
@@ -22,37 +23,52 @@ using Vector4 = std::array<double, 4>;
 constexpr double k_normal_scale = 1.5;
 constexpr std::size_t k_grain = 512;
 
-Vector4 coordinates(const UnitPlanes& planes, std::uint32_t i) {
-    const glm::dvec3& n = planes.normal(i);
-    return {n.x, n.y, n.z, planes.offset(i)};
-}
+// A plane beside its number and weight, so that nothing is gathered while planes are sorted and summed.
+struct Member {
+    Vector4 x;  // Normal and distance.
+    double weight;
+    std::uint32_t plane;
+};
+using Members = std::span<const Member>;
 
 // Moments of a set of planes about their mean.
 class Moments {
 public:
-    Moments(const UnitPlanes& planes, std::span<const double> weights,
-            std::span<const std::uint32_t> members) {
-        for (const std::uint32_t i : members) weight_ += weights[i];
+    explicit Moments(Members members) {
+        for (const Member& member : members) weight_ += member.weight;
         // If all weights are 0, the moments use equal weights.
-        const auto share = [&](std::uint32_t i) {
-            return weight_ > 0.0 ? weights[i] / weight_ : 1.0 / static_cast<double>(members.size());
+        const double equal = 1.0 / static_cast<double>(members.size());
+        const auto share = [weight = weight_, equal](const Member& member) {
+            return weight > 0.0 ? member.weight / weight : equal;
         };
-        for (const std::uint32_t i : members)
-            for (std::size_t a = 0; a < 4; ++a) mean_[a] += share(i) * coordinates(planes, i)[a];
-        for (const std::uint32_t i : members) {
-            const Vector4 x = deviation(planes, i);
+        // Sums are local: members of this object might be what is read, for all that the compiler knows.
+        Vector4 mean{};
+        for (const Member& member : members) {
+            const double part = share(member);
+            for (std::size_t a = 0; a < 4; ++a) mean[a] += part * member.x[a];
+        }
+        mean_ = mean;
+        Vector4 extent{};
+        std::array<double, 10> covariance{};
+        std::array<double, 20> third{};
+        for (const Member& member : members) {
+            const double part = share(member);
+            const Vector4 x = deviation(member);
             std::size_t pair = 0;
             std::size_t triple = 0;
             for (std::size_t a = 0; a < 4; ++a) {
-                extent_[a] = std::max(extent_[a], std::abs(x[a]));
+                extent[a] = std::max(extent[a], std::abs(x[a]));
                 for (std::size_t b = a; b < 4; ++b) {
-                    covariance_[pair++] += share(i) * x[a] * x[b];
+                    covariance[pair++] += part * x[a] * x[b];
                     for (std::size_t c = b; c < 4; ++c)
-                        third_[triple++] += share(i) * x[a] * x[b] * x[c];
+                        third[triple++] += part * x[a] * x[b] * x[c];
                 }
             }
         }
-        measure_kappa(planes, members);
+        extent_ = extent;
+        covariance_ = covariance;
+        third_ = third;
+        measure_kappa(members);
     }
 
     void store(ClusterNode& node, std::size_t lane) const {
@@ -78,14 +94,14 @@ public:
     }
 
 private:
-    Vector4 deviation(const UnitPlanes& planes, std::uint32_t i) const {
-        Vector4 x = coordinates(planes, i);
+    Vector4 deviation(const Member& member) const {
+        Vector4 x = member.x;
         for (std::size_t a = 0; a < 4; ++a) x[a] -= mean_[a];
         return x;
     }
 
     // The maximum of x'(C + εI)^-1 x, by Cholesky decomposition.
-    void measure_kappa(const UnitPlanes& planes, std::span<const std::uint32_t> members) {
+    void measure_kappa(Members members) {
         epsilon_ =
             0.02 * (covariance_[0] + covariance_[4] + covariance_[7] + covariance_[9]) + 1e-20;
         double factor[4][4] = {};
@@ -99,8 +115,9 @@ private:
                 for (std::size_t k = 0; k < j; ++k) sum -= factor[i][k] * factor[j][k];
                 factor[i][j] = i == j ? std::sqrt(sum) : sum / factor[j][j];
             }
-        for (const std::uint32_t i : members) {
-            const Vector4 x = deviation(planes, i);
+        double most = 0.0;
+        for (const Member& member : members) {
+            const Vector4 x = deviation(member);
             Vector4 y;
             double square = 0.0;
             for (std::size_t a = 0; a < 4; ++a) {
@@ -109,8 +126,9 @@ private:
                 y[a] = sum / factor[a][a];
                 square += y[a] * y[a];
             }
-            kappa_square_ = std::max(kappa_square_, square);
+            most = std::max(most, square);
         }
+        kappa_square_ = most;
     }
 
     double weight_ = 0.0;
@@ -122,11 +140,9 @@ private:
     double kappa_square_ = 0.0;
 };
 
-}  // namespace
-
 // Sorts the planes of a range of leaves in k-d order. Each split is between whole clusters.
-void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::size_t last_leaf,
-                         const LongCall& call) {
+void sort_leaves(std::span<Member> members, std::size_t first_leaf, std::size_t last_leaf,
+                 const LongCall& call) {
     call.checkpoint(0.0);
     const std::size_t leaves = last_leaf - first_leaf;
     if (leaves < 2) return;
@@ -135,8 +151,8 @@ void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::
     const std::size_t units = (leaves + unit - 1) / unit;
     const std::size_t cut_leaf = first_leaf + unit * std::max<std::size_t>(units / 2, 1);
     const auto at = [&](std::size_t leaf) {
-        return order_.begin() +
-               static_cast<std::ptrdiff_t>(std::min(leaf * k_leaf_planes, order_.size()));
+        return members.begin() +
+               static_cast<std::ptrdiff_t>(std::min(leaf * k_leaf_planes, members.size()));
     };
     const auto begin = at(first_leaf), cut = at(cut_leaf), end = at(last_leaf);
 
@@ -144,10 +160,9 @@ void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-std::numeric_limits<double>::infinity());
     for (auto it = begin; it != end; ++it) {
-        const Vector4 x = coordinates(planes, *it);
         for (std::size_t a = 0; a < 4; ++a) {
-            low[a] = std::min(low[a], x[a]);
-            high[a] = std::max(high[a], x[a]);
+            low[a] = std::min(low[a], it->x[a]);
+            high[a] = std::max(high[a], it->x[a]);
         }
     }
     std::size_t axis = 0;
@@ -159,37 +174,39 @@ void PlaneClusters::sort(const UnitPlanes& planes, std::size_t first_leaf, std::
             axis = a;
         }
     }
-    const auto key = [&](std::uint32_t i) {
-        return axis == 3 ? planes.offset(i) : planes.normal(i)[static_cast<int>(axis)];
-    };
-    std::nth_element(begin, cut, end, [&](std::uint32_t i, std::uint32_t j) {
-        const double a = key(i), b = key(j);
-        return a < b || (a == b && i < j);
+    std::nth_element(begin, cut, end, [axis](const Member& i, const Member& j) {
+        return i.x[axis] < j.x[axis] || (i.x[axis] == j.x[axis] && i.plane < j.plane);
     });
-    tbb::parallel_invoke([&] { sort(planes, first_leaf, cut_leaf, call); },
-                         [&] { sort(planes, cut_leaf, last_leaf, call); });
+    tbb::parallel_invoke([&] { sort_leaves(members, first_leaf, cut_leaf, call); },
+                         [&] { sort_leaves(members, cut_leaf, last_leaf, call); });
 }
+
+}  // namespace
 
 PlaneClusters::PlaneClusters(const UnitPlanes& planes, std::span<const double> weights,
                              const std::stop_token& stop)
     : order_(planes.size()) {
     RIMLINE_CHECK(weights.size() == planes.size());
     if (planes.size() == 0) return;
-    std::iota(order_.begin(), order_.end(), 0u);
+    std::vector<Member> members(planes.size());
+    for (std::uint32_t i = 0; i < planes.size(); ++i) {
+        const glm::dvec3& n = planes.normal(i);
+        members[i] = {{n.x, n.y, n.z, planes.offset(i)}, weights[i], i};
+    }
     const std::size_t leaves = (planes.size() + k_leaf_planes - 1) / k_leaf_planes;
     const LongCall call{stop, {}};
-    sort(planes, 0, leaves, call);
+    sort_leaves(members, 0, leaves, call);
+    for (std::size_t i = 0; i < members.size(); ++i) order_[i] = members[i].plane;
 
     for (auto* values : {&planes_.nx, &planes_.ny, &planes_.nz, &planes_.d, &planes_.weight})
         values->resize(leaves * k_leaf_planes);
     for (std::size_t i = 0; i < leaves * k_leaf_planes; ++i) {
-        const std::uint32_t plane = order_[std::min(i, order_.size() - 1)];
-        const glm::dvec3& n = planes.normal(plane);
-        planes_.nx[i] = static_cast<float>(n.x);
-        planes_.ny[i] = static_cast<float>(n.y);
-        planes_.nz[i] = static_cast<float>(n.z);
-        planes_.d[i] = static_cast<float>(planes.offset(plane));
-        planes_.weight[i] = i < order_.size() ? static_cast<float>(weights[plane]) : 0.0f;
+        const Member& member = members[std::min(i, members.size() - 1)];
+        planes_.nx[i] = static_cast<float>(member.x[0]);
+        planes_.ny[i] = static_cast<float>(member.x[1]);
+        planes_.nz[i] = static_cast<float>(member.x[2]);
+        planes_.d[i] = static_cast<float>(member.x[3]);
+        planes_.weight[i] = i < members.size() ? static_cast<float>(member.weight) : 0.0f;
     }
 
     std::size_t span = k_leaf_planes;  // Planes per cluster.
@@ -201,8 +218,8 @@ PlaneClusters::PlaneClusters(const UnitPlanes& planes, std::span<const double> w
                 call.checkpoint(0.0);
                 for (std::size_t c = part.begin(); c < part.end(); ++c) {
                     const std::size_t begin = c * span;
-                    const std::size_t end = std::min(begin + span, order_.size());
-                    Moments(planes, weights, std::span(order_).subspan(begin, end - begin))
+                    const std::size_t end = std::min(begin + span, members.size());
+                    Moments(Members(members).subspan(begin, end - begin))
                         .store(nodes[c / k_cluster_fan], c % k_cluster_fan);
                 }
             });

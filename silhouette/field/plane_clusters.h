@@ -49,8 +49,8 @@ struct LeafPlanes {
 
 class PlaneClusters {
 public:
-    /// `weights` has one nonnegative weight per plane. O(planes log planes) on all threads. The result
-    /// does not depend on their number. Throws Error{cancelled} if `stop` is requested.
+    /// `weights` has one nonnegative weight per plane. O(planes log planes) on all threads, with 48 bytes
+    /// a plane meanwhile. The result does not depend on the number of threads. Throws Error{cancelled} if `stop` is requested.
     PlaneClusters(const UnitPlanes& planes, std::span<const double> weights,
                   const std::stop_token& stop = {});
 
@@ -62,9 +62,6 @@ public:
     std::span<const std::vector<ClusterNode>> levels() const noexcept { return levels_; }
 
 private:
-    void sort(const UnitPlanes& planes, std::size_t first_leaf, std::size_t last_leaf,
-              const LongCall& call);
-
     std::vector<std::uint32_t> order_;
     LeafPlanes planes_;
     std::vector<std::vector<ClusterNode>> levels_;
