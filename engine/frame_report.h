@@ -31,8 +31,9 @@ struct ShadowReport {
 /// The time of one pass on the GPU.
 struct PassTime {
     /// "silhouettes", "surfaces, unlit", "shadow volumes, light 0", "surfaces, light 0", "resolve", "lines",
-    /// "picture". With one light the surfaces may be drawn at once: "surfaces", and, if it casts shadows,
-    /// "shadow volumes, light 0" and "surfaces, in shadow". With another outline than lines also "shapes", the first after "silhouettes", or "backs", before "resolve".
+    /// "picture". With one light the surfaces may be drawn at once (docs/drawing.md): "surfaces", and, if it casts
+    /// shadows, "shadow volumes, light 0" and "surfaces, in shadow". With another outline than lines also "shapes",
+    /// the first after "silhouettes", or "backs", before "resolve".
     std::string name;
     double time_ms = 0.0;
 };

@@ -6,7 +6,7 @@
 // the GPU draws the previous one.
 //
 //     move trackers --> streams --> surfaces, unlit --> for each light: volumes, surfaces, lit
-//                                   (with one light: surfaces --> volumes --> surfaces, in shadow)
+//                                   (or surfaces --> volumes --> surfaces, in shadow: drawing.md)
 //                                   --> grid, lines, ink --> composite --> picture
 //
 // There are two ways to a picture. render(), or its halves submit() and finish(), submit to the queue

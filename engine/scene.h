@@ -64,8 +64,8 @@ struct SceneInstance {
     bool has_surfaces = true;
     bool has_lines = true;
     /// Lines to draw instead of its silhouette, borders and creases (picture_lines.h). Nothing hides them: where
-    /// other instances may lie before this one, the caller must know what they hide. Only the part within the
-    /// instance's bounds in the picture is sure to be drawn. Need not outlive the call.
+    /// other instances may lie before this one, the caller must know what they hide. Only what is on the
+    /// instance in the picture, or within eight pixels of it, is sure to be drawn. Need not outlive the call.
     const PictureLines* picture_lines = nullptr;
     bool casts_shadows = true;
     /// The result of is_solid(mesh()), which takes 0.2 microseconds a face and is worth it for more than a few frames.

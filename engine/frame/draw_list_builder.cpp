@@ -34,7 +34,12 @@ class DrawListBuilder {
 public:
     DrawListBuilder(const FrameView& view, std::uint32_t ring_slot, const DrawListParts& parts,
                     RecordedFrame& frame)
-        : view_(view), scene_(view.scene), ring_slot_(ring_slot), parts_(parts), frame_(frame) {}
+        : view_(view),
+          scene_(view.scene),
+          ring_slot_(ring_slot),
+          parts_(parts),
+          frame_(frame),
+          surfaces_(frame_surfaces(scene_, parts.target, parts.targets.samples())) {}
 
     DrawList build(const gpu::FrameData& frame_data) {
         const std::size_t light_count = scene_.lights.size();
@@ -43,7 +48,7 @@ public:
         list_ = {.data = parts_.draw_data.set(ring_slot_),
                  .light_count = light_count,
                  .shadows = scene_.shadows,
-                 .surface_lights = surface_lights(scene_, parts_.target, parts_.targets.samples()),
+                 .surface_lights = surfaces_.lights,
                  .is_orthographic = scene_.camera.is_orthographic(),
                  .instances = {},
                  .inks = {},
@@ -104,20 +109,19 @@ private:
     void add_instance(std::size_t i) {
         const SceneInstance& instance = scene_.instances[i];
         InstanceState& state = state_of(i);
-        DrawnInstance drawn{
-            .data = 0,
-            .indices = state.mesh->indices(),
-            .face_count = state.mesh->face_count(),
-            .border_count = state.mesh->border_count(),
-            .crease_count = 0,
-            .loose_count = state.mesh->loose_count(),
-            .has_lines = has_lines(scene_, instance),
-            .surface = surface_kind(scene_, parts_.target, instance, parts_.targets.samples()),
-            .textured_faces = {},
-            .inks = {},
-            .silhouette = {},
-            .every_edge = {},
-            .lights = {}};
+        DrawnInstance drawn{.data = 0,
+                            .indices = state.mesh->indices(),
+                            .face_count = state.mesh->face_count(),
+                            .border_count = state.mesh->border_count(),
+                            .crease_count = 0,
+                            .loose_count = state.mesh->loose_count(),
+                            .has_lines = has_lines(scene_, instance),
+                            .surface = surface_kind(scene_, surfaces_, instance),
+                            .textured_faces = {},
+                            .inks = {},
+                            .silhouette = {},
+                            .every_edge = {},
+                            .lights = {}};
         if (state.deforming) deform(i);
         const VkDeviceAddress slots = drawn.has_lines ? add_lines(i, drawn) : 0;
         drawn.data = put_instance(i, slots);
@@ -450,6 +454,7 @@ private:
     std::uint32_t ring_slot_;
     const DrawListParts& parts_;
     RecordedFrame& frame_;
+    FrameSurfaces surfaces_;
     std::optional<ShadowBounds> shadow_bounds_;  // Empty: shadows are not limited.
     std::vector<Segments> segments_;             // Of each instance.
     std::vector<gpu::LightData> lights_;         // Of each instance, and of each of its lights.

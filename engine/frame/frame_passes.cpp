@@ -97,15 +97,11 @@ FramePasses::FramePasses(const DeviceContext& context, const RendererOptions& op
 
 std::uint32_t FramePasses::scale_for(const PictureTarget& target) const {
     return fitting_scale(context_, target.extent, target.backdrop ? 1 : sampling_.scale,
-                         sampling_.samples);
+                         sampling_.samples, has_shadow_colors());
 }
 
 CompositeKind FramePasses::composite_kind(const Scene& scene, const PictureTarget& target) const {
     return {target.format, targets_->scale(), target.use, is_layer(scene, target)};
-}
-
-bool FramePasses::has_shadow_colors(const Scene& scene, const PictureTarget& target) const {
-    return surface_lights(scene, target, sampling_.samples) == SurfaceLights::beside_shadow;
 }
 
 bool FramePasses::has_targets_for(const Scene& scene, const PictureTarget& target) const {
@@ -122,7 +118,7 @@ void FramePasses::make_targets(const Scene& scene, const PictureTarget& target) 
         RenderTargets::Parts{.keeps_stencil = keeps_stencil_,
                              .coverage = is_layer(scene, target),
                              .shapes = sobel_pass_.has_value(),
-                             .shadow_colors = sampling_.samples == 1});
+                             .shadow_colors = has_shadow_colors()});
     line_pass_.set_surface_depth(targets->depth());
     composite_pass_.set_surfaces(targets->surfaces());
     if (sobel_pass_) sobel_pass_->set_shapes(targets->shapes());
@@ -137,10 +133,11 @@ void FramePasses::prepare(const Scene& scene, const PictureTarget& target) {
                     "a frame is drawn over a picture whose layout is VK_IMAGE_LAYOUT_UNDEFINED");
     if (target.backdrop) backdrop_pass_.prepare(context_, *target.backdrop);
     composite_pass_.prepare(context_, composite_kind(scene, target));
-    if (is_layer(scene, target)) ink_pass_.prepare_fold(context_);
-    if (has_shadow_colors(scene, target)) shadow_color_pass_.prepare(context_);
+    const FrameSurfaces surfaces = frame_surfaces(scene, target, sampling_.samples);
+    if (surfaces.is_layer) ink_pass_.prepare_fold(context_);
+    if (surfaces.lights == SurfaceLights::beside_shadow) shadow_color_pass_.prepare(context_);
     for (const SceneInstance& instance : scene.instances) {
-        surface_pass_.prepare(context_, surface_kind(scene, target, instance, sampling_.samples));
+        surface_pass_.prepare(context_, surface_kind(scene, surfaces, instance));
         if (draws_edges(scene, instance)) line_pass_.prepare_edges(context_);
         if (draws_segments(scene, instance)) line_pass_.prepare_segments(context_);
     }
@@ -156,13 +153,13 @@ bool FramePasses::draws_segments(const Scene& scene, const SceneInstance& instan
 }
 
 bool FramePasses::is_prepared(const Scene& scene, const PictureTarget& target) const {
+    const FrameSurfaces surfaces = frame_surfaces(scene, target, sampling_.samples);
     return composite_pass_.is_prepared(composite_kind(scene, target)) &&
-           (!is_layer(scene, target) || ink_pass_.is_fold_prepared()) &&
+           (!surfaces.is_layer || ink_pass_.is_fold_prepared()) &&
            (!target.backdrop || backdrop_pass_.is_prepared()) &&
-           (!has_shadow_colors(scene, target) || shadow_color_pass_.is_prepared()) &&
+           (surfaces.lights != SurfaceLights::beside_shadow || shadow_color_pass_.is_prepared()) &&
            std::ranges::all_of(scene.instances, [&](const SceneInstance& instance) {
-               return surface_pass_.is_prepared(
-                          surface_kind(scene, target, instance, sampling_.samples)) &&
+               return surface_pass_.is_prepared(surface_kind(scene, surfaces, instance)) &&
                       (!draws_edges(scene, instance) || line_pass_.has_edges()) &&
                       (!draws_segments(scene, instance) || line_pass_.has_segments());
            });

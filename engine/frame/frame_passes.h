@@ -79,7 +79,9 @@ private:
     };
 
     std::uint32_t scale_for(const PictureTarget& target) const;
-    bool has_shadow_colors(const Scene& scene, const PictureTarget& target) const;
+    // Whether targets have the image, needed or not: to make it when shadows come, the GPU would have to be done with
+    // all frames.
+    bool has_shadow_colors() const noexcept { return sampling_.samples == 1; }
     CompositeKind composite_kind(const Scene& scene, const PictureTarget& target) const;
     bool draws_edges(const Scene& scene, const SceneInstance& instance) const;
     bool draws_segments(const Scene& scene, const SceneInstance& instance) const;

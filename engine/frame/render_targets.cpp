@@ -106,10 +106,10 @@ VkRenderingAttachmentInfo depth_attachment(VkImageView view, VkAttachmentLoadOp 
 }  // namespace
 
 std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
-                            std::uint32_t samples) {
-    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved; with one sample colors of
-    // shadows (8).
-    const std::uint64_t pixel_bytes = samples > 1 ? 16 * (samples + 1) : 24;
+                            std::uint32_t samples, bool has_shadow_colors) {
+    // Surfaces (8 bytes) and depth (8, as devices pad it) for each sample and resolved; colors of shadows (8).
+    const std::uint64_t pixel_bytes =
+        16 * (samples > 1 ? samples + 1 : 1) + (has_shadow_colors ? 8 : 0);
     VkDeviceSize memory = 0;
     for (std::uint32_t i = 0; i < context.memory.memoryHeapCount; ++i)
         if ((context.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)

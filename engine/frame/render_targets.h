@@ -30,7 +30,7 @@ constexpr VkFormat k_shape_format = VK_FORMAT_R32G32B32A32_SFLOAT;
 /// The greatest scale from 1 to `wanted` whose images are within the device's limits and take at most half
 /// of its memory; 1 if none is.
 std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::uint32_t wanted,
-                            std::uint32_t samples);
+                            std::uint32_t samples, bool has_shadow_colors = false);
 
 /// The part of a picture that a frame draws, in pixels of the picture.
 struct DrawnArea {
@@ -76,7 +76,7 @@ public:
     const Image& coverage() const noexcept { return coverage_; }
     const Image& shadow_colors() const noexcept { return shadow_colors_; }
     /// Normals and depth of what each pixel of the passes shows, one sample each (engine/passes/shape_pass.h). Only
-    /// with `has_shapes`.
+    /// with Parts::shapes.
     const Image& shapes() const noexcept { return shapes_; }
 
     /// These begin scopes of dynamic rendering. Surfaces and their depth are defined only within the area, to which a

@@ -94,25 +94,29 @@ bool is_layer(const Scene& scene, const PictureTarget& target) {
            !std::ranges::all_of(scene.instances, &SceneInstance::has_surfaces);
 }
 
-SurfaceLights surface_lights(const Scene& scene, const PictureTarget& target,
+FrameSurfaces frame_surfaces(const Scene& scene, const PictureTarget& target,
                              std::uint32_t samples) {
-    if (scene.lights.size() != 1) return SurfaceLights::apart;
-    if (!scene.shadows) return SurfaceLights::together;
+    FrameSurfaces surfaces{is_layer(scene, target), SurfaceLights::apart};
+    if (scene.lights.size() != 1) return surfaces;
+    if (!scene.shadows || !scene.lights[0].casts_shadows) {
+        surfaces.lights = SurfaceLights::together;
+        return surfaces;
+    }
     // Shadows of one sample cannot take their color from an image with a color for all samples of a pixel. Those on
     // backdrops, and on what has no color of its own, are no colors of surfaces.
-    const bool have_colors = samples == 1 && !target.backdrop &&
-                             std::ranges::all_of(scene.instances, &SceneInstance::has_surfaces);
-    return have_colors ? SurfaceLights::beside_shadow : SurfaceLights::apart;
+    if (samples == 1 && !target.backdrop &&
+        std::ranges::all_of(scene.instances, &SceneInstance::has_surfaces))
+        surfaces.lights = SurfaceLights::beside_shadow;
+    return surfaces;
 }
 
-SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
-                         const SceneInstance& instance, std::uint32_t samples) {
-    SurfaceKind kind{.fades = instance.fade_radius > 0.0,
-                     .lights = surface_lights(scene, target, samples)};
+SurfaceKind surface_kind(const Scene& scene, const FrameSurfaces& surfaces,
+                         const SceneInstance& instance) {
+    SurfaceKind kind{.fades = instance.fade_radius > 0.0, .lights = surfaces.lights};
     if (instance.has_surfaces) {
         kind.style = static_cast<std::uint32_t>(scene.style);
         kind.colors = surface_colors(scene, instance);
-        kind.output = is_layer(scene, target) ? SurfaceOutput::layer : SurfaceOutput::picture;
+        kind.output = surfaces.is_layer ? SurfaceOutput::layer : SurfaceOutput::picture;
     } else {
         kind.output = SurfaceOutput::held_out;
     }

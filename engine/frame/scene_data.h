@@ -28,12 +28,17 @@ SurfaceColors surface_colors(const Scene& scene, const SceneInstance& instance);
 
 /// Whether the scene is drawn as a layer (PictureUse): color premultiplied, alpha opacity.
 bool is_layer(const Scene& scene, const PictureTarget& target);
-/// How the lights of this scene reach its surfaces, with so many samples a pixel.
-SurfaceLights surface_lights(const Scene& scene, const PictureTarget& target,
+/// What the surfaces of all instances of a frame share.
+struct FrameSurfaces {
+    bool is_layer;  ///< is_layer()
+    SurfaceLights lights;
+};
+/// With so many samples a pixel. O(instances).
+FrameSurfaces frame_surfaces(const Scene& scene, const PictureTarget& target,
                              std::uint32_t samples);
-/// The pipelines that an instance needs in this scene.
-SurfaceKind surface_kind(const Scene& scene, const PictureTarget& target,
-                         const SceneInstance& instance, std::uint32_t samples);
+/// The pipelines that an instance needs. O(1).
+SurfaceKind surface_kind(const Scene& scene, const FrameSurfaces& surfaces,
+                         const SceneInstance& instance);
 
 /// The share of a light in the light of a fully lit surface of this instance; 0 if it does not count there.
 float light_share(const Scene& scene, const SceneInstance& instance, std::size_t light);

@@ -12,7 +12,7 @@ ShadowColorPass::ShadowColorPass(const DeviceContext& context, const AttachmentF
 
 void ShadowColorPass::prepare(const DeviceContext& context) {
     if (is_prepared()) return;
-    pipeline_ = make_graphics_pipeline(context, "colors of shadows",
+    pipeline_ = make_graphics_pipeline(context, "surfaces, in shadow",
                                        {.vertex = composite_vert,
                                         .geometry = {},
                                         .fragment = shadow_color_frag,

@@ -60,7 +60,7 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
                                                      kind.output == SurfaceOutput::layer};
         return make_graphics_pipeline(
             context,
-            has_shade && has_light ? "surfaces"
+            has_shade && has_light ? "surfaces, whole"
             : has_shade            ? "surfaces, unlit"
                                    : "surfaces, lit",
             {.vertex = vertex,

@@ -1,7 +1,7 @@
 #pragma once
 
 // Depth and shading. First the color of every surface in shadow, with depth; then, for each light, the light
-// it adds where the stencil is zero. Both in one draw if there is one light (SurfaceLights).
+// it adds where the stencil is zero. Both in one draw where SurfaceLights says so.
 //
 // Each style has its own pipelines, for surfaces in one color, in the colors of their mesh, and with textures. With
 // a common one that branches on the style in the fragment stage, lavapipe computed the strokes of hatch for

@@ -99,6 +99,14 @@ Scene random_scene(std::mt19937& random, const Models& models, Style style) {
     return scene;
 }
 
+// As a renderer makes it.
+FrameView view_of(const Scene& scene, VkExtent2D size) {
+    CasterMeshes casters;
+    for (const SceneInstance& instance : scene.instances)
+        if (!instance.deforming) casters.try_emplace(&instance.mesh(), instance.mesh());
+    return FrameView(scene, size, casters);
+}
+
 TEST_CASE("a picture drawn where its scene is equals one drawn everywhere" *
           doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
@@ -119,7 +127,7 @@ TEST_CASE("a picture drawn where its scene is equals one drawn everywhere" *
         const Picture everywhere = renderer.render(scene, k_width, k_height);
         CAPTURE(number);
         CHECK(in_part.rgba == everywhere.rgba);
-        const VkRect2D rect = drawn_rect(FrameView(scene, {k_width, k_height}, {}));
+        const VkRect2D rect = drawn_rect(view_of(scene, {k_width, k_height}));
         if (rect.extent.width * rect.extent.height < k_width * k_height) ++drawn_in_part;
         std::size_t inked = 0;
         for (std::size_t i = 0; i < everywhere.rgba.size(); i += 4) {
@@ -144,10 +152,10 @@ TEST_CASE("the rectangle that a scene is drawn in is around it and no larger") {
                            .target = middle,
                            .fov_y_deg = 40.0}};
     const VkExtent2D size{1000, 500};
-    VkRect2D rect = drawn_rect(FrameView(scene, size, {}));
+    VkRect2D rect = drawn_rect(view_of(scene, size));
     CHECK((rect.extent.width == 1 && rect.extent.height == 1));
     scene.instances.push_back({.octree = &model.octree});
-    rect = drawn_rect(FrameView(scene, size, {}));
+    rect = drawn_rect(view_of(scene, size));
     // A sphere around it is 2 * 500 / (2 tan 20 deg) / 20 = 68.7 pixels wide.
     CHECK(rect.extent.width < 68 + 20);
     CHECK(rect.extent.height < 68 + 20);
@@ -155,20 +163,20 @@ TEST_CASE("the rectangle that a scene is drawn in is around it and no larger") {
     CHECK(std::abs(rect.offset.y + int(rect.extent.height) / 2 - 250) <= 1);
     // Behind the camera nothing is seen; around it anything may be.
     scene.camera.target = middle + glm::dvec3(0, 0, 40.0 * radius);
-    rect = drawn_rect(FrameView(scene, size, {}));
+    rect = drawn_rect(view_of(scene, size));
     CHECK((rect.extent.width == 1 && rect.extent.height == 1));
     scene.camera.eye = middle;
-    rect = drawn_rect(FrameView(scene, size, {}));
+    rect = drawn_rect(view_of(scene, size));
     CHECK((rect.extent.width == size.width && rect.extent.height == size.height));
     // What is beside the picture leaves it empty.
     scene.camera = {.eye = middle + glm::dvec3(0, 0, 20.0 * radius),
                     .target = middle + glm::dvec3(200.0 * radius, 0, 0)};
     scene.instances.push_back(scene.instances[0]);
     scene.instances[1].translation = {-500.0 * radius, 0, 0};
-    rect = drawn_rect(FrameView(scene, size, {}));
+    rect = drawn_rect(view_of(scene, size));
     CHECK((rect.extent.width == 1 && rect.extent.height == 1));
     for (const VkExtent2D tiny : {VkExtent2D{1, 1}, VkExtent2D{3, 1}}) {
-        rect = drawn_rect(FrameView(scene, tiny, {}));
+        rect = drawn_rect(view_of(scene, tiny));
         CHECK(rect.offset.x + rect.extent.width <= tiny.width);
         CHECK(rect.offset.y + rect.extent.height <= tiny.height);
     }
@@ -186,12 +194,12 @@ TEST_CASE("far from the origin the rectangle is where the GPU, which has floats,
             .camera = {.eye = middle + model.mesh.radius() * glm::dvec3(2.0, 0.3, 0.1 * number),
                        .target = middle}};
         scene.instances.push_back({.octree = &model.octree});
-        const VkRect2D rect = drawn_rect(FrameView(scene, size, {}));
+        const VkRect2D rect = drawn_rect(view_of(scene, size));
         const glm::dvec3 eye(glm::vec3(scene.camera.eye));
         scene.camera.target += eye - scene.camera.eye;
         if (glm::distance(eye, scene.camera.eye) > 1e-3) ++moved;
         scene.camera.eye = eye;
-        const VkRect2D rounded = drawn_rect(FrameView(scene, size, {}));
+        const VkRect2D rounded = drawn_rect(view_of(scene, size));
         CHECK(std::abs(rect.offset.x - rounded.offset.x) <= 1);
         CHECK(std::abs(rect.offset.y - rounded.offset.y) <= 1);
     }

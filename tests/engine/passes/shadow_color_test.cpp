@@ -37,10 +37,25 @@ Difference difference(const Picture& a, const Picture& b) {
     return difference;
 }
 
+// Each face in one of three materials.
+MeshSource in_colors(MeshSource source) {
+    source.materials.materials = {{.base_color = {0.8f, 0.1f, 0.1f}},
+                                  {.base_color = {0.1f, 0.7f, 0.2f}},
+                                  {.base_color = {0.2f, 0.2f, 0.9f}}};
+    for (std::uint32_t face = 0; face < source.triangles.size(); ++face)
+        source.materials.of_face.push_back(MaterialId{face % 3});
+    return source;
+}
+
 // Colors are rounded to half floats once instead of twice.
 TEST_CASE("surfaces drawn at once with their color in shadow are those drawn light by light") {
     RIMLINE_OPEN_GPU(gpu);
-    Renderer renderer(gpu->context(), {.samples = 1, .scale = 2, .pass_times = true});
+    const RendererOptions options{.samples = 1, .scale = 2, .pass_times = true};
+    Renderer with_lines(gpu->context(), options);
+    RendererOptions with_backs_options = options;
+    with_backs_options.outline.method = OutlineMethod::backs;
+    Renderer with_backs(gpu->context(), with_backs_options);
+    const tests::Model colored(in_colors(make_built_in_shape("knot", 900)));
     tests::RandomScenes scenes(20261127);
     std::size_t shaded = 0;
     std::size_t different = 0;
@@ -53,6 +68,13 @@ TEST_CASE("surfaces drawn at once with their color in shadow are those drawn lig
         scene.lines = number % 3 == 0;
         if (number % 5 == 0) scene.instances[0].fade_radius = 9.0;
         if (number % 5 == 0) scene.instances[0].fade_center = scene.instances[0].translation;
+        scene.has_background = number % 7 != 0;
+        if (number % 4 == 1) {
+            scene.instances.push_back(tests::instance_of(colored));
+            scene.instances.back().translation = scene.instances[0].translation;
+            scene.instances.back().material.shows_mesh_colors = true;
+        }
+        Renderer& renderer = number % 6 == 0 ? with_backs : with_lines;
         CAPTURE(number);
         const Picture at_once = renderer.render(scene, k_side, k_side);
         const auto& passes = renderer.report().passes;

@@ -122,8 +122,9 @@ TEST_CASE("every object that is made has a name, and every pass a label") {
     };
     CHECK(is_named("the picture's depth"));
     CHECK(is_named("the silhouette slots of knot.obj"));
-    for (const char* const pass : {"surfaces", "colors of shadows", "sides of shadow volumes",
-                                   "lines", "picture", "change streams", "times of passes"})
+    for (const char* const pass :
+         {"surfaces, whole", "surfaces, in shadow", "sides of shadow volumes", "lines", "picture",
+          "change streams", "times of passes"})
         CHECK_MESSAGE(is_named(pass), pass);
     CHECK(told.labels == std::vector<std::string>{"silhouettes", "surfaces", "shadow volumes",
                                                   "lines", "picture"});
