@@ -181,7 +181,7 @@ MeshSource spike(std::uint32_t sides) {
     return source;
 }
 
-TEST_CASE("fans and spikes of thousands are given up as nobody waits, and smaller ones are solids" *
+TEST_CASE("fans and spikes of thousands are given up at once and smaller ones are solids" *
           doctest::test_suite("plain")) {
     CHECK(is_solid(Mesh(cone(500))));
     // Without a search, which would report how far it is, and take ten seconds.
