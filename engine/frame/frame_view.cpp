@@ -28,7 +28,8 @@ std::optional<ScreenBox> screen_box_of(const FrameView& view, const SceneInstanc
                                        const CasterMeshes& casters) {
     const glm::dvec2 picture(view.size.width, view.size.height);
     const auto box_of = [&](std::span<const glm::dvec3> points) {
-        return screen_box(view.scene, view.projection, instance, points, picture);
+        return screen_box(view.scene.camera, view.eye_from_world, view.projection, instance, points,
+                          picture);
     };
     if (!instance.deforming)
         if (const auto caster = casters.find(&instance.mesh()); caster != casters.end())

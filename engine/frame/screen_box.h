@@ -2,6 +2,7 @@
 
 // Where on the screen a mesh can be, from points around it.
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -33,11 +34,11 @@ struct ScreenBox {
 };
 
 /// The rectangle around points of an instance, in its own coordinates, and all between them, in a picture of
-/// `picture_px`. Computed as the GPU does, from a camera of floats in these coordinates, and widened by the roundings
+/// `picture_px`. `eye_from_world` is camera_from_world(). Computed as the GPU does, from a camera of floats in these coordinates, and widened by the roundings
 /// on the way to the screen, without those of rasterizers. Empty if the points lie behind the near plane; std::nullopt
 /// if they lie on both sides of it. O(points).
-std::optional<ScreenBox> screen_box(const Scene& scene, const Projection& projection,
-                                    const SceneInstance& instance,
+std::optional<ScreenBox> screen_box(const Camera& camera, const glm::dmat3& eye_from_world,
+                                    const Projection& projection, const SceneInstance& instance,
                                     std::span<const glm::dvec3> points,
                                     const glm::dvec2& picture_px);
 
