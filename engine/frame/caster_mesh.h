@@ -24,8 +24,8 @@ public:
     const VertexPlaces& vertices() const noexcept { return vertices_; }
     /// Corners of a polytope around the mesh.
     std::span<const glm::dvec3> polytope() const noexcept { return polytope_; }
-    /// Made by the first call, in O(faces log faces), with up to 28 bytes a face: only a light within the mesh's
-    /// bounds needs it.
+    /// Made by the first call, in O(faces log faces), with up to 28 bytes a face. Needed only where a light is
+    /// within the mesh's bounds, or the mesh may be between a light and the camera.
     const FaceTree& faces() {
         if (!faces_) faces_.emplace(mesh());
         return *faces_;

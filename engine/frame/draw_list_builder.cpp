@@ -390,15 +390,10 @@ private:
                 .form = shadow.choice.form};
     }
 
-    // Only of lights within the bounds, where the tree of the faces is there already (VolumeCounter).
     bool may_count_from_near(const ShadowReport& shadow) {
-        const InstanceState& state = state_of(shadow.instance);
-        if (shadow.choice.method == ShadowMethod::pass ||
-            scene_.shadow_method == ShadowMethod::fail || scene_.camera.is_orthographic() ||
-            state.deforming || shadow.reach.is_empty())
-            return false;
-        const HomogeneousPoint& point = view_.instances[shadow.instance].lights[shadow.light].point;
-        return !point.is_direction() && !outer_axis(state.caster->mesh().bounds(), point);
+        return shadow.choice.method == ShadowMethod::fail &&
+               scene_.shadow_method != ShadowMethod::fail && !scene_.camera.is_orthographic() &&
+               !state_of(shadow.instance).deforming && !shadow.reach.is_empty();
     }
 
     // Takes depth pass, where it is known what lies before the near plane.

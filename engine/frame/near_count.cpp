@@ -26,25 +26,35 @@ double reach_from(const Bounds& box, const glm::dvec3& point) {
         glm::max(glm::abs(glm::dvec3(box.low) - point), glm::abs(glm::dvec3(box.high) - point)));
 }
 
-// The faces whose boxes may be within `radius` of the segment; empty if they are too many.
+// From the eye to the light, or past the mesh on the way to a directional light.
+glm::dvec3 way_to_light(const HomogeneousPoint& light, const Bounds& bounds,
+                        const glm::dvec3& eye) {
+    if (light.is_direction())
+        return 2.0 * reach_from(bounds, eye) * glm::normalize(glm::dvec3(light.xyz()));
+    return glm::dvec3(light.xyz()) - eye;
+}
+
+// The faces whose boxes may be within `radius` of the segment from the eye by `way`; empty if they are too many.
 std::optional<std::vector<std::uint32_t>> faces_around(const FaceTree& tree, const Bounds& bounds,
-                                                       const glm::dvec3& eye,
-                                                       const glm::dvec3& light, double radius) {
+                                                       const glm::dvec3& eye, const glm::dvec3& way,
+                                                       double radius) {
     // The part within the bounds.
-    double first = 0.0;
+    double first = 0.0, last = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double step = light[axis] - eye[axis];
-        if (step == 0.0) continue;
-        const double end = (step > 0.0 ? bounds.low[axis] - radius : bounds.high[axis] + radius);
-        first = std::clamp((end - eye[axis]) / step, first, 1.0);
+        if (way[axis] == 0.0) continue;
+        const double low = (bounds.low[axis] - radius - eye[axis]) / way[axis];
+        const double high = (bounds.high[axis] + radius - eye[axis]) / way[axis];
+        first = std::max(first, std::min(low, high));
+        last = std::min(last, std::max(low, high));
     }
+    std::vector<std::uint32_t> faces;
+    if (!(first <= last)) return faces;
     const double slack =
         radius + 0x1p-22 * std::max(glm::length(glm::dvec3(bounds.low)),
                                     std::max(glm::length(glm::dvec3(bounds.high)), radius));
-    std::vector<std::uint32_t> faces;
     for (int piece = 0; piece < k_pieces; ++piece) {
         const auto place = [&](int number) {
-            return glm::mix(eye, light, first + (1.0 - first) * number / k_pieces);
+            return eye + (first + (last - first) * number / k_pieces) * way;
         };
         const glm::dvec3 a = place(piece);
         const glm::dvec3 b = place(piece + 1);
@@ -66,14 +76,15 @@ std::optional<std::vector<std::uint32_t>> faces_around(const FaceTree& tree, con
 std::optional<std::vector<std::uint32_t>> near_counts(const CountedVolume& volume,
                                                       const VolumeCount& count,
                                                       const ShadowView& view) {
-    RIMLINE_CHECK(!volume.light.is_direction() && !view.orthographic);
+    RIMLINE_CHECK(!view.orthographic);
     const Mesh& mesh = volume.caster->mesh();
-    const glm::dvec3 light(volume.light.xyz());
-    const glm::dvec3 to_light = light - view.eye;
-    const double margin = k_rounding * (reach_from(mesh.bounds(), view.eye) +
-                                        reach_from(mesh.bounds(), light) + glm::length(to_light));
+    const glm::dvec3 to_light = way_to_light(volume.light, mesh.bounds(), view.eye);
+    const double margin =
+        k_rounding * (reach_from(mesh.bounds(), view.eye) +
+                      reach_from(mesh.bounds(), view.eye + to_light) + glm::length(to_light));
     const double radius = view.near_reach + margin;
-    const auto faces = faces_around(volume.caster->faces(), mesh.bounds(), view.eye, light, radius);
+    const auto faces =
+        faces_around(volume.caster->faces(), mesh.bounds(), view.eye, to_light, radius);
     if (!faces) return std::nullopt;
 
     const bool is_single = volume.form == ShadowForm::single;

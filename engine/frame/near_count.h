@@ -1,7 +1,7 @@
 #pragma once
 
-// How many triangles of a shadow volume lie between the near rectangle and a point light, where that is the same
-// number for all of the rectangle. Depth pass then counts from this number on instead of from 0, and needs no caps,
+// How many triangles of a shadow volume lie between the near rectangle and a light, where that is the same number
+// for all of the rectangle. Depth pass then counts from this number on instead of from 0, and needs no caps,
 // although the camera may be in shadow.
 //
 // The number changes only at the sides of the volume, and at its triangles. So let no triangle meet the ball around
@@ -21,9 +21,8 @@
 
 namespace rimline {
 
-/// Of the whole volume, or of each of the parts of `count`, if there are some. The light must be a point, and the
-/// view perspective. Uses CasterMesh::faces(). Some hundred microseconds. Empty where there is not one
-/// number.
+/// Of the whole volume, or of each of the parts of `count`, if there are some. The view must be perspective. Uses
+/// CasterMesh::faces(). Some hundred microseconds. Empty where there is not one number.
 std::optional<std::vector<std::uint32_t>> near_counts(const CountedVolume& volume,
                                                       const VolumeCount& count,
                                                       const ShadowView& view);

@@ -30,6 +30,8 @@ struct Near {
 // search.
 class NearestSet {
 public:
+    using DistanceType = double;
+    void sort() {}  // Nanoflann calls it from version 1.5 on.
     // It is known that k others lie no farther than the square root of `known`.
     NearestSet(std::uint32_t self, std::uint32_t k, double known)
         : self_(self), k_(k), reach_(search_radius(known)) {}
@@ -127,7 +129,7 @@ private:
         return known;
     }
     Near search(NearestSet& set, std::uint32_t point, std::uint32_t* out) const {
-        tree_.findNeighbors(set, &points_[point].x, nanoflann::SearchParams());
+        tree_.findNeighbors(set, &points_[point].x, {});
         const std::span<const Near> found = set.found();
         for (const Near& near : found) *out++ = near.number;
         return found.back();

@@ -85,6 +85,8 @@ private:
 // The nearest point; of points at equal distance the one with the greatest scale.
 class Nearest {
 public:
+    using DistanceType = double;
+    void sort() {}  // Nanoflann calls it from version 1.5 on.
     explicit Nearest(std::span<const double> scales) : scales_(scales) {}
     bool full() const { return true; }
     double worstDist() const { return search_radius(square_); }
@@ -157,7 +159,7 @@ std::vector<std::uint8_t> find_outliers(std::span<const glm::dvec3> points,
         for (std::uint32_t i = first; i < last; ++i) {
             if (is_on_surface[i] != 0) continue;
             Nearest nearest(scales);
-            tree.findNeighbors(nearest, &points[i].x, nanoflann::SearchParams());
+            tree.findNeighbors(nearest, &points[i].x, {});
             outliers[i] = nearest.is_farther_than(k_max_scales_away);
         }
     });

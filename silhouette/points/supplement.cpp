@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "silhouette/error.h"
+
 namespace rimline {
 
 namespace {
@@ -26,6 +28,7 @@ constexpr double k_steep = std::numbers::pi / 4.0;
 constexpr double k_sines[] = {0.766, 0.4226};
 
 std::size_t only_gap(const Fan& fan) {
+    RIMLINE_CHECK(fan.gaps != 0);
     return static_cast<std::size_t>(std::countr_zero(fan.gaps));
 }
 

@@ -1,12 +1,12 @@
 #include "tools/bench/piece_rays.h"
 
-#include <embree3/rtcore.h>
-
 #include <cfenv>
 #include <limits>
 #include <memory>
 #include <new>
 #include <type_traits>
+
+#include "tools/bench/embree.h"
 
 namespace rimline::tools {
 
@@ -28,7 +28,7 @@ private:
 
 // The context of one ray, which the filter receives.
 struct PieceRay {
-    RTCIntersectContext embree;  // The first member: Embree passes a pointer to it.
+    RayContext embree;  // The first member: Embree passes a pointer to it.
     const Mesh* mesh;
     const LinePiece* piece;
     int shared_corners;  // A face with so many of the edge's vertices is left out.
@@ -66,8 +66,7 @@ struct PieceRays::Scene {
     explicit Scene(const Mesh& of)
         : mesh(of), device(rtcNewDevice(nullptr)), scene(rtcNewScene(device.get())) {
         const UnchangedRounding unchanged;
-        rtcSetSceneFlags(scene.get(),
-                         RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION | RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneFlags(scene.get(), k_filtered_by_query | RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
         const Owned<RTCGeometry> geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
         auto* number = new_buffer<float>(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
@@ -97,8 +96,6 @@ void PieceRays::find_hidden(const LineView& view, std::span<const LinePiece> pie
                             std::vector<std::uint8_t>& is_hidden) const {
     const UnchangedRounding unchanged;
     PieceRay context{};
-    rtcInitIntersectContext(&context.embree);
-    context.embree.filter = leave_out_faces_at_piece;
     context.mesh = &scene_->mesh;
     context.shared_corners = way == RayWay::one_ring ? 1 : 2;
     const glm::dvec3 point(view.point().xyz());
@@ -117,8 +114,8 @@ void PieceRays::find_hidden(const LineView& view, std::span<const LinePiece> pie
         ray.tnear = way == RayWay::shortened ? k_shortened_by : 0.0f;
         ray.tfar = view.is_orthographic() ? std::numeric_limits<float>::infinity() : 1.0f;
         ray.mask = ~0u;
-        rtcOccluded1(scene_->scene.get(), &context.embree, &ray);
-        is_hidden[i] = ray.tfar < 0.0f ? 1 : 0;
+        is_hidden[i] =
+            is_blocked(scene_->scene.get(), ray, context.embree, leave_out_faces_at_piece) ? 1 : 0;
     }
 }
 

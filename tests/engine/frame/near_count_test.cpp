@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/frame/ray_bound.h"
@@ -27,10 +28,12 @@ using namespace rimline::tests;
 constexpr std::uint32_t k_size = 128;
 constexpr std::uint32_t k_stacked = 300;
 
-// The triangles between two points, of those that cast, in exact arithmetic. -1 where one is touched at a side.
-int triangles_between(const CountedVolume& volume, const glm::dvec3& from, const glm::dvec3& to) {
+// The triangles between a point and the light, of those that cast, in exact arithmetic. -1 where one is touched at a
+// side.
+int triangles_to_light(const CountedVolume& volume, const glm::dvec3& from) {
     const Mesh& mesh = volume.caster->mesh();
-    const WholeSpacePoint x{whole(from), false}, y{whole(to), false};
+    const WholeSpacePoint x{whole(from), false};
+    const WholeSpacePoint y{whole(glm::dvec3(volume.light.xyz())), volume.light.is_direction()};
     int count = 0;
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         if (volume.form == ShadowForm::single && !face_bit(volume.face_words, FaceId{f})) continue;
@@ -76,10 +79,14 @@ TEST_CASE("what is counted before the near plane is what lies between the eye an
     for (const MeshSource& source : sources()) {
         const Model model(source);
         for (int number = 0; number < 60; ++number) {
+            // Lights within the bounds, out of them, and in a direction.
             const glm::vec3 middle = glm::vec3(model.mesh.center());
             const glm::vec3 place =
-                middle + 0.5f * (model.mesh.bounds().high - middle) * random.in_cube();
-            const TrackedVolume volume(model, HomogeneousPoint::viewpoint(place));
+                number % 3 == 0
+                    ? middle + 0.5f * (model.mesh.bounds().high - middle) * random.in_cube()
+                    : middle + 2.5f * random.in_cube();
+            const TrackedVolume volume(model, number % 3 == 2 ? HomogeneousPoint::direction(place)
+                                                              : HomogeneousPoint::viewpoint(place));
             for (const ShadowForm form : {ShadowForm::general, ShadowForm::single}) {
                 const CountedVolume counted = volume.counted(form);
                 const ShadowView view{.eye = 3.0 * glm::dvec3(random.in_cube()),
@@ -93,7 +100,7 @@ TEST_CASE("what is counted before the near plane is what lies between the eye an
                 for (int k = 0; k < 4; ++k) {
                     const glm::dvec3 off = 0.5e-3 * glm::dvec3(random.in_cube());
                     CHECK(static_cast<int>((*counts)[0]) ==
-                          triangles_between(counted, view.eye + off, glm::dvec3(place)));
+                          triangles_to_light(counted, view.eye + off));
                 }
             }
         }
@@ -121,6 +128,21 @@ TEST_CASE("there is no one count where an edge or a face of the volume is before
     CHECK(count({1.8, -1.0, 0.1}) == -1);
     CHECK(count({1.84, -1.0, 0.1}) == 0);
     CHECK(count({1.76, -1.0, 0.1}) == 1);
+}
+
+TEST_CASE("suns count what is before the near plane on all of the way to them") {
+    const Model model(stack(k_stacked));
+    const TrackedVolume volume(model, HomogeneousPoint::direction({0.02f, 1.0f, 0.01f}));
+    const auto count = [&](const glm::dvec3& eye) -> int {
+        const auto counts =
+            near_counts(volume.counted(ShadowForm::general), {}, {.eye = eye, .near_reach = 1e-4});
+        return counts ? static_cast<int>((*counts)[0]) : -1;
+    };
+    CHECK(count({0.3, 1.7, 0.1}) == 0);
+    CHECK(count({0.3, 1.4835, 0.1}) == 1);
+    CHECK(count({0.3, -1.7, 0.1}) == int{k_stacked});
+    CHECK(count({0.3, -1000.0, 0.1}) == 0);
+    CHECK(count({3.0, -1.7, 0.1}) == 0);
 }
 
 TEST_CASE(
@@ -165,7 +187,7 @@ TEST_CASE("parts count what is before the near plane for themselves") {
     int sum = 0;
     for (const std::uint32_t part : *counts) sum += static_cast<int>(part);
     CHECK(sum > 10);
-    CHECK(sum == triangles_between(counted, view.eye, glm::dvec3(volume.light().xyz())));
+    CHECK(sum == triangles_to_light(counted, view.eye));
 }
 
 TEST_CASE("lamps within the bounds of what casts give the same picture by every method" *
@@ -234,6 +256,47 @@ TEST_CASE("lamps within the bounds of what casts give the same picture by every 
     CHECK(singles > dark);
     CHECK(dark > 5);
     CHECK(divided > 3);
+}
+
+TEST_CASE("a camera in the shadow sees the same picture by every method" *
+          doctest::test_suite("plain")) {
+    RIMLINE_OPEN_GPU(gpu);
+    constexpr std::uint64_t k_seed = 13;
+    CAPTURE(k_seed);
+    Random random(k_seed);
+    Renderer renderer(gpu->context(), {.samples = 4, .scale = 1});
+    const Model ground(square(20.0, -1.6));
+    std::deque<Model> models;
+    int number = 0, counted = 0;
+    for (const MeshSource& source : sources()) {
+        const Model& model = models.emplace_back(source);
+        for (int tries = 0; tries < 6; ++tries) {
+            const glm::dvec3 to_light =
+                glm::normalize(glm::dvec3(random.in_cube()) + glm::dvec3(0.0, 1.5, 0.0));
+            const glm::dvec3 eye = -0.8 * to_light + 0.6 * glm::dvec3(random.in_cube());
+            Scene scene{.instances = {instance_of(model), ground_of(ground)},
+                        .lights = {tries % 2 == 0 ? sun(to_light) : lamp(3.0 * to_light)},
+                        .camera = looking(eye, glm::dvec3(0.5f * random.in_cube())),
+                        .style = Style::mask,
+                        .palette = default_palette(Style::mask, {0.02f, 0.1f, 0.5f}),
+                        .lines = false};
+            scene.shadow_method = ShadowMethod::fail;
+            scene.shadow_form = ShadowForm::general;
+            const Picture expected = renderer.render(scene, k_size, k_size);
+            scene.shadow_method = ShadowMethod::automatic;
+            scene.shadow_form = ShadowForm::automatic;
+            const Picture drawn = renderer.render(scene, k_size, k_size);
+            counted += std::string_view(renderer.report().shadows.at(0).choice.method_reason) ==
+                               "the count is the same at all of the near plane"
+                           ? 1
+                           : 0;
+            CAPTURE(number);
+            ++number;
+            CHECK(drawn.rgba == expected.rgba);
+        }
+    }
+    std::printf("%d pictures, %d counted from the near plane on\n", number, counted);
+    CHECK(counted > number / 2);
 }
 
 }  // namespace

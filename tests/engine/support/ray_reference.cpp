@@ -44,7 +44,7 @@ float* make_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, s
 
 // A ray between two points and what it may pass through. Embree calls back with the context alone.
 struct RayReference::Query {
-    RTCIntersectContext context;
+    tools::RayContext context;
     const RayReference* reference;
     Ray ray;
     double end;  // Along the ray.
@@ -68,8 +68,8 @@ RayReference::RayReference(const Scene& scene) : scene_(scene) {
 
     device_ = rtcNewDevice("threads=1");
     rays_ = rtcNewScene(device_);
-    rtcSetSceneFlags(rays_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
-                                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(
+        rays_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | tools::k_filtered_by_query));
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const SceneInstance& instance = scene.instances[i];
         const Mesh& mesh = instance.octree->mesh();
@@ -144,8 +144,6 @@ glm::dvec3 RayReference::normal(std::size_t instance, FaceId face) const {
 }
 
 std::optional<SurfacePoint> RayReference::first_surface(const Ray& ray) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     const glm::vec3 origin(ray.origin - center_);
     const glm::vec3 direction(ray.direction);
     RTCRayHit found{.ray = {.org_x = origin.x,
@@ -158,7 +156,7 @@ std::optional<SurfacePoint> RayReference::first_surface(const Ray& ray) const {
                             .tfar = std::numeric_limits<float>::infinity(),
                             .mask = ~0u},
                     .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
-    rtcIntersect1(rays_, &context, &found);
+    tools::find_first(rays_, found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     SurfacePoint point{found.hit.geomID, FaceId{found.hit.primID}, {}};
     const Triangle& triangle =
@@ -188,24 +186,21 @@ void RayReference::keep_if_blocking(const RTCFilterFunctionNArguments* arguments
 }
 
 bool RayReference::is_blocked(Query& query, double end) const {
-    rtcInitIntersectContext(&query.context);
-    query.context.filter = keep_if_blocking;
     query.reference = this;
     query.end = end;
     const double margin = k_margin * radius_ / glm::length(query.ray.direction);
     const glm::vec3 origin(query.ray.origin - margin * query.ray.direction - center_);
     const glm::vec3 direction(query.ray.direction);
-    RTCRay ray{.org_x = origin.x,
-               .org_y = origin.y,
-               .org_z = origin.z,
-               .tnear = 0.0f,
-               .dir_x = direction.x,
-               .dir_y = direction.y,
-               .dir_z = direction.z,
-               .tfar = static_cast<float>(end + 2.0 * margin),
-               .mask = ~0u};
-    rtcOccluded1(rays_, &query.context, &ray);
-    return ray.tfar < 0.0f;
+    const RTCRay ray{.org_x = origin.x,
+                     .org_y = origin.y,
+                     .org_z = origin.z,
+                     .tnear = 0.0f,
+                     .dir_x = direction.x,
+                     .dir_y = direction.y,
+                     .dir_z = direction.z,
+                     .tfar = static_cast<float>(end + 2.0 * margin),
+                     .mask = ~0u};
+    return tools::is_blocked(rays_, ray, query.context, keep_if_blocking);
 }
 
 glm::dvec3 RayReference::towards(const Light& light, const glm::dvec3& world) {

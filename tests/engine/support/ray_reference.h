@@ -7,8 +7,6 @@
 // its far side through. Nothing here is shared with the engine but the scene: the camera's rays follow
 // from what engine/camera.h promises, not from its matrices.
 
-#include <embree3/rtcore.h>
-
 #include <cstddef>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -18,6 +16,7 @@
 
 #include "engine/scene.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/bench/embree.h"
 
 namespace rimline::tests {
 
