@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 #include "silhouette/mesh/mesh.h"
@@ -104,6 +105,20 @@ const char* why_not_pass(const Box& box, const ShadowView& view, const ShadowCas
     return meets_near ? "the volume may meet the near plane" : nullptr;
 }
 
+// The least cosine between the way from the eye to a light and the axis behind the camera: before the camera, -L is
+// then at most 16 times as far from the center of the picture as the picture's distance.
+constexpr double k_behind = 1.0 / 16.0;
+
+bool ends_in_one_point(const Box& box, const ShadowView& view, const ShadowCaster& caster) {
+    if (view.orthographic) return false;
+    if (caster.light.is_direction()) return true;
+    const glm::dvec3 to_light = light_vector(caster) - view.eye;
+    if (!(glm::dot(view.back, to_light) > k_behind * glm::length(to_light))) return false;
+    const glm::dvec3 nearest =
+        glm::mix(box.low, box.high, glm::greaterThan(view.back, glm::dvec3(0.0)));
+    return glm::dot(view.back, view.eye - nearest) > view.near_reach;
+}
+
 }  // namespace
 
 bool is_outside(const ShadowView& view, const glm::dvec3& low, const glm::dvec3& high) {
@@ -131,7 +146,7 @@ ShadowChoice choose_shadow(ShadowMethod wanted_method, ShadowForm wanted_form,
                            const ShadowView& view, const ShadowCaster& caster) {
     const Box exact{caster.low, caster.high};
     const Box box = grown(exact, margin_of(exact, view, caster));
-    ShadowChoice choice;
+    ShadowChoice choice{.ends_in_one_point = ends_in_one_point(box, view, caster)};
     if (wanted_form == ShadowForm::general) {
         choice.form_reason = "asked for";
     } else if (const char* reason = why_not_single(box, view, caster)) {

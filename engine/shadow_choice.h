@@ -21,7 +21,13 @@
 // directional light, a ray, as thick as the ball. Here the ball contains the near rectangle, and the caster
 // is its bounding box. Orthographic volumes are finite, and must end behind the far plane.
 //
-// Both are decided in the mesh's own coordinates, in double, with a margin for the shaders' rounding. Cost: a
+// One end. The rays of a point light L from all points go through infinity and meet again in L with its signs turned,
+// -L. So a side is the triangle of its edge and -L, as for directional lights, whose rays meet at infinity; it is half as
+// many triangles, and dark caps are not needed. What lies past infinity has a depth behind everything, to which it is
+// clamped. This needs L behind the camera, so that -L is before it, and a caster that the near plane does not cut,
+// because nothing is clipped there where depth is clamped. Both methods then count the same triangles.
+//
+// All are decided in the mesh's own coordinates, in double, with a margin for the shaders' rounding. Cost: a
 // few hundred operations for each pair of caster and light.
 // Sources: Everitt, Kilgard 2002; Hornus et al., ZP+: correct Z-pass stencil shadows, 2005; Kim, Kim,
 // Turk, Exact and Robust Shadow Volumes with Signed Multiplicities, 2008.
@@ -62,6 +68,7 @@ enum class SideStage : std::uint8_t {
 struct ShadowChoice {
     ShadowMethod method = ShadowMethod::fail;
     ShadowForm form = ShadowForm::general;
+    bool ends_in_one_point = false;  ///< Sides are triangles, and there are no dark caps.
     const char* method_reason = "";  ///< A phrase in static storage.
     const char* form_reason = "";
 };

@@ -225,10 +225,16 @@ struct LightData {
     RIMLINE_ADDRESS(FaceList) part_faces;     // The same.
     vec4 point;                               // Homogeneous, in the mesh's coordinates.
     vec3 color;                               // Its share in the light of a fully lit surface.
-    // 0: volumes reach infinity. Else their length, as a multiple: of the way from a point light to the edge, or
-    // of `point`, a unit vector, for a directional light. For orthographic views, which do not contain infinity.
+    // 0: volumes reach infinity. RIMLINE_EXTRUDED_TO_ONE_POINT. Else their length, as a multiple: of the way from a
+    // point light to the edge, or of `point`, a unit vector, for a directional light. For orthographic views, which do
+    // not contain infinity.
     float extrusion;
 };
+
+// LightData.extrusion: all rays end in the light's point with its signs turned. A directional light's is at infinity.
+// The rays of a point light pass through infinity to it, where depth is clamped to the farthest. For lights behind the
+// camera.
+#define RIMLINE_EXTRUDED_TO_ONE_POINT -1.0
 
 // Push constants of every drawing pass.
 struct DrawConstants {

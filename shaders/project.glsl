@@ -27,23 +27,25 @@ vec4 clip_from_object(vec3 position) {
     return clip_from_eye(eye_from_object(from_camera), 1.0);
 }
 
-// The end of the ray from the light through `position`: at infinity, (position * w - light, 0). For
-// views that do not contain infinity it is behind all surfaces (LightData.extrusion).
+// The end of the ray from the light through `position` (LightData.extrusion): the light itself with its signs turned,
+// where all rays end in it, past infinity; at infinity, (position * w - light, 0); or, for views that do not contain
+// infinity, behind all surfaces.
 vec4 clip_from_extruded(vec3 position) {
     const vec4 from = light.point;
     const float extrusion = light.extrusion;
+    if (extrusion == RIMLINE_EXTRUDED_TO_ONE_POINT) {
+        precise vec3 past = instance.camera * from.w - from.xyz;
+        return clip_from_eye(eye_from_object(past), -from.w);
+    }
     precise vec3 away = position * from.w - from.xyz;
     if (extrusion == 0.0) return clip_from_eye(eye_from_object(away), 0.0);
     precise vec3 from_camera = (position - instance.camera) + away * extrusion;
     return clip_from_eye(eye_from_object(from_camera), 1.0);
 }
 
-// Whether all rays of the light end in one point, so that volumes have no dark cap. Reads the whole
-// vector because of an error in lavapipe 22.3: reading only w gives x, and sides lose a corner if x is
-// 0.
+// Whether all rays of the light end in one point, so that volumes have no dark cap.
 bool ends_in_one_point() {
-    const vec4 from = light.point;
-    return from.w == 0.0 && light.extrusion == 0.0;
+    return light.extrusion == RIMLINE_EXTRUDED_TO_ONE_POINT;
 }
 
 #endif

@@ -49,7 +49,6 @@ public:
                  .light_count = light_count,
                  .shadows = scene_.shadows,
                  .surface_lights = surfaces_.lights,
-                 .is_orthographic = scene_.camera.is_orthographic(),
                  .instances = {},
                  .inks = {},
                  .shadow_batches = {}};
@@ -250,11 +249,11 @@ private:
                             .extrusion = 0.0f};
         if (scene_.camera.is_orthographic())
             data.extrusion = finite_extrusion(scene_.lights[l], instance, view_.bounds);
-        DrawnLight light{.casts_shadow = casts_shadows(scene_, instance, scene_.lights[l]),
-                         .ends_in_one_point = point.is_direction() && data.extrusion == 0.0f};
+        DrawnLight light{.casts_shadow = casts_shadows(scene_, instance, scene_.lights[l])};
         if (light.casts_shadow) {
             choose_volume(i, l, caster, data, light);
             add_volume(i, l, drawn, data, light);
+            if (light.ends_in_one_point) data.extrusion = RIMLINE_EXTRUDED_TO_ONE_POINT;
         }
         lights_.push_back(data);
         return light;
@@ -276,6 +275,9 @@ private:
             choose_by_winding(i, seen.point, choice, light);
         light.method = choice.method;
         light.form = choice.form;
+        light.ends_in_one_point = choice.ends_in_one_point;
+        light.clamps_depth = scene_.camera.is_orthographic() ||
+                             (choice.ends_in_one_point && !seen.point.is_direction());
         const ShadowReach reach =
             shadow_bounds_ ? shadow_bounds_->reach_of(i, l, data.extrusion)
                            : ShadowReach{.width = view_.size.width, .height = view_.size.height};

@@ -68,8 +68,9 @@ struct SurfaceKind {
 struct DrawnLight {
     std::uint32_t data = 0;  ///< Offset of its gpu::LightData in DrawData.
     bool casts_shadow = false;
-    bool ends_in_one_point = false;  ///< A directional light whose volumes reach infinity.
-    IndirectDraw sides;              ///< Draws its silhouette slots; only for casters.
+    bool ends_in_one_point = false;            ///< ShadowChoice::ends_in_one_point.
+    bool clamps_depth = false;                 ///< Its volumes are not clipped at the near plane.
+    IndirectDraw sides;                        ///< Draws its silhouette slots; only for casters.
     ShadowMethod method = ShadowMethod::fail;  ///< Not automatic.
     ShadowForm form = ShadowForm::general;     ///< Not automatic.
     bool shades_all = false;  ///< All surfaces are in its shadow, as if it were counted once.
@@ -130,7 +131,6 @@ struct DrawList {
     std::size_t light_count = 0;
     bool shadows = false;
     SurfaceLights surface_lights = SurfaceLights::apart;
-    bool is_orthographic = false;
     std::vector<DrawnInstance> instances;
     /// The colors of lines, each once, in linear light. Lines of a later color lie over those of earlier
     /// ones.

@@ -59,6 +59,21 @@ VkRect2D joined(const VkRect2D& a, const VkRect2D& b) {
                         std::max(right_of(a), right_of(b)), std::max(bottom_of(a), bottom_of(b)));
 }
 
+// Binds a pipeline unless it is bound.
+class Binding {
+public:
+    explicit Binding(Commands commands) : commands_(commands) {}
+    void bind(VkPipeline pipeline) {
+        if (pipeline == bound_) return;
+        commands_->CmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+        bound_ = pipeline;
+    }
+
+private:
+    Commands commands_;
+    VkPipeline bound_ = VK_NULL_HANDLE;
+};
+
 // Everything that was counted becomes 1.
 constexpr VkStencilOpState k_fold{.failOp = VK_STENCIL_OP_KEEP,
                                   .passOp = VK_STENCIL_OP_REPLACE,
@@ -113,8 +128,8 @@ ShadowVolumePass::ShadowVolumePass(const DeviceContext& context, VkDescriptorSet
     : has_depth_bounds_(context.features.depth_bounds),
       layout_(make_pipeline_layout(context, "shadow volumes", sizeof(gpu::DrawConstants),
                                    k_draw_stages, {draw_data})),
-      perspective_(make_pipelines(context, formats, layout_, stage, false)),
-      orthographic_(make_pipelines(context, formats, layout_, stage, true)) {
+      clipping_(make_pipelines(context, formats, layout_, stage, false)),
+      clamping_(make_pipelines(context, formats, layout_, stage, true)) {
     fold_ = make_graphics_pipeline(context, "fold of shadow counts",
                                    {.vertex = composite_vert,
                                     .geometry = {},
@@ -193,7 +208,7 @@ void ShadowVolumePass::record_near_counts(Commands commands, const DrawList& lis
 
 void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std::size_t light,
                                    const ShadowBatch& batch, const VkRect2D& area) const {
-    commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_of(list).caps);
+    Binding binding(commands);
     for (const std::uint32_t front_bit : {1u, 0u}) {
         set_counting(commands, ShadowMethod::fail, front_bit == 0);
         for (const ShadowDraw& draw : batch.draws) {
@@ -203,6 +218,7 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
             const bool single = drawn.form == ShadowForm::single;
             if (single && front_bit == 0) continue;
             if (!limit(commands, drawn, area)) continue;
+            binding.bind(pipelines_of(drawn).caps);
             const std::uint32_t flag = draw.part ? RIMLINE_CAPS_PART : 0;
             set_draw(commands, layout_, list, instance, &drawn, front_bit | flag);
             // If all light rays end in one point, there is no dark cap.
@@ -216,31 +232,26 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
 
 void ShadowVolumePass::record_sides(Commands commands, const DrawList& list, std::size_t light,
                                     const ShadowBatch& batch, const VkRect2D& area) const {
-    const Pipelines& pipelines = pipelines_of(list);
-    const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
-    VkPipeline bound = VK_NULL_HANDLE;
-    const auto bind = [&](VkPipeline pipeline) {
-        if (pipeline == bound) return;
-        commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-        bound = pipeline;
-    };
+    Binding binding(commands);
     for (const ShadowDraw& draw : batch.draws) {
         const DrawnInstance& instance = list.instances[draw.instance];
         const DrawnLight& drawn = instance.lights[light];
         if (!draw.has_volume || !limit(commands, drawn, area)) continue;
+        const Pipelines& pipelines = pipelines_of(drawn);
+        const bool pulled = pipelines.geometry_sides == VK_NULL_HANDLE;
         const std::uint32_t corners = drawn.ends_in_one_point ? 3 : 6;
         const bool single = drawn.form == ShadowForm::single;
         const std::uint32_t flag = single ? RIMLINE_SIDES_SINGLE : 0;
         if (draw.part) {
             // Geometry shaders number points from 0, wherever a draw begins.
-            bind(pipelines.pulled_sides);
+            binding.bind(pipelines.pulled_sides);
             set_counting(commands, drawn.method, false);
             set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_PARTS | flag);
             commands->CmdDraw(commands, corners * draw.part->side_count, 1,
                               corners * draw.part->first_side, 0);
             continue;
         }
-        bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);
+        binding.bind(pulled ? pipelines.pulled_sides : pipelines.geometry_sides);
         set_counting(commands, drawn.method, false);
         set_draw(commands, layout_, list, instance, &drawn, RIMLINE_SIDES_SLOTS | flag);
         const VkDeviceSize offset = !pulled        ? IndirectDraw::k_points

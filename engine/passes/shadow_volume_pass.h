@@ -21,8 +21,8 @@
 // its whole triangle. So in perspective volumes are clipped at the near plane, as surfaces are. Parts nearer
 // than that lie in front of everything visible: depth fail does not count them, and depth pass is not chosen
 // for such a volume, or it begins with what they count to everywhere (near_count.h). In orthographic views no
-// surface is clipped; volumes end behind the far plane, and depth is clamped. Where the light lies in a face's
-// plane, the sides lie on the face too; there the surface pass uses the face bit.
+// surface is clipped; volumes end behind the far plane, and depth is clamped. It is clamped in perspective too where
+// the rays of a point light end in one point (shadow_choice.h). Where the light lies in a face's plane, the sides lie on the face too; there the surface pass uses the face bit.
 // Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
 // Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.2.
 
@@ -57,8 +57,8 @@ private:
 
     static Pipelines make_pipelines(const DeviceContext& context, const AttachmentFormats& formats,
                                     VkPipelineLayout layout, SideStage stage, bool depth_clamp);
-    const Pipelines& pipelines_of(const DrawList& list) const noexcept {
-        return list.is_orthographic ? orthographic_ : perspective_;
+    const Pipelines& pipelines_of(const DrawnLight& drawn) const noexcept {
+        return drawn.clamps_depth ? clamping_ : clipping_;
     }
     void record_near_counts(Commands commands, const DrawList& list, std::size_t light,
                             const ShadowBatch& batch, const VkRect2D& area) const;
@@ -71,7 +71,7 @@ private:
 
     bool has_depth_bounds_;
     OwnedPipelineLayout layout_;
-    Pipelines perspective_, orthographic_;
+    Pipelines clipping_, clamping_;  // At the near plane.
     OwnedPipeline fold_, raise_;
 };
 

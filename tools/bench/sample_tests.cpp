@@ -64,7 +64,7 @@ public:
                 ? finite_extrusion(view_.scene.lights[shadow.light], instance, view_.bounds)
                 : 0.0;
         const bool single = shadow.choice.form == ShadowForm::single;
-        const bool ends_in_one_point = point_.is_direction() && extrusion_ == 0.0;
+        ends_in_one_point_ = shadow.choice.ends_in_one_point;
         const auto is_front_face = [&](FaceId face) { return is_front(mesh.plane(face), point_); };
         if (shadow.choice.method == ShadowMethod::fail)
             for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
@@ -73,7 +73,7 @@ public:
                     return mesh.positions()[index(mesh.triangles()[f][c])];
                 };
                 triangle({near(corner(0)), near(corner(1)), near(corner(2))}, 1);
-                if (!ends_in_one_point)
+                if (!ends_in_one_point_)
                     triangle({far(corner(0)), far(corner(1)), far(corner(2))}, 1);
             }
         const std::uint32_t regular_end = mesh.edges_of_class(EdgeClass::regular).last;
@@ -91,7 +91,7 @@ public:
             const glm::vec3 a = mesh.positions()[index(v0)];
             const glm::vec3 b = mesh.positions()[index(v1)];
             triangle({near(b), near(a), far(b)}, times);
-            if (!ends_in_one_point) triangle({near(a), far(a), far(b)}, times);
+            if (!ends_in_one_point_) triangle({near(a), far(a), far(b)}, times);
         }
     }
 
@@ -106,7 +106,10 @@ private:
         return clip(glm::dvec3(position) - camera_, 1.0);
     }
     glm::dvec4 far(const glm::vec3& position) const {
-        const glm::dvec3 away = glm::dvec3(position) * double{point_.w} - glm::dvec3(point_.xyz());
+        const double w = point_.w;
+        const glm::dvec3 light(point_.xyz());
+        if (ends_in_one_point_) return clip(camera_ * w - light, -w);
+        const glm::dvec3 away = glm::dvec3(position) * w - light;
         return extrusion_ == 0.0 ? clip(away, 0.0)
                                  : clip(glm::dvec3(position) - camera_ + extrusion_ * away, 1.0);
     }
@@ -200,6 +203,7 @@ private:
     glm::dvec3 camera_{0.0};
     glm::dmat3 eye_from_object_{1.0};
     double extrusion_ = 0.0;
+    bool ends_in_one_point_ = false;
 };
 
 }  // namespace

@@ -29,6 +29,10 @@ struct Window::Events {
 
 Window::Window(const std::string& title, int width, int height)
     : events_(std::make_unique<Events>()) {
+#ifdef GLFW_PLATFORM
+    // From version 3.4 on, GLFW asks for a Wayland display first, and libwayland prints an error where there is none.
+    if (std::getenv("WAYLAND_DISPLAY") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() != GLFW_TRUE)
         throw Error(ErrorCode::no_device,
                     "no display: set DISPLAY or WAYLAND_DISPLAY, or use "

@@ -164,6 +164,7 @@ TEST_CASE("a missing barrier is counted where the validation layer is installed"
         },
         reason);
     if (!message) RIMLINE_SKIP(reason);
+    CAPTURE(*message);
     CHECK(message->find("SYNC-HAZARD-WRITE-AFTER-WRITE") != std::string::npos);
     const auto silence = first_message(
         [&](Commands commands, const Buffer& buffer) {
