@@ -66,6 +66,8 @@ public:
                 casters_ += 1;
                 passes_ += shadow.choice.method == ShadowMethod::pass ? 1 : 0;
                 singles_ += shadow.choice.form == ShadowForm::single ? 1 : 0;
+                const bool is_lamp = !scene.lights[shadow.light].directional;
+                lamps_in_one_point_ += is_lamp && shadow.choice.ends_in_one_point ? 1 : 0;
             }
             INFO("draw ", draws_, ", method ", std::string(name_of(variant.method)), ", form ",
                  std::string(name_of(variant.form)));
@@ -75,8 +77,11 @@ public:
     }
 
     void finish(const char* name) const {
-        std::printf("%s: %d draws, %d casters before lights, %d by depth pass, %d in single form\n",
-                    name, draws_, casters_, passes_, singles_);
+        std::printf(
+            "%s: %d draws, %d casters before lights, %d by depth pass, %d in single form, "
+            "rays of %d lamps end in one point\n",
+            name, draws_, casters_, passes_, singles_, lamps_in_one_point_);
+        CHECK(lamps_in_one_point_ > 0);
         CHECK(passes_ > 0);
         CHECK(passes_ < casters_);
         CHECK(singles_ > 0);
@@ -90,6 +95,7 @@ private:
     int casters_ = 0;
     int passes_ = 0;
     int singles_ = 0;
+    int lamps_in_one_point_ = 0;
 };
 
 }  // namespace
@@ -214,6 +220,42 @@ TEST_CASE("depth pass in an orthographic view needs the volume's end behind the 
     CHECK(method({0, 1, 0.5}, ShadowMethod::automatic) == ShadowMethod::pass);
     CHECK(method({0, 1, 0.1}, ShadowMethod::pass) == ShadowMethod::fail);
     CHECK(method({0, 0, -1}, ShadowMethod::pass) == ShadowMethod::fail);
+}
+
+TEST_CASE(
+    "rays of lamps end in one point where the lamp is behind the camera and the caster before it") {
+    const Mesh box(make_built_in_shape("box", 12));  // From -1 to 1.
+    const auto ends_in_one_point = [&](const HomogeneousPoint& light, double eye,
+                                       bool orthographic = false) {
+        const ShadowView view{.orthographic = orthographic,
+                              .eye = {0, 0, eye},
+                              .near_reach = 0.05,
+                              .back = {0, 0, 1},
+                              .far = -5.0};
+        const ShadowCaster caster{.low = glm::dvec3(box.bounds().low),
+                                  .high = glm::dvec3(box.bounds().high),
+                                  .is_closed_chain = true,
+                                  .light = light};
+        for (const ShadowMethod method : {ShadowMethod::fail, ShadowMethod::automatic})
+            for (const ShadowForm form : {ShadowForm::general, ShadowForm::automatic})
+                CHECK(choose_shadow(method, form, view, caster).ends_in_one_point ==
+                      choose_shadow(ShadowMethod::pass, ShadowForm::single, view, caster)
+                          .ends_in_one_point);
+        return choose_shadow(ShadowMethod::automatic, ShadowForm::automatic, view, caster)
+            .ends_in_one_point;
+    };
+    const HomogeneousPoint behind = HomogeneousPoint::viewpoint({0, 3, 9});
+    CHECK(ends_in_one_point(behind, 5.0));
+    CHECK_FALSE(ends_in_one_point(behind, 9.5));                                      // Before it.
+    CHECK_FALSE(ends_in_one_point(HomogeneousPoint::viewpoint({10, 0, 5.3f}), 5.0));  // Beside it.
+    CHECK(ends_in_one_point(HomogeneousPoint::viewpoint({10, 0, 6}), 5.0));
+    CHECK_FALSE(ends_in_one_point(behind, 1.02));  // The near plane is in the box.
+    CHECK(ends_in_one_point(behind, 1.1));
+    CHECK_FALSE(ends_in_one_point(behind, 0.5));
+    CHECK_FALSE(ends_in_one_point(behind, -5.0));  // The box is behind the camera.
+    CHECK_FALSE(ends_in_one_point(behind, 5.0, true));
+    CHECK(ends_in_one_point(HomogeneousPoint::direction({0, 1, -1}), 0.5));
+    CHECK_FALSE(ends_in_one_point(HomogeneousPoint::direction({0, 1, 1}), 5.0, true));
 }
 
 TEST_CASE("random scenes are the same picture by every method, form and stage") {
