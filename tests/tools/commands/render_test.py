@@ -246,10 +246,14 @@ def test_render_casts_the_same_shadows_by_every_method():
             with open(output, "rb") as file:
                 pictures.append(file.read())
         assert pictures[0] == pictures[1]
-        # Where depth pass is not shown to be right it is not taken.
-        result = succeed("render", "shape:terrain:500", "-o", output, "--size", "64x64", "--shadows", "auto",
-                         "--light", "0,3,0", "--eye", "0.1,0.05,0.1")
-        assert [(s["method"], s["form"]) for s in result["shadows"]] == [("fail", "general")]
+        # Depth pass is taken where it is shown to be right. Here the camera is in the shadow, and on the surface.
+        for model, eye, method, reason in (
+                ("shape:terrain:500", "0.13,-1,0.21", "pass", "the count is the same at all of the near plane"),
+                ("shape:box", "1,0.2,0.1", "fail", "the volume may meet the near plane")):
+            result = succeed("render", model, "-o", output, "--size", "64x64", "--shadows", "auto",
+                             "--light", "0,3,0", "--eye", eye)
+            found = [(s["method"], s["form"], s["method_reason"]) for s in result["shadows"]]
+            assert found == [(method, "general", reason)], found
 
 
 def ink_on(rows, a, b):
