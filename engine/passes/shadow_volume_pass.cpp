@@ -201,8 +201,11 @@ void ShadowVolumePass::record_near_counts(Commands commands, const DrawList& lis
     for (const ShadowDraw& draw : batch.draws) {
         if (draw.near_count == 0) continue;
         commands->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, raise_);
-        if (limit(commands, list.instances[draw.instance].lights[light], area))
-            commands->CmdDraw(commands, 3, draw.near_count, 0, 0);
+        const DrawnInstance& instance = list.instances[draw.instance];
+        if (!limit(commands, instance.lights[light], area)) continue;
+        // The pipeline reads nothing, but checks on the GPU crash where its layout's set is not bound (layer 1.4.309).
+        set_draw(commands, layout_, list, instance, &instance.lights[light], 0);
+        commands->CmdDraw(commands, 3, draw.near_count, 0, 0);
     }
 }
 

@@ -37,6 +37,12 @@ bool has_validation_layer(const GlobalFunctions& vk) {
     });
 }
 
+// What the layer says of itself: which features and limits its checks on the GPU change.
+bool is_notice(const VkDebugUtilsMessengerCallbackDataEXT& data) {
+    return data.pMessageIdName != nullptr &&
+           std::strcmp(data.pMessageIdName, "WARNING-GPU-Assisted-Validation") == 0;
+}
+
 }  // namespace
 
 struct VulkanInstance::Messages {
@@ -48,6 +54,7 @@ struct VulkanInstance::Messages {
                                                   VkDebugUtilsMessageTypeFlagsEXT,
                                                   const VkDebugUtilsMessengerCallbackDataEXT* data,
                                                   void* user) {
+        if (is_notice(*data)) return VK_FALSE;
         Messages& messages = *static_cast<Messages*>(user);
         const std::lock_guard lock(messages.mutex);
         if (messages.count++ == 0) messages.first = data->pMessage;
