@@ -213,7 +213,6 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
                                    const ShadowBatch& batch, const VkRect2D& area) const {
     Binding binding(commands);
     for (const std::uint32_t front_bit : {1u, 0u}) {
-        set_counting(commands, ShadowMethod::fail, front_bit == 0);
         for (const ShadowDraw& draw : batch.draws) {
             const DrawnInstance& instance = list.instances[draw.instance];
             const DrawnLight& drawn = instance.lights[light];
@@ -222,6 +221,7 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
             if (single && front_bit == 0) continue;
             if (!limit(commands, drawn, area)) continue;
             binding.bind(pipelines_of(drawn).caps);
+            set_counting(commands, ShadowMethod::fail, front_bit == 0);
             const std::uint32_t flag = draw.part ? RIMLINE_CAPS_PART : 0;
             set_draw(commands, layout_, list, instance, &drawn, front_bit | flag);
             // If all light rays end in one point, there is no dark cap.
