@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "silhouette/mesh/ground_axes.h"
 #include "silhouette/mesh/upright.h"
@@ -56,6 +58,16 @@ private:
     std::map<Key, double> known_;
 };
 
+// Sorts all but the first by their scores with all votes.
+void rank(const TangentialField& field, std::vector<PointOfInterest>& points) {
+    std::vector<std::pair<double, PointOfInterest>> alone;
+    for (const PointOfInterest& point : points)
+        alone.emplace_back(field.value(point.point) * point.weight, point);
+    std::ranges::stable_sort(alone.begin() + 1, alone.end(), std::greater(),
+                             [](const auto& scored) { return scored.first; });
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = alone[i].second;
+}
+
 }  // namespace
 
 double height_preference(const glm::dvec3& direction, const glm::dvec3& up) {
@@ -67,7 +79,7 @@ double height_preference(const glm::dvec3& direction, const glm::dvec3& up) {
 }
 
 double view_preference(const glm::dvec3& direction, const glm::dvec3& up) {
-    constexpr double k_least_behind = 0.9;
+    constexpr double k_least_behind = 0.8;
     const double likeness = std::min(three_quarter_likeness(glm::normalize(direction), up), 1.0);
     return height_preference(direction, up) *
            (1.0 - (1.0 - k_least_behind) * 0.5 * (1.0 - likeness));
@@ -87,6 +99,7 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
     InterestOptions interest;
     interest.count = options.count;
     interest.weighs_all = options.draws_all;
+    interest.steady = options.for_people;
     const auto preference = [&](const glm::dvec3& point) {
         return options.up ? view_preference(point, *options.up) : 1.0;
     };
@@ -108,7 +121,8 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
     interest.weighed_stride = options.visible_ratios ? options.stride : 1;
     // Candidates that are rendered are refined to weighed_tolerance only.
     if (options.visible_ratios) interest.tolerance = 0.5 * interest.weighed_tolerance;
-    const PointsOfInterest found = find_points_of_interest(field, k_view_shell, interest, call);
+    PointsOfInterest found = find_points_of_interest(field, k_view_shell, interest, call);
+    if (options.for_people && found.points.size() > 2) rank(field, found.points);
 
     BestViews result{.views = {},
                      .renders = drawn.count(),

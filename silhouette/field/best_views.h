@@ -63,11 +63,15 @@ struct BestViewsOptions {
     /// Of the plane of symmetry across this axis, if the mesh has one: a mirror image of a chosen view counts what it
     /// adds (symmetry_axis()).
     std::optional<int> mirror_axis;
+    /// For people who look at them: the first view is steady (steady_point.h), and the others come in the falling order
+    /// of what each would score alone, instead of that in which they were chosen.
+    bool for_people = false;
     bool draws_all = false;  ///< For tests: measures every candidate. The views are the same.
 };
 
 struct BestViews {
-    std::vector<BestView> views;    ///< In the order of choice.
+    std::vector<BestView>
+        views;  ///< In the order of choice, or that of BestViewsOptions::for_people.
     std::uint64_t renders = 0;      ///< Viewpoints measured.
     std::uint64_t candidates = 0;   ///< Number of these with `draws_all`.
     std::uint64_t evaluations = 0;  ///< Evaluations of the field.
@@ -77,7 +81,7 @@ struct BestViews {
 double height_preference(const glm::dvec3& direction, const glm::dvec3& up);
 
 /// The factor of BestViewsOptions::up: height_preference() times 1 for a three-quarter view in front, falling with the
-/// cosine of the angle to it to 0.9 on the other side. Near ties go to three-quarter views, and yet the score changes
+/// cosine of the angle to it to 0.8 on the other side. Near ties go to three-quarter views, and yet the score changes
 /// smoothly with the viewpoint: a limit within which they win would make the choice depend on noise.
 double view_preference(const glm::dvec3& direction, const glm::dvec3& up);
 

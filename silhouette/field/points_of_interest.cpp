@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "silhouette/field/discounted_field.h"
+#include "silhouette/field/steady_point.h"
 
 namespace rimline {
 
@@ -20,6 +21,10 @@ constexpr std::size_t k_max_fine_climbs = 2;
 // Where the lattice only says where climbs start, its sums may err by so many tolerances. At 2, four origins of nine
 // models are those found at 1; at 4 they take 12% less time, and the fourth of fandisk has 3% fewer votes.
 constexpr double k_lattice_tolerances = 2.0;
+// What may be the steadiest peak has this share of the highest score, and is so far from a higher one.
+constexpr double k_contending = 0.93;
+constexpr double k_contenders_apart_rad = 0.4;
+constexpr std::size_t k_max_contenders = 6;
 
 double spacing_of(const SearchDomain& domain, std::uint32_t lattice) {
     return 2.0 * domain.outer_radius / (lattice - 1);
@@ -273,10 +278,75 @@ private:
                 if (lattice_.is_at_stride(i, options_.weighed_stride))
                     candidates.push_back({lattice_.points()[i], votes[i]});
         call.checkpoint(0.7);
-        std::optional<PointOfInterest> best = best_of(candidates, std::nullopt, silent);
-        if (best && options_.weigh) best = refine(*best, silent);
+        std::erase_if(candidates, [&](const Sample& c) { return !is_allowed(c.point); });
+        std::optional<PointOfInterest> best;
+        if (options_.steady && result_.points.empty()) {
+            best = steadiest_of(candidates, silent);
+        } else {
+            best = best_of(candidates, std::nullopt, silent);
+            if (best && options_.weigh) best = refine(*best, silent);
+        }
         call.checkpoint(1.0);
         return best;
+    }
+
+    // All of the plateau of a steady point is one.
+    bool is_allowed(const glm::dvec3& point) const {
+        return !options_.steady || result_.points.empty() ||
+               !is_on_plateau(point, result_.points.front().point);
+    }
+
+    // The middle of the plateau (steady_point.h) of that of the best candidates around which scores are highest.
+    std::optional<PointOfInterest> steadiest_of(std::span<const Sample> candidates,
+                                                const LongCall& call) {
+        const ScorePoints score = [&](std::span<const glm::dvec3> points) {
+            std::vector<double> scores;
+            for (const PointOfInterest& point : scored(points, call))
+                scores.push_back(point.score());
+            return scores;
+        };
+        std::optional<PointOfInterest> best;
+        double highest = 0.0;
+        for (const PointOfInterest& contender : contenders_of(candidates, call)) {
+            const PointOfInterest peak = refine(contender, call);
+            const double mean = mean_score_near(peak.point, score);
+            const bool ties = best && std::abs(mean - highest) <= tie_;
+            if (ties ? comes_before(peak.point, best->point) : mean > highest) {
+                best = peak;
+                highest = mean;
+            }
+        }
+        if (!best) return best;
+        const glm::dvec3 middle = middle_of_plateau(best->point, score);
+        return scored({&middle, 1}, call).front();
+    }
+
+    // Candidates that are apart, best first.
+    std::vector<PointOfInterest> contenders_of(std::span<const Sample> candidates,
+                                               const LongCall& call) {
+        std::vector<PointOfInterest> all = weighed_of(candidates, std::nullopt, k_contending, call);
+        std::ranges::stable_sort(all, std::greater(), &PointOfInterest::score);
+        std::vector<PointOfInterest> contenders;
+        for (const PointOfInterest& point : all) {
+            if (point.score() <= 0.0 || point.score() < k_contending * all.front().score()) break;
+            const bool is_apart = std::ranges::none_of(contenders, [&](const PointOfInterest& c) {
+                return glm::dot(glm::normalize(c.point), glm::normalize(point.point)) >
+                       std::cos(k_contenders_apart_rad);
+            });
+            if (is_apart) contenders.push_back(point);
+            if (contenders.size() == k_max_contenders) break;
+        }
+        return contenders;
+    }
+
+    std::vector<PointOfInterest> scored(std::span<const glm::dvec3> points, const LongCall& call) {
+        std::vector<double> votes(points.size());
+        evaluate(points, votes, call);
+        const std::vector<double> weights = weights_of(points);
+        std::vector<PointOfInterest> scored;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            scored.push_back({points[i], votes[i], weights[i]});
+        return scored;
     }
 
     // The best local maxima of the lattice, with votes as exact as those of climbs.
@@ -300,7 +370,8 @@ private:
             std::array<double, 6> votes;
             evaluate(points, votes, call);
             std::vector<Sample> candidates;
-            for (std::size_t i = 0; i < 6; ++i) candidates.push_back({points[i], votes[i]});
+            for (std::size_t i = 0; i < 6; ++i)
+                if (is_allowed(points[i])) candidates.push_back({points[i], votes[i]});
             const std::optional<PointOfInterest> other = best_of(candidates, best.score(), call);
             if (other && other->score() > best.score() + tie_)
                 best = *other;
@@ -314,6 +385,23 @@ private:
     // exceed `bar`.
     std::optional<PointOfInterest> best_of(std::span<const Sample> candidates,
                                            std::optional<double> bar, const LongCall& call) {
+        const std::vector<PointOfInterest> weighed = weighed_of(candidates, bar, 1.0, call);
+        double max_score = bar.value_or(0.0);
+        for (const PointOfInterest& point : weighed) max_score = std::max(max_score, point.score());
+        // Resolves ties with the maximum score.
+        std::optional<PointOfInterest> best;
+        for (const PointOfInterest& point : weighed) {
+            if (point.score() < max_score - tie_ || point.score() <= 0.0) continue;
+            if (!best || comes_before(point.point, best->point)) best = point;
+        }
+        return best;
+    }
+
+    // Weighs candidates in falling order of what they may score. May skip those that cannot score `share` of the best
+    // of them and `bar`.
+    std::vector<PointOfInterest> weighed_of(std::span<const Sample> candidates,
+                                            std::optional<double> bar, double share,
+                                            const LongCall& call) {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < candidates.size(); ++i)
             if (candidates[i].votes > min_) order.push_back(i);
@@ -329,7 +417,7 @@ private:
             const std::size_t begin = next;
             for (; next < order.size() && batch.size() < options_.weigh_batch; ++next) {
                 const Sample& candidate = candidates[order[next]];
-                if (!options_.weighs_all && highest[order[next]] < max_score - tie_) break;
+                if (!options_.weighs_all && highest[order[next]] < share * max_score - tie_) break;
                 batch.push_back(candidate.point);
             }
             if (batch.empty()) break;
@@ -340,13 +428,7 @@ private:
                 max_score = std::max(max_score, weighed.back().score());
             }
         }
-        // Resolves ties with the maximum score.
-        std::optional<PointOfInterest> best;
-        for (const PointOfInterest& point : weighed) {
-            if (point.score() < max_score - tie_ || point.score() <= 0.0) continue;
-            if (!best || comes_before(point.point, best->point)) best = point;
-        }
-        return best;
+        return weighed;
     }
 
     std::vector<double> highest_scores(std::span<const Sample> candidates) const {

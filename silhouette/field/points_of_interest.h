@@ -17,6 +17,9 @@
 //   slowly, the peaks and a part of the lattice are sufficient (weighed_stride). Around the winner, patterns
 //   of 7 points are weighed in the same way, down to the weighed tolerance.
 //
+//   Steady. The highest peak may be moved by a little noise. With `steady` the first point is the middle of the plateau
+//   with the highest mean (steady_point.h), and no later point lies on it; candidates are weighed until no remaining one can have 0.93 of the best score.
+//
 //   Ties. Symmetric meshes have several maxima that are equal up to rounding. Scores are equal if they
 //   differ by less than 2^-20 of the field's maximum value. Among equal scores, the candidate with the
 //   largest x, then y, then z, then the first one found is chosen. The others may be chosen later, if
@@ -72,6 +75,7 @@ struct InterestOptions {
     std::uint32_t weighed_stride = 1;
     std::uint32_t weigh_batch = 16;  ///< Maximum number of points per call of `weigh`.
     std::optional<int> mirror_axis;  ///< Of the mirror through the center that keeps the mesh.
+    bool steady = false;             ///< Of the first point; takes some hundred weights more.
     bool weighs_all = false;         ///< For tests: weighs every candidate. The result is the same.
 };
 

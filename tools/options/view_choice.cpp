@@ -19,7 +19,7 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
     app.add_option(
            "--below", below,
            "Views from below the horizon count less, down to a half at 60 degrees, and views from "
-           "behind a tenth less than three-quarter views; full: neither")
+           "behind a fifth less than three-quarter views; full: neither")
         ->check(CLI::IsMember({"less", "full"}))
         ->capture_default_str()
         ->group("Views");
@@ -41,6 +41,7 @@ BestViewsOptions ViewChoice::options(const Mesh& mesh, const glm::dvec3& up,
     options.visible_ratios = ratios;
     if (below == "less") options.up = up;
     options.mirror_axis = symmetry_axis(mesh);
+    options.for_people = true;
     return options;
 }
 

@@ -2,8 +2,10 @@
 
 // How coarse the frames of a moving picture are, so that they answer the user in time.
 //
-// Frames that take longer than k_slow_ms make the next one coarser, and frames that take less than k_fast_ms
-// make it finer: first fewer pixels, then no shadows. At rest the picture is drawn finely, whatever that takes.
+// Frames that take longer than k_slow_ms make the next one coarser: first fewer pixels, then no shadows. Frames that
+// take less than k_fast_ms make it finer, but not soon after a finer one was too slow. An event that arrives just after
+// a frame has begun is shown by the next one, so it is answered within twice k_slow_ms. At rest the picture is drawn
+// finely, whatever that takes.
 
 #include <array>
 #include <cstddef>
@@ -19,8 +21,8 @@ struct FrameQuality {
 
 class Coarseness {
 public:
-    static constexpr double k_slow_ms = 90.0;
-    static constexpr double k_fast_ms = 30.0;
+    static constexpr double k_slow_ms = 45.0;
+    static constexpr double k_fast_ms = 18.0;
 
     /// Of a moving picture. On a device that is not slow the first level is as fine as at rest.
     explicit Coarseness(bool is_slow_device) : level_(is_slow_device ? 1 : 0) {}
@@ -28,15 +30,21 @@ public:
     const FrameQuality& quality() const noexcept { return k_levels[level_]; }
     /// Adapts to what a frame of quality() took.
     void add(double frame_ms) noexcept {
-        if (frame_ms > k_slow_ms && level_ + 1 < k_levels.size()) ++level_;
-        // Twice as fine takes four times as long: the gap between the limits keeps it from flickering.
-        if (frame_ms < k_fast_ms && level_ > 0) --level_;
+        if (patience_ > 0) --patience_;
+        if (frame_ms > k_slow_ms && level_ + 1 < k_levels.size()) {
+            ++level_;
+            patience_ = k_patience;
+        } else if (frame_ms < k_fast_ms && level_ > 0 && patience_ == 0) {
+            --level_;
+        }
     }
 
 private:
     static constexpr std::array<FrameQuality, 5> k_levels{
         {{0, 1, true}, {1, 1, true}, {1, 2, true}, {1, 3, true}, {1, 3, false}}};
+    static constexpr int k_patience = 60;  // Frames: one to three seconds.
     std::size_t level_;
+    int patience_ = 0;
 };
 
 }  // namespace rimline::tools

@@ -9,6 +9,7 @@
 #include "silhouette/lines/line_drawer.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/clear_creases.h"
+#include "tools/options/view_choice.h"
 
 namespace rimline::tools {
 
@@ -57,9 +58,10 @@ void ViewGallery::find(const ModelDocument& model, const glm::dvec3& up) {
 
 void ViewGallery::work(const LongCall& call, const ModelDocument& model, const glm::dvec3& up) {
     const Mesh& mesh = model.mesh();
-    const TangentialField field = make_view_field(mesh);
-    const BestViews best = find_best_views(
-        field, {.count = k_views, .up = up, .mirror_axis = symmetry_axis(mesh)}, call);
+    const ViewChoice choice{.count = k_views};
+    const TangentialField field =
+        make_view_field(mesh, choice.field_options(), view_function(), call.stop);
+    const BestViews best = find_best_views(field, choice.options(mesh, up, {}), call);
     for (const BestView& view : best.views) {
         GalleryView found = gallery_view(model.lines().surface(),
                                          glm::normalize(view.eye - mesh.center()), up, call);

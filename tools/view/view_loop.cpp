@@ -24,7 +24,7 @@ constexpr double k_round_s = 24.0;
 // After an event: the toolkit needs up to two more frames to complete its layout.
 constexpr int k_frames_after_event = 3;
 // Time without a change after which the picture is drawn at full resolution.
-constexpr double k_rest_s = 0.15;
+constexpr double k_rest_s = 0.3;
 // Longest time to wait for events.
 constexpr double k_idle_s = 0.5;
 

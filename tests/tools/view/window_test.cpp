@@ -381,6 +381,8 @@ TEST_CASE("a moving picture gets coarser while its frames are slow, and finer ag
     CHECK(slow.quality().scale == 1);
     CHECK(slow.quality().divisor == 1);
     std::uint32_t divisor = 1;
+    // Two of its slow frames are an answer within a tenth of a second.
+    CHECK(2.0 * Coarseness::k_slow_ms < 100.0);
     for (int frame = 0; frame < 10; ++frame) {
         slow.add(400.0);
         CHECK(slow.quality().divisor >= divisor);
@@ -388,9 +390,16 @@ TEST_CASE("a moving picture gets coarser while its frames are slow, and finer ag
     }
     CHECK(divisor == 3);
     CHECK_FALSE(slow.quality().shadows);
-    slow.add(60.0);  // In time, but not so fast that four times as many pixels would be.
+    // In time, but not so fast that four times as many pixels would be.
+    for (int frame = 0; frame < 200; ++frame) slow.add(30.0);
     CHECK_FALSE(slow.quality().shadows);
-    for (int frame = 0; frame < 10; ++frame) slow.add(5.0);
+    // A finer picture that was too slow is not tried again at once.
+    slow.add(5.0);
+    CHECK(slow.quality().shadows);
+    slow.add(60.0);
+    for (int frame = 0; frame < 30; ++frame) slow.add(5.0);
+    CHECK_FALSE(slow.quality().shadows);
+    for (int frame = 0; frame < 100; ++frame) slow.add(5.0);
     CHECK(slow.quality().scale == 0);
     CHECK(slow.quality().shadows);
 }
