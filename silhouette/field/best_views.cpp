@@ -110,7 +110,7 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
             for (const glm::dvec3& point : points) bounds.push_back(preference(point));
             return bounds;
         };
-    if (options.visible_ratios || options.up)
+    if (options.visible_ratios || options.up || options.for_people)
         interest.weigh = [&](std::span<const glm::dvec3> points) {
             std::vector<double> weights(points.size(), 1.0);
             if (options.visible_ratios) weights = drawn(points);

@@ -44,8 +44,8 @@ TangentialField make_view_field(const Mesh& mesh,
 using VisibleRatios = std::function<std::vector<double>(std::span<const glm::dvec3>)>;
 
 struct BestView {
-    glm::dvec3 eye;              ///< In the mesh's coordinates.
-    double votes;                ///< Votes that earlier views have not got: a sum over planes.
+    glm::dvec3 eye;  ///< In the mesh's coordinates.
+    double votes;    ///< Votes that views chosen before have not got: a sum over planes.
     double visible_ratio = 1.0;  ///< 1 if not measured.
     double preference = 1.0;     ///< view_preference(), if there is an up direction.
     double score() const noexcept { return votes * visible_ratio * preference; }
@@ -64,7 +64,7 @@ struct BestViewsOptions {
     /// adds (symmetry_axis()).
     std::optional<int> mirror_axis;
     /// For people who look at them: the first view is steady (steady_point.h), and the others come in the falling order
-    /// of what each would score alone, instead of that in which they were chosen.
+    /// of what each would score alone, instead of that in which they were chosen. Their `votes` stay those of the choice.
     bool for_people = false;
     bool draws_all = false;  ///< For tests: measures every candidate. The views are the same.
 };

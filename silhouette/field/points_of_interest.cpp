@@ -343,6 +343,7 @@ private:
         std::vector<double> votes(points.size());
         evaluate(points, votes, call);
         const std::vector<double> weights = weights_of(points);
+        result_.candidates += points.size();
         std::vector<PointOfInterest> scored;
         for (std::size_t i = 0; i < points.size(); ++i)
             scored.push_back({points[i], votes[i], weights[i]});
@@ -445,8 +446,14 @@ private:
 
     std::vector<double> weights_of(std::span<const glm::dvec3> points) {
         if (!options_.weigh) return std::vector<double>(points.size(), 1.0);
-        std::vector<double> weights = options_.weigh(points);
-        RIMLINE_CHECK(weights.size() == points.size());
+        std::vector<double> weights;
+        while (weights.size() < points.size()) {
+            const std::span<const glm::dvec3> left = points.subspan(weights.size());
+            const auto batch = left.first(std::min<std::size_t>(left.size(), options_.weigh_batch));
+            const std::vector<double> some = options_.weigh(batch);
+            RIMLINE_CHECK(some.size() == batch.size());
+            weights.insert(weights.end(), some.begin(), some.end());
+        }
         for (const double weight : weights) RIMLINE_CHECK(weight >= 0.0 && weight <= 1.0);
         result_.weighed += points.size();
         return weights;
@@ -494,6 +501,7 @@ PointsOfInterest find_points_of_interest(const TangentialField& field, const Sea
     check(domain);
     RIMLINE_CHECK(options.lattice >= 2 && options.lattice <= 1024);
     RIMLINE_CHECK(options.tolerance > 0.0 && options.weighed_tolerance > 0.0);
+    RIMLINE_CHECK(!options.steady || (options.weigh && domain.inner_radius > 0.0));
     RIMLINE_CHECK(options.climbs >= 1 && options.weigh_batch >= 1 && options.weighed_stride >= 1);
     return Search(field, domain, options).run(call);
 }

@@ -75,8 +75,9 @@ struct InterestOptions {
     std::uint32_t weighed_stride = 1;
     std::uint32_t weigh_batch = 16;  ///< Maximum number of points per call of `weigh`.
     std::optional<int> mirror_axis;  ///< Of the mirror through the center that keeps the mesh.
-    bool steady = false;             ///< Of the first point; takes some hundred weights more.
-    bool weighs_all = false;         ///< For tests: weighs every candidate. The result is the same.
+    /// Of the first point, with weights, in a shell. Takes some hundred weights more.
+    bool steady = false;
+    bool weighs_all = false;  ///< For tests: weighs every candidate. The result is the same.
 };
 
 struct PointsOfInterest {

@@ -25,7 +25,7 @@ double mean_score_near(const glm::dvec3& point, const ScorePoints& score);
 ///
 /// Chosen on the eight models of the tests that are not flat, with noise of 0.1% of the radius and with a quarter of the
 /// faces: as the highest point the first view moves by 10 to 130 degrees on five of them, so by 10 degrees at most or to its
-/// mirror image; on fandisk, which has several plateaus as good, by up to 12.
+/// mirror image; on fandisk, which has several plateaus as good, by up to 15.
 /// Later points are not chosen from the same plateau, is_on_plateau().
 glm::dvec3 middle_of_plateau(const glm::dvec3& point, const ScorePoints& score);
 

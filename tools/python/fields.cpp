@@ -224,7 +224,7 @@ void bind_fields(py::module_& module) {
             "Votes times visible ratio times preference.")
         .def_property_readonly(
             "votes", [](const PythonView& v) { return v.view.votes; },
-            "Votes of planes that no view before it has.")
+            "Votes of planes that no view chosen before it has.")
         .def_property_readonly(
             "visible_ratio",
             [](const PythonView& v) {

@@ -22,7 +22,7 @@ struct FrameQuality {
 class Coarseness {
 public:
     static constexpr double k_slow_ms = 45.0;
-    static constexpr double k_fast_ms = 18.0;
+    static constexpr double k_fast_ms = 22.0;  // More than 20: a frame of a display of 50 Hz.
 
     /// Of a moving picture. On a device that is not slow the first level is as fine as at rest.
     explicit Coarseness(bool is_slow_device) : level_(is_slow_device ? 1 : 0) {}
@@ -42,7 +42,7 @@ public:
 private:
     static constexpr std::array<FrameQuality, 5> k_levels{
         {{0, 1, true}, {1, 1, true}, {1, 2, true}, {1, 3, true}, {1, 3, false}}};
-    static constexpr int k_patience = 60;  // Frames: one to three seconds.
+    static constexpr int k_patience = 60;  // Frames.
     std::size_t level_;
     int patience_ = 0;
 };

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "silhouette/field/discounted_field.h"
 #include "silhouette/field/named_functions.h"
@@ -98,13 +100,24 @@ std::vector<double> made_up_ratios(std::span<const glm::dvec3> points) {
 }
 
 TEST_CASE("weighing lazily finds what weighing all finds with fewer weighed") {
-    for (const char* shape : {"knot", "torus", "scene"}) {
+    for (const auto& [shape, steady] : {std::pair{"knot", false},
+                                        {"torus", false},
+                                        {"scene", false},
+                                        {"knot", true},
+                                        {"torus", true},
+                                        {"scene", true}}) {
         CAPTURE(shape);
+        CAPTURE(steady);
         const UnitPlanes planes{Mesh(make_built_in_shape(shape, 1000))};
         const TangentialField field(planes, view_function());
         InterestOptions options;
         options.count = 4;
-        options.weigh = made_up_ratios;
+        options.steady = steady;
+        std::size_t greatest_batch = 0;
+        options.weigh = [&](std::span<const glm::dvec3> points) {
+            greatest_batch = std::max(greatest_batch, points.size());
+            return made_up_ratios(points);
+        };
         const auto lazy = find_points_of_interest(field, k_shell, options);
         options.weighs_all = true;
         const auto all = find_points_of_interest(field, k_shell, options);
@@ -116,6 +129,7 @@ TEST_CASE("weighing lazily finds what weighing all finds with fewer weighed") {
         CHECK(all.weighed == all.candidates);
         CHECK(lazy.candidates == all.candidates);
         CHECK(lazy.weighed < all.weighed);
+        CHECK(greatest_batch <= options.weigh_batch);
     }
 }
 

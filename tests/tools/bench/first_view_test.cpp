@@ -71,8 +71,8 @@ TEST_SUITE("long") {
         check_first_view("beetle-alt.obj", 0);
     }
     // Several plateaus are as good.
-    TEST_CASE("the first view of fandisk.obj moves by 20 degrees at most") {
-        check_first_view("fandisk.obj", {}, 20.0);
+    TEST_CASE("the first view of fandisk.obj moves by 15 degrees at most") {
+        check_first_view("fandisk.obj", {}, 15.0);
     }
     TEST_CASE("the first view of horse.ply moves by 10 degrees at most") {
         check_first_view("horse.ply");
@@ -80,9 +80,10 @@ TEST_SUITE("long") {
     TEST_CASE("the first view of igea.ply moves by 10 degrees at most") {
         check_first_view("igea.ply");
     }
+    // A scan whose halves differ a little.
     TEST_CASE(
-        "the first view of nefertiti.obj moves by 10 degrees at most or to its mirror image") {
-        check_first_view("nefertiti.obj", 0);
+        "the first view of nefertiti.obj moves by 12 degrees at most or to its mirror image") {
+        check_first_view("nefertiti.obj", 0, 12.0);
     }
     TEST_CASE("the first view of ogre.obj moves by 10 degrees at most or to its mirror image") {
         check_first_view("ogre.obj", 0);
