@@ -171,7 +171,7 @@ BestViews preferred_views(const Mesh& mesh, std::uint32_t count, const glm::dvec
     return find_best_views(field, options);
 }
 
-TEST_CASE("for people the first view is in the middle of a plateau, where no other view is" *
+TEST_CASE("for people the first view is in the middle of a plateau and no other view is there" *
           doctest::test_suite("plain")) {
     const Mesh mesh(make_built_in_shape("knot", 3000));
     const TangentialField field = make_view_field(mesh);
