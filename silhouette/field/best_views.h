@@ -70,8 +70,8 @@ struct BestViewsOptions {
 };
 
 struct BestViews {
-    std::vector<BestView>
-        views;  ///< In the order of choice, or that of BestViewsOptions::for_people.
+    /// In the order of choice, or that of BestViewsOptions::for_people.
+    std::vector<BestView> views;
     std::uint64_t renders = 0;      ///< Viewpoints measured.
     std::uint64_t candidates = 0;   ///< Number of these with `draws_all`.
     std::uint64_t evaluations = 0;  ///< Evaluations of the field.

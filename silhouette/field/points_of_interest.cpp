@@ -290,7 +290,7 @@ private:
         return best;
     }
 
-    // All of the plateau of a steady point is one.
+    // No later point lies on the plateau of a steady one.
     bool is_allowed(const glm::dvec3& point) const {
         return !options_.steady || result_.points.empty() ||
                !is_on_plateau(point, result_.points.front().point);

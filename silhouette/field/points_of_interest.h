@@ -18,7 +18,8 @@
 //   of 7 points are weighed in the same way, down to the weighed tolerance.
 //
 //   Steady. The highest peak may be moved by a little noise. With `steady` the first point is the middle of the plateau
-//   with the highest mean (steady_point.h), and no later point lies on it; candidates are weighed until no remaining one can have 0.93 of the best score.
+//   with the highest mean (steady_point.h), and no later point lies on it. Candidates are weighed until no remaining
+//   one can have 0.93 of the best score.
 //
 //   Ties. Symmetric meshes have several maxima that are equal up to rounding. Scores are equal if they
 //   differ by less than 2^-20 of the field's maximum value. Among equal scores, the candidate with the

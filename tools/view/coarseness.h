@@ -4,8 +4,8 @@
 //
 // Frames that take longer than k_slow_ms make the next one coarser: first fewer pixels, then no shadows. Frames that
 // take less than k_fast_ms make it finer, but not soon after a finer one was too slow. An event that arrives just after
-// a frame has begun is shown by the next one, so it is answered within twice k_slow_ms. At rest the picture is drawn
-// finely, whatever that takes.
+// a frame has begun is shown by the next one, so it is answered within twice k_slow_ms, unless the coarsest frames take
+// longer. At rest the picture is drawn finely, whatever that takes.
 
 #include <array>
 #include <cstddef>
