@@ -120,7 +120,7 @@ Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call)
         throw Error(ErrorCode::too_large, "the mesh has more than 2^30 triangles or 2^32 vertices");
     RIMLINE_CHECK(are_materials_of(materials_, source.triangles.size()));
     call.checkpoint(0.0);
-    weld(source, welding);
+    weld(source, welding, call.stop);
     call.checkpoint(0.2);
     planes_.reserve(triangles_.size());
     for (const Triangle& t : triangles_) {
@@ -134,14 +134,14 @@ Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call)
     call.checkpoint(1.0);
 }
 
-void Mesh::weld(const MeshSource& source, Welding welding) {
+void Mesh::weld(const MeshSource& source, Welding welding, const std::stop_token& stop) {
     file_vertex_count_ = size32(source.positions.size());
     for (const glm::vec3& p : source.positions)
         RIMLINE_CHECK(std::abs(p.x) <= k_max_coordinate && std::abs(p.y) <= k_max_coordinate &&
                       std::abs(p.z) <= k_max_coordinate);
     std::vector<std::uint32_t> first;
     if (welding == Welding::equal_positions) {
-        first = first_equal_positions<float>(source.positions);
+        first = first_equal_positions<float>(source.positions, stop);
     } else {
         first.resize(source.positions.size());
         std::iota(first.begin(), first.end(), 0u);

@@ -120,7 +120,7 @@ private:
     static std::uint32_t size32(std::size_t size) noexcept {
         return static_cast<std::uint32_t>(size);
     }
-    void weld(const MeshSource& source, Welding welding);
+    void weld(const MeshSource& source, Welding welding, const std::stop_token& stop);
     void build_edges(const LongCall& call);
     void measure();
 

@@ -78,10 +78,10 @@ bool is_row(std::span<const glm::dvec3> points, std::uint32_t i,
 
 class Search {
 public:
-    Search(std::span<const glm::dvec3> points, std::uint32_t k)
+    Search(std::span<const glm::dvec3> points, std::uint32_t k, const std::stop_token& stop)
         : points_(points),
           k_(k),
-          source_{points},
+          source_(points, stop),
           tree_(3, source_, point_tree_leaves()),
           nearest_(points.size() * k),
           farthest_(points.size()) {}
@@ -137,7 +137,7 @@ private:
 
     std::span<const glm::dvec3> points_;
     std::uint32_t k_;
-    TreePoints source_;
+    TreeBuildPoints source_;
     PointTree tree_;
     std::vector<std::uint32_t> nearest_;
     std::vector<Near> farthest_;
@@ -183,7 +183,7 @@ NeighborLists::NeighborLists(std::span<const glm::dvec3> points, std::uint32_t k
     is_row_.assign(count, 0);
     if (k_ == 0) return;
 
-    Search search(points, k_);
+    Search search(points, k_, call.stop);
     search.find({call, 0.0, 0.85},
                 [&](std::uint32_t i) { is_row_[i] = is_row(points, i, search.of(i)); });
     std::vector<std::uint64_t> is_returned(count, 0);

@@ -153,7 +153,7 @@ std::vector<std::uint8_t> find_outliers(std::span<const glm::dvec3> points,
         scales.push_back(umbrellas.scales[i]);
     }
     if (positions.empty()) return outliers;
-    const TreePoints source{positions};
+    const TreeBuildPoints source(positions, call.stop);
     const PointTree tree(3, source, point_tree_leaves());
     each_point(count, {call, 0.7, 1.0}, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i) {

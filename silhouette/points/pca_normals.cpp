@@ -10,7 +10,7 @@ namespace rimline {
 std::vector<glm::dvec3> pca_normals(std::span<const glm::dvec3> positions, std::uint32_t k,
                                     const LongCall& call) {
     RIMLINE_CHECK(k >= 4 && k <= 32);
-    const OrderedPoints ordered = order_points(positions);
+    const OrderedPoints ordered = order_points(positions, call.stop);
     const NeighborLists neighbors(ordered.positions, k, {call.stop, {}});
     std::vector<glm::dvec3> normals(positions.size(), glm::dvec3(0.0));
     const auto count = static_cast<std::uint32_t>(ordered.positions.size());

@@ -1,13 +1,13 @@
 #include "silhouette/points/point_order.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 #include "silhouette/error.h"
 #include "silhouette/hough/interleaved_bits.h"
+#include "silhouette/points/each_point.h"
+#include "silhouette/points/stoppable_sort.h"
 
 namespace rimline {
 
@@ -40,7 +40,8 @@ std::uint64_t morton_code(const glm::dvec3& p) {
 
 }  // namespace
 
-OrderedPoints order_points(std::span<const glm::dvec3> positions) {
+OrderedPoints order_points(std::span<const glm::dvec3> positions, const std::stop_token& stop) {
+    const LongCall call{stop, {}};
     OrderedPoints ordered;
     if (positions.empty()) return ordered;
     // Scales twice, so that no sum overflows: by the maximum coordinate, then by the longest side.
@@ -69,12 +70,15 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions) {
     };
     std::vector<glm::dvec3> units(positions.size());
     std::vector<Entry> entries(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const glm::dvec3 p = second_scaling(first_scaling(positions[i]) - center);
-        units[i] = glm::round(p * 0x1p50) * 0x1p-50;
-        entries[i] = {morton_code(units[i]), static_cast<std::uint32_t>(i)};
-    }
-    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    const auto count = static_cast<std::uint32_t>(positions.size());
+    each_point(count, {call}, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t i = first; i < last; ++i) {
+            const glm::dvec3 p = second_scaling(first_scaling(positions[i]) - center);
+            units[i] = glm::round(p * 0x1p50) * 0x1p-50;
+            entries[i] = {morton_code(units[i]), i};
+        }
+    });
+    stoppable_sort(entries.begin(), entries.end(), stop, [&](const Entry& a, const Entry& b) {
         if (a.code != b.code) return a.code < b.code;
         const glm::dvec3& p = units[a.number];
         const glm::dvec3& q = units[b.number];
@@ -85,7 +89,9 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions) {
     });
     ordered.positions.reserve(entries.size());
     ordered.numbers.reserve(entries.size());
-    for (const Entry& entry : entries) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i % k_checkpoint_points == 0) call.checkpoint(0.0);
+        const Entry& entry = entries[i];
         if (!ordered.positions.empty() && ordered.positions.back() == units[entry.number]) continue;
         ordered.positions.push_back(units[entry.number]);
         ordered.numbers.push_back(entry.number);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace rimline {
@@ -20,7 +21,8 @@ struct OrderedPoints {
     double unit = 1.0;                   ///< The length of a unit, a power of two.
 };
 
-/// `positions` must be finite. Of points that coincide the least by x, y, z is kept. O(n log n).
-OrderedPoints order_points(std::span<const glm::dvec3> positions);
+/// `positions` must be finite. Of points that coincide the least by x, y, z is kept. O(n log n) on all threads.
+/// Throws Error{cancelled}.
+OrderedPoints order_points(std::span<const glm::dvec3> positions, const std::stop_token& stop = {});
 
 }  // namespace rimline

@@ -41,7 +41,7 @@ struct Found {
 Found find_umbrellas(std::span<const glm::dvec3> positions, const PointSurfaceOptions& options,
                      const LongCall& call) {
     call.checkpoint(0.0);
-    OrderedPoints ordered = order_points(positions);
+    OrderedPoints ordered = order_points(positions, call.stop);
     call.checkpoint(0.05);
     NeighborLists neighbors(ordered.positions, options.k, call.part(0.1, 0.55));
     const auto find = options.method == PointSurfaceOptions::Method::thesis ? find_thesis_umbrellas

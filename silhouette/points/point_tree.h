@@ -7,10 +7,14 @@
 #include <glm/vec3.hpp>
 #include <nanoflann.hpp>
 #include <span>
+#include <stop_token>
+#include <utility>
+
+#include "silhouette/error.h"
 
 namespace rimline {
 
-/// The interface through which nanoflann reads points.
+/// The interface through which nanoflann reads points in a search.
 struct TreePoints {
     std::span<const glm::dvec3> points;
     std::size_t kdtree_get_point_count() const { return points.size(); }
@@ -23,8 +27,24 @@ struct TreePoints {
     }
 };
 
+/// The interface through which nanoflann reads points, on one thread, while it builds a tree, which it offers
+/// no way to stop: reading throws Error{cancelled}.
+class TreeBuildPoints : public TreePoints {
+public:
+    TreeBuildPoints(std::span<const glm::dvec3> all, std::stop_token stop)
+        : TreePoints{all}, stop_(std::move(stop)) {}
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+        if (++reads_ % (1u << 16) == 0) LongCall{stop_, {}}.checkpoint(0.0);
+        return TreePoints::kdtree_get_pt(i, axis);
+    }
+
+private:
+    std::stop_token stop_;
+    mutable std::uint32_t reads_ = 0;
+};
+
 using PointTree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, TreePoints, double, std::uint32_t>, TreePoints, 3,
+    nanoflann::L2_Simple_Adaptor<double, TreePoints, double, std::uint32_t>, TreeBuildPoints, 3,
     std::uint32_t>;
 
 inline nanoflann::KDTreeSingleIndexAdaptorParams point_tree_leaves() {

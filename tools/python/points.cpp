@@ -6,7 +6,6 @@
 
 #include "silhouette/mesh/equal_positions.h"
 #include "silhouette/points/feature_weights.h"
-#include "silhouette/points/point_cloud.h"
 #include "silhouette/points/point_silhouette.h"
 #include "silhouette/points/point_surface.h"
 #include "silhouette/points/umbrella_index.h"
@@ -30,14 +29,9 @@ public:
         std::vector<glm::dvec3> positions = positions_of(points, "points");
         if (positions.empty()) throw py::value_error("points: expected at least one");
         run_long(progress, [&](const LongCall& call) {
-            cloud_.emplace(PointSource{.positions = positions,
-                                       .normals = {},
-                                       .colors = {},
-                                       .intensities = {},
-                                       .triangles = {}});
-            call.checkpoint(0.02);
-            number_rows(positions);
-            surface_.emplace(cloud_->positions(),
+            call.checkpoint(0.0);
+            number_rows(positions, call.stop);
+            surface_.emplace(positions,
                              PointSurfaceOptions{.k = k, .drops_outliers = drop_outliers},
                              call.part(0.02, 0.8));
             weights_ = feature_weights(*surface_, call.part(0.8, 0.9));
@@ -46,23 +40,30 @@ public:
     }
 
     const PointSurface& surface() const { return *surface_; }
-    const PointCloud& cloud() const { return *cloud_; }
     const UmbrellaIndex& index() const { return *index_; }
     const std::vector<float>& weights() const { return weights_; }
     std::size_t row_count() const { return of_row_.size(); }
     PointId point_of_row(std::size_t row) const { return PointId{of_row_[row]}; }
+    std::uint32_t row_of(PointId point) const { return rows_[rimline::index(point)]; }
 
 private:
-    // The cloud has the first of equal positions, in the order of rows.
-    void number_rows(std::span<const glm::dvec3> positions) {
-        of_row_ = first_equal_positions<double>(positions);
-        std::uint32_t next = 0;
-        for (std::uint32_t row = 0; row < of_row_.size(); ++row)
-            of_row_[row] = of_row_[row] == row ? next++ : of_row_[of_row_[row]];
+    // Leaves in `positions` the first of equal ones, in the order of rows.
+    void number_rows(std::vector<glm::dvec3>& positions, const std::stop_token& stop) {
+        of_row_ = first_equal_positions<double>(positions, stop);
+        for (std::uint32_t row = 0; row < of_row_.size(); ++row) {
+            if (of_row_[row] != row) {
+                of_row_[row] = of_row_[of_row_[row]];
+                continue;
+            }
+            of_row_[row] = static_cast<std::uint32_t>(rows_.size());
+            positions[rows_.size()] = positions[row];
+            rows_.push_back(row);
+        }
+        positions.resize(rows_.size());
     }
 
-    std::vector<std::uint32_t> of_row_;
-    std::optional<PointCloud> cloud_;
+    std::vector<std::uint32_t> of_row_;  // The point of each row.
+    std::vector<std::uint32_t> rows_;    // The first row of each point.
     std::optional<PointSurface> surface_;
     std::vector<float> weights_;
     std::unique_ptr<UmbrellaIndex> index_;
@@ -85,11 +86,9 @@ std::unique_ptr<PythonPointSilhouette> silhouette_of(const PythonPoints& self,
     return long_result(progress, [&](const LongCall&) {
         const PointSilhouette silhouette(self.index(), point);
         auto result = std::make_unique<PythonPointSilhouette>();
-        for (const PointId id : silhouette.points())
-            result->points.push_back(self.cloud().file_point(index(id)));
+        for (const PointId id : silhouette.points()) result->points.push_back(self.row_of(id));
         for (const PointEdge& edge : silhouette.consensus_edges())
-            result->edges.push_back(
-                {self.cloud().file_point(index(edge[0])), self.cloud().file_point(index(edge[1]))});
+            result->edges.push_back({self.row_of(edge[0]), self.row_of(edge[1])});
         return result;
     });
 }
