@@ -29,6 +29,7 @@
 #include "tools/output/leftover.h"
 #include "tools/output/summary_stream.h"
 #include "tools/process/end_with_parent.h"
+#include "tools/process/freed_memory.h"
 #include "tools/process/interrupt.h"
 #include "tools/process/standard_descriptors.h"
 #include "tools/process/thread_limit.h"
@@ -274,6 +275,7 @@ constexpr const char* k_out_of_memory = "out of memory; take a smaller model or 
 
 int main(int argc, char** argv) {
     rimline::tools::end_with_parent();
+    rimline::tools::keep_freed_memory();
     std::set_terminate(end_by_exception);
     rimline::tools::open_missing_standard_descriptors();
     try {

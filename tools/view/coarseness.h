@@ -25,9 +25,16 @@ public:
     static constexpr double k_fast_ms = 22.0;  // More than 20: a frame of a display of 50 Hz.
 
     /// Of a moving picture. On a device that is not slow the first level is as fine as at rest.
-    explicit Coarseness(bool is_slow_device) : level_(is_slow_device ? 1 : 0) {}
+    explicit Coarseness(bool is_slow_device)
+        : is_slow_device_(is_slow_device), level_(is_slow_device ? 1 : 0) {}
 
     const FrameQuality& quality() const noexcept { return k_levels[level_]; }
+
+    /// Adapts to what a frame of a picture at rest took: on a slow device the next movement begins at the coarsest
+    /// level if it was slow, so that its first frames do not have to be slow before.
+    void add_fine(double frame_ms) noexcept {
+        if (is_slow_device_ && frame_ms > k_slow_fine_ms) level_ = k_levels.size() - 1;
+    }
     /// Adapts to what a frame of quality() took.
     void add(double frame_ms) noexcept {
         if (patience_ > 0) --patience_;
@@ -43,6 +50,9 @@ private:
     static constexpr std::array<FrameQuality, 5> k_levels{
         {{0, 1, true}, {1, 1, true}, {1, 2, true}, {1, 3, true}, {1, 3, false}}};
     static constexpr int k_patience = 60;  // Frames.
+    // The first coarse level takes half to two thirds of a fine frame (horse, Nefertiti, ogre; lavapipe).
+    static constexpr double k_slow_fine_ms = 2.0 * k_slow_ms;
+    bool is_slow_device_;
     std::size_t level_;
     int patience_ = 0;
 };

@@ -356,7 +356,10 @@ bool ViewLoop::draw() {
     counters_.add(frame->report, frame_ms);
     // The frame waits for that before the one before, so the first coarse frames wait for a fine one.
     coarse_frames_ = is_fine ? 0 : coarse_frames_ + 1;
-    if (coarse_frames_ > RendererOptions{}.frames_in_flight) coarseness_.add(frame_ms);
+    if (is_fine)
+        coarseness_.add_fine(frame_ms);
+    else if (coarse_frames_ > RendererOptions{}.frames_in_flight)
+        coarseness_.add(frame_ms);
     if (session_.is_cloud()) counters_.cloud = session_.cloud().report();
     return true;
 }

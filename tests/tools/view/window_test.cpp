@@ -404,6 +404,20 @@ TEST_CASE("a moving picture gets coarser while its frames are slow, and finer ag
     CHECK(slow.quality().shadows);
 }
 
+TEST_CASE("the first frames of a moving picture are coarse if the picture at rest was slow") {
+    Coarseness coarseness(true);
+    coarseness.add_fine(50.0);
+    CHECK(coarseness.quality().divisor == 1);
+    coarseness.add_fine(150.0);
+    CHECK(coarseness.quality().divisor == 3);
+    CHECK_FALSE(coarseness.quality().shadows);
+    coarseness.add(10.0);
+    CHECK(coarseness.quality().shadows);
+    Coarseness fast(false);
+    fast.add_fine(150.0);
+    CHECK(fast.quality().scale == 0);
+}
+
 TEST_CASE("a model opened in the window takes the other's place, and a broken one does not") {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true});
