@@ -278,7 +278,7 @@ double picture_sun_score(const SunTones& tones, const glm::dvec3& sun, const Pic
 SunSurvey::SunSurvey(const Mesh& mesh, float crease_angle_rad, const LongCall& call)
     : mesh_(mesh), tree_(mesh, call.part(0.0, 0.7)) {
     call.checkpoint(0.7);
-    normals_ = corner_normals(mesh, crease_angle_rad);
+    normals_ = corner_normals(mesh, crease_angle_rad, call.stop);
     call.checkpoint(1.0);
 }
 

@@ -188,13 +188,15 @@ PlaneClusters::PlaneClusters(const UnitPlanes& planes, std::span<const double> w
     : order_(planes.size()) {
     RIMLINE_CHECK(weights.size() == planes.size());
     if (planes.size() == 0) return;
-    std::vector<Member> members(planes.size());
+    const LongCall call{stop, {}};
+    std::vector<Member> members;
+    members.reserve(planes.size());
     for (std::uint32_t i = 0; i < planes.size(); ++i) {
+        if (i % k_planes_a_checkpoint == 0) call.checkpoint(0.0);
         const glm::dvec3& n = planes.normal(i);
-        members[i] = {{n.x, n.y, n.z, planes.offset(i)}, weights[i], i};
+        members.push_back({{n.x, n.y, n.z, planes.offset(i)}, weights[i], i});
     }
     const std::size_t leaves = (planes.size() + k_leaf_planes - 1) / k_leaf_planes;
-    const LongCall call{stop, {}};
     sort_leaves(members, 0, leaves, call);
     for (std::size_t i = 0; i < members.size(); ++i) order_[i] = members[i].plane;
 

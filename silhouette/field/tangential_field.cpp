@@ -31,8 +31,10 @@ TangentialField::TangentialField(const UnitPlanes& planes, const TangentialFunct
     auto sums = std::make_unique<FieldSums>(FieldSums{
         PlaneClusters(planes, weights, stop), kernels::FunctionTable(function_), {}, 0.0});
     sums->planes.reserve(planes.size());
-    for (const std::uint32_t i : sums->clusters.order())
+    for (const std::uint32_t i : sums->clusters.order()) {
+        if (sums->planes.size() % k_planes_a_checkpoint == 0) LongCall{stop, {}}.checkpoint(0.0);
         sums->planes.push_back({planes.normal(i), planes.offset(i), weights[i]});
+    }
     if (planes.size() >= k_min_clustered) sums->budget = options.tolerance * max_value_;
     error_bound_ = sums->budget + sums->function.rounding_share * total_weight_;
     sums_ = std::move(sums);

@@ -6,20 +6,18 @@
 
 namespace rimline {
 
-namespace {
-
-constexpr std::uint32_t k_faces_a_checkpoint = 1u << 16;
-
-}  // namespace
-
 UnitFrame unit_frame(const Mesh& mesh) {
     return {mesh.center(), mesh.radius() > 0.0 ? mesh.radius() : 1.0};
 }
 
 UnitPlanes::UnitPlanes(const Mesh& mesh, const std::stop_token& stop) : frame_(unit_frame(mesh)) {
     const LongCall call{stop, {}};
+    normals_.reserve(mesh.face_count());
+    offsets_.reserve(mesh.face_count());
+    areas_.reserve(mesh.face_count());
+    faces_.reserve(mesh.face_count());
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-        if (f % k_faces_a_checkpoint == 0) call.checkpoint(0.0);
+        if (f % k_planes_a_checkpoint == 0) call.checkpoint(0.0);
         add(mesh, FaceId{f});
     }
 }

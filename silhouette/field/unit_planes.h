@@ -16,6 +16,9 @@
 
 namespace rimline {
 
+/// In loops on one thread: the planes between two checkpoints.
+constexpr std::uint32_t k_planes_a_checkpoint = 1u << 16;
+
 /// Converts between unit coordinates and model coordinates.
 struct UnitFrame {
     glm::dvec3 center{0.0};

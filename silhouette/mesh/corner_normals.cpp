@@ -18,24 +18,47 @@ namespace rimline {
 
 namespace {
 
-// On all threads.
+constexpr std::uint32_t k_numbers_a_checkpoint = 1u << 18;
+
+void throw_if_stopped(const std::stop_token& stop) { LongCall{stop, {}}.checkpoint(0.0); }
+
+// In order, on this thread.
 template <typename Visit>
-void for_each_number(std::uint32_t count, Visit&& visit) {
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, 4096), [&](const auto& run) {
-        for (std::uint32_t i = run.begin(); i < run.end(); ++i) visit(i);
-    });
+void for_each_in_order(std::uint32_t count, const std::stop_token& stop, Visit&& visit) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i % k_numbers_a_checkpoint == 0) throw_if_stopped(stop);
+        visit(i);
+    }
+}
+
+// Sets values[i] = value_of(i) on all threads. The values' memory is touched in parts, too.
+template <typename Value, typename ValueOf>
+void fill(std::vector<Value>& values, std::uint32_t count, const std::stop_token& stop,
+          ValueOf&& value_of) {
+    values.reserve(count);
+    for (std::uint32_t first = 0; first < count;) {
+        throw_if_stopped(stop);
+        const std::uint32_t last = first + std::min(k_numbers_a_checkpoint, count - first);
+        values.resize(last);
+        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(first, last, 4096),
+                          [&](const auto& run) {
+                              for (std::uint32_t i = run.begin(); i < run.end(); ++i)
+                                  values[i] = value_of(i);
+                          });
+        first = last;
+    }
 }
 
 glm::vec3 normal_of(const Plane& plane) { return {plane.nx, plane.ny, plane.nz}; }
 
 // One normal per face. A degenerate face takes the normal of the nearest face that has one, counted
 // in edges, so the surface stays smooth across slivers. +y if there is none.
-std::vector<glm::vec3> face_normals(const Mesh& mesh) {
-    std::vector<glm::vec3> normals(mesh.face_count());
+std::vector<glm::vec3> face_normals(const Mesh& mesh, const std::stop_token& stop) {
+    std::vector<glm::vec3> normals;
     std::vector<FaceId> wave;  // Faces whose degenerate neighbors may lack a normal.
-    for_each_number(mesh.face_count(), [&](std::uint32_t f) {
+    fill(normals, mesh.face_count(), stop, [&](std::uint32_t f) {
         const Plane& plane = mesh.planes()[f];
-        normals[f] = plane.has_normal() ? normal_of(plane) : glm::vec3(0.0f, 1.0f, 0.0f);
+        return plane.has_normal() ? normal_of(plane) : glm::vec3(0.0f, 1.0f, 0.0f);
     });
     if (mesh.degenerate_face_count() == 0) return normals;
     std::vector<bool> known(mesh.face_count());
@@ -125,57 +148,63 @@ std::uint32_t corner_at(const Mesh& mesh, FaceId face, VertexId vertex) {
     return 3 * index(face) + (t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2);
 }
 
-CornerGroups group_corners(const Mesh& mesh, std::span<const glm::vec3> normals, double crease) {
+CornerGroups group_corners(const Mesh& mesh, std::span<const glm::vec3> normals, double crease,
+                           const std::stop_token& stop) {
     CornerGroups groups(3 * mesh.face_count());
     const BendTest bend(crease);
     const Mesh::EdgeRange regular = mesh.edges_of_class(EdgeClass::regular);
-    std::vector<std::uint8_t> is_smooth(regular.size());
-    for_each_number(regular.size(), [&](std::uint32_t i) {
+    std::vector<std::uint8_t> is_smooth;
+    fill(is_smooth, regular.size(), stop, [&](std::uint32_t i) -> std::uint8_t {
         const auto& faces = mesh.edges()[regular.first + i].faces;
-        is_smooth[i] = bend.within(normals[index(faces[0])], normals[index(faces[1])]);
+        return bend.within(normals[index(faces[0])], normals[index(faces[1])]) ? 1 : 0;
     });
-    for (std::uint32_t e = regular.first; e < regular.last; ++e) {
-        if (is_smooth[e - regular.first] == 0) continue;
-        const auto& [vertices, faces] = mesh.edges()[e];
+    for_each_in_order(regular.size(), stop, [&](std::uint32_t i) {
+        if (is_smooth[i] == 0) return;
+        const auto& [vertices, faces] = mesh.edges()[regular.first + i];
         for (const VertexId vertex : vertices)
             groups.join(corner_at(mesh, faces[0], vertex), corner_at(mesh, faces[1], vertex));
-    }
+    });
     return groups;
 }
 
 }  // namespace
 
-std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad) {
+std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad,
+                                      const std::stop_token& stop) {
     RIMLINE_CHECK(crease_angle_rad >= 0.0f);
-    const std::vector<glm::vec3> own = face_normals(mesh);
-    CornerGroups groups = group_corners(mesh, own, crease_angle_rad);
+    const std::uint32_t face_count = mesh.face_count();
+    const std::vector<glm::vec3> own = face_normals(mesh, stop);
+    CornerGroups groups = group_corners(mesh, own, crease_angle_rad, stop);
     // The angles on all threads, the sums in one order.
-    std::vector<std::array<double, 3>> angles(mesh.face_count());
-    for_each_number(mesh.face_count(), [&](std::uint32_t f) {
+    std::vector<std::array<double, 3>> angles;
+    fill(angles, face_count, stop, [&](std::uint32_t f) {
         std::array<glm::dvec3, 3> p;
         for (std::uint32_t c = 0; c < 3; ++c)
             p[c] = mesh.positions()[index(mesh.triangles()[f][c])];
+        std::array<double, 3> own_angles;
         for (std::uint32_t c = 0; c < 3; ++c)
-            angles[f][c] = angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
+            own_angles[c] = angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
+        return own_angles;
     });
     std::vector<glm::dvec3> sums(groups.number(), glm::dvec3(0.0));
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-        if (mesh.planes()[f].has_normal())
-            for (std::uint32_t c = 0; c < 3; ++c)
-                sums[groups.group(3 * f + c)] += angles[f][c] * glm::dvec3(own[f]);
-    std::vector<glm::vec3> normals(3 * std::size_t{mesh.face_count()});
-    for_each_number(3 * mesh.face_count(), [&](std::uint32_t corner) {
+    for_each_in_order(face_count, stop, [&](std::uint32_t f) {
+        if (!mesh.planes()[f].has_normal()) return;
+        for (std::uint32_t c = 0; c < 3; ++c)
+            sums[groups.group(3 * f + c)] += angles[f][c] * glm::dvec3(own[f]);
+    });
+    std::vector<glm::vec3> normals;
+    fill(normals, 3 * face_count, stop, [&](std::uint32_t corner) {
         const glm::dvec3& sum = sums[groups.group(corner)];
         const double length = std::sqrt(glm::dot(sum, sum));
         // Below this limit the group's normals cancel and only rounding errors remain.
-        normals[corner] = length > 1e-6 ? glm::vec3(sum / length) : own[corner / 3];
+        return length > 1e-6 ? glm::vec3(sum / length) : own[corner / 3];
     });
     return normals;
 }
 
 CornerGroupList corner_groups(const Mesh& mesh, float crease_angle_rad) {
     RIMLINE_CHECK(crease_angle_rad >= 0.0f);
-    CornerGroups groups = group_corners(mesh, face_normals(mesh), crease_angle_rad);
+    CornerGroups groups = group_corners(mesh, face_normals(mesh, {}), crease_angle_rad, {});
     const std::uint32_t corner_count = 3 * mesh.face_count();
     CornerGroupList list{.begin = std::vector<std::uint32_t>(groups.number() + std::size_t{1}),
                          .corners = std::vector<std::uint32_t>(corner_count)};

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
@@ -21,8 +22,9 @@ namespace rimline {
 /// length 1 up to rounding. `crease_angle_rad` is in [0, pi]: 0 joins coplanar faces only, pi joins
 /// all. Degenerate faces have weight 0. Their corners take a neighbor's normal, or +y if no neighbor
 /// has one. O(faces) times the inverse Ackermann function, for any valences; most of it on all threads of oneTBB. The
-/// result does not depend on their number.
-std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad);
+/// result does not depend on their number. Throws Error{cancelled}.
+std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad,
+                                      const std::stop_token& stop = {});
 
 /// The groups, for computing normals from other positions of the same triangles. Corner c of face f has
 /// the number 3f + c. Group g holds corners[begin[g]] to corners[begin[g + 1]], ascending.

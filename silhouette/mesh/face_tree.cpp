@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "silhouette/gradual_resize.h"
+
 namespace rimline {
 
 namespace {
@@ -25,7 +27,8 @@ double reach_of(const glm::dvec3& p) {
 // Places that are moved as a whole, so that nothing is looked up while they are sorted.
 class FaceTree::Builder {
 public:
-    explicit Builder(FaceTree& tree) : tree_(tree), places_(tree.order_.size()) {
+    Builder(FaceTree& tree, const std::stop_token& stop) : tree_(tree) {
+        resize_gradually(places_, tree.order_.size(), stop);
         const auto count = static_cast<std::uint32_t>(places_.size());
         tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, k_faces_a_task),
                           [&](const auto& run) {
@@ -183,8 +186,8 @@ FaceTree::FaceTree(const Mesh& mesh, const LongCall& call)
     const std::uint32_t full = (mesh.face_count() + unit - 1) / unit * unit;
     for (std::uint32_t faces = full; faces > k_leaf_faces; faces -= middle_of(0, faces))
         nodes = 2 * nodes + 1;
-    boxes_.resize(nodes);
-    Builder(*this).build(call);
+    resize_gradually(boxes_, nodes, call.stop);
+    Builder(*this, call.stop).build(call);
 }
 
 FaceBox FaceTree::box_of(std::uint32_t face) const {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "silhouette/gradual_resize.h"
 #include "silhouette/mesh/equal_positions.h"
 
 namespace rimline {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t k_max_faces = std::size_t{1} << 30;
 constexpr std::uint32_t k_vertices_a_checkpoint = 1u << 16;
+constexpr std::uint32_t k_faces_a_checkpoint = 1u << 16;
 
 // One side of one triangle.
 struct HalfEdge {
@@ -36,6 +38,7 @@ SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32
     sorted.begin.assign(vertex_count + 1, 0);
     const auto for_each = [&](auto&& visit) {
         for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+            if (f % k_faces_a_checkpoint == 0) LongCall{call.stop, {}}.checkpoint(0.0);
             if (has_equal_corners(triangles[f])) continue;
             for (std::uint8_t c = 0; c < 3; ++c)
                 visit(f, c, index(triangles[f][c]), index(triangles[f][(c + 1) % 3]));
@@ -45,7 +48,7 @@ SortedHalfEdges sort_half_edges(std::span<const Triangle> triangles, std::uint32
         ++sorted.begin[std::min(a, b) + 1];
     });
     std::partial_sum(sorted.begin.begin(), sorted.begin.end(), sorted.begin.begin());
-    sorted.half_edges.resize(sorted.begin.back());
+    resize_gradually(sorted.half_edges, sorted.begin.back(), call.stop);
     std::vector<std::uint32_t> next(sorted.begin.begin(), sorted.begin.end() - 1);
     call.checkpoint(0.3);
     for_each([&](std::uint32_t f, std::uint8_t c, std::uint32_t a, std::uint32_t b) {
@@ -124,6 +127,8 @@ Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call)
     call.checkpoint(0.2);
     planes_.reserve(triangles_.size());
     for (const Triangle& t : triangles_) {
+        if (planes_.size() % k_faces_a_checkpoint == 0)
+            call.checkpoint(0.2 + 0.1 * double(planes_.size()) / double(triangles_.size()));
         // Equal corners give a cross product of exactly zero.
         planes_.push_back(supporting_plane(
             {positions_[index(t[0])], positions_[index(t[1])], positions_[index(t[2])]}));
@@ -166,7 +171,7 @@ void Mesh::weld(const MeshSource& source, Welding welding, const std::stop_token
 }
 
 void Mesh::build_edges(const LongCall& call) {
-    face_edges_.assign(triangles_.size(), {k_no_edge, k_no_edge, k_no_edge});
+    resize_gradually(face_edges_, triangles_.size(), call.stop, {k_no_edge, k_no_edge, k_no_edge});
     const SortedHalfEdges sorted = sort_half_edges(triangles_, vertex_count(), call.part(0.0, 0.6));
 
     std::array<std::uint32_t, 4> class_size{};
@@ -178,7 +183,7 @@ void Mesh::build_edges(const LongCall& call) {
     });
     std::partial_sum(class_size.begin(), class_size.end(), class_begin_.begin() + 1);
 
-    edges_.resize(class_begin_.back());
+    resize_gradually(edges_, class_begin_.back(), call.stop);
     nonmanifold_begin_.reserve(class_size[static_cast<std::size_t>(EdgeClass::nonmanifold)] + 1);
     nonmanifold_begin_.push_back(0);
     nonmanifold_faces_.reserve(nonmanifold_face_count);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "silhouette/gradual_resize.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
@@ -72,7 +73,7 @@ FaceMaterials refined_materials(const FaceMaterials& materials) {
 
 /// One step. Calls `checkpoint` at intervals with the step's finished share.
 template <typename Checkpoint>
-MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
+MeshSource refine(const Mesh& mesh, const std::stop_token& stop, Checkpoint&& checkpoint) {
     const std::uint32_t vertex_count = mesh.vertex_count();
     const auto position = [&](VertexId v) { return glm::dvec3(mesh.positions()[index(v)]); };
     const auto pause = [&](std::uint32_t i, std::uint32_t count, double from, double share) {
@@ -83,8 +84,9 @@ MeshSource refine(const Mesh& mesh, Checkpoint&& checkpoint) {
     refined.up = mesh.up();
     refined.is_up_known = mesh.is_up_known();
     // First the vertices, then one vertex per edge e: vertex_count + e.
-    refined.positions.resize(std::size_t{vertex_count} + mesh.edge_count());
-    std::vector<Neighborhood> around(vertex_count);
+    resize_gradually(refined.positions, std::size_t{vertex_count} + mesh.edge_count(), stop);
+    std::vector<Neighborhood> around;
+    resize_gradually(around, vertex_count, stop);
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
         pause(e, mesh.edge_count(), 0.0, 0.6);
         const Edge& edge = mesh.edges()[e];
@@ -144,7 +146,7 @@ MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const L
         throw Error(ErrorCode::too_large, std::to_string(faces) + " faces refined " +
                                               std::to_string(steps) +
                                               " times would be more than 268435456");
-    if (faces == 0) return refine(Mesh(source), [](double) {});
+    if (faces == 0) return refine(Mesh(source), {}, [](double) {});
 
     // Each step takes four times the work of the previous one.
     double total = 0.0;
@@ -157,7 +159,7 @@ MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const L
         constexpr double k_mesh_share = 0.7;
         const Mesh mesh(step == 0 ? source : refined, Welding::equal_positions,
                         call.part(done, done + work * k_mesh_share));
-        refined = refine(mesh, [&](double share) {
+        refined = refine(mesh, call.stop, [&](double share) {
             call.checkpoint(done + work * (k_mesh_share + (1.0 - k_mesh_share) * share));
         });
         done += work;
