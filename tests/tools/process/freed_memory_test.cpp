@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <memory>
 
+// Sanitizers have allocators of their own.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
 namespace rimline::tools {
 namespace {
 
@@ -23,7 +26,6 @@ void touch_blocks() {
     }
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_CASE("freed memory is used again without page faults") {
     keep_freed_memory();
     touch_blocks();
@@ -31,7 +33,7 @@ TEST_CASE("freed memory is used again without page faults") {
     for (int frame = 0; frame < 10; ++frame) touch_blocks();
     CHECK(page_faults() - before < 100);
 }
-#endif
-
 }  // namespace
 }  // namespace rimline::tools
+
+#endif
