@@ -33,6 +33,7 @@ TEST_CASE("freed memory is used again without page faults") {
     for (int frame = 0; frame < 10; ++frame) touch_blocks();
     CHECK(page_faults() - before < 100);
 }
+
 }  // namespace
 }  // namespace rimline::tools
 
