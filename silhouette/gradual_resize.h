@@ -1,7 +1,7 @@
 #pragma once
 
-// Memory that can be awaited and refused. The system gives pages when they are first touched: 40 MB take 10 ms, but
-// 100 ms and more on a slow virtual machine, and a call in between cannot be stopped.
+// Growth of large arrays that can be stopped. The system gives the memory of a page when it is first touched: for 40 MB
+// that takes 10 ms, and more than 100 ms on a slow virtual machine.
 
 #include <algorithm>
 #include <cstddef>
