@@ -1,12 +1,17 @@
 """rimline bench fields."""
-from program import fail, have_methods, succeed
+import json
+
+from program import fail, have_methods, run, succeed
 
 
 def test_bench_fields_checks_and_then_measures():
-    found = succeed("bench", "fields", "shape:knot:20000", "--rounds", "1", "--check")
+    ended = run("bench", "fields", "shape:knot:20000", "--rounds", "1", "--check", "--json")
+    found = json.loads(ended.stdout)
     result = found["fields"][0]
     assert all(row["error"] <= row["bound"] for row in result["lattice"])
     assert result["brute_ms"] > 0 and found["targets"][0]["value"] > 0
+    missed = [target["target"] for target in found["targets"] if not target["reached"]]
+    assert ended.returncode == (3 if missed else 0), (found["targets"], ended.stderr)
     fail(2, "bench", "fields", "--growth")
 
 
