@@ -33,6 +33,7 @@ constexpr std::size_t k_measured = 8;
 constexpr double k_apart_deg = 25.0;
 constexpr double k_near_best = 0.95;
 constexpr double k_eye_radii = 1.9;  // In the shell of best_views.h.
+constexpr double k_low_spread = 0.15;
 
 // Depths of the faces, greater is nearer.
 class DepthBuffer {
@@ -121,6 +122,37 @@ private:
     std::vector<float> depths_;
 };
 
+// How much of the mesh's area is seen at a low angle, for each direction: 1 along a face, 0 at 30 degrees to it. The
+// mean over all directions is a quarter for any mesh.
+std::vector<double> shares_at_low_angles(const Mesh& mesh, std::span<const glm::dvec3> directions) {
+    constexpr float k_low_sin = 0.5f;
+    struct Area {
+        glm::vec3 normal;
+        float area;
+    };
+    std::vector<Area> areas;
+    double total = 0.0;
+    for (const Triangle& t : mesh.triangles()) {
+        const auto corner = [&](int i) { return glm::dvec3(mesh.positions()[index(t[i])]); };
+        const glm::dvec3 across = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        const double area = glm::length(across) / (mesh.radius() * mesh.radius());
+        if (!(area > 0.0)) continue;
+        areas.push_back({glm::vec3(glm::normalize(across)), static_cast<float>(area)});
+        total += area;
+    }
+    std::vector<double> shares(directions.size(), 0.0);
+    if (total == 0.0) return shares;
+    tbb::parallel_for(std::size_t{0}, directions.size(), [&](std::size_t i) {
+        const glm::vec3 towards(directions[i]);
+        for (const auto& [normal, area] : areas) {
+            const float sine = std::abs(glm::dot(normal, towards));
+            shares[i] += double{area * std::max(0.0f, 1.0f - sine / k_low_sin)};
+        }
+        shares[i] /= total;
+    });
+    return shares;
+}
+
 // Whether the mesh is lower along `up` than this share of its lesser width.
 bool is_flat(const Mesh& mesh, const glm::dvec3& up) {
     const auto [right, away] = ground_axes(up);
@@ -181,8 +213,13 @@ glm::dvec3 choose_picture_direction(const Mesh& mesh, const glm::dvec3& up, cons
     std::vector<double> votes(points.size());
     field.values(points, votes, {call.stop, {}});
     const double least = least_preference(mesh, up);
-    for (std::size_t i = 0; i < votes.size(); ++i)
-        votes[i] *= glm::mix(least, 1.0, std::max(0.0, three_quarter_likeness(directions[i], up)));
+    const std::vector<double> low = shares_at_low_angles(mesh, directions);
+    const double least_low = std::ranges::min(low);
+    for (std::size_t i = 0; i < votes.size(); ++i) {
+        const double away = std::max(0.0, (low[i] - least_low) / k_low_spread - 1.0);
+        votes[i] *= glm::mix(least, 1.0, std::max(0.0, three_quarter_likeness(directions[i], up))) *
+                    std::exp(-away * away);
+    }
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return votes[i]; });

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <span>
 
+#include "silhouette/mesh/edge_convexity.h"
+
 namespace rimline {
 
 namespace {
@@ -97,10 +99,21 @@ private:
     bool is_clear(const Crease& crease) const {
         const float flat = std::max(k_flat_bend_rad, k_flat_share * crease.bend_rad);
         return std::ranges::all_of(mesh_.faces_of(crease.edge), [&](FaceId face) {
-            return std::ranges::any_of(mesh_.edges_of(face), [&](EdgeId other) {
-                return other != crease.edge && bend_of(mesh_, other) < double{flat};
-            });
+            return std::ranges::any_of(mesh_.edges_of(face),
+                                       [&](EdgeId other) {
+                                           return other != crease.edge &&
+                                                  bend_of(mesh_, other) < double{flat};
+                                       }) ||
+                   bends_one_way(face);
         });
+    }
+
+    // At all edges.
+    bool bends_one_way(FaceId face) const {
+        const auto edges = mesh_.edges_of(face);
+        const EdgeConvexity first = edge_convexity(mesh_, edges[0]);
+        return (first == EdgeConvexity::convex || first == EdgeConvexity::concave) &&
+               edge_convexity(mesh_, edges[1]) == first && edge_convexity(mesh_, edges[2]) == first;
     }
 
     bool is_strong_and_clear(const std::vector<std::uint32_t>& chain) const {

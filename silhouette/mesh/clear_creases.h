@@ -5,8 +5,9 @@
 // Where a scan is rough, many edges bend by as much as the edges of a machine part do, but each for itself. A
 // crease that stands out differs in two ways:
 //
-//   clear   A face on either side goes on flat: another edge of it hardly bends. Of the creases of scans, a fifth
-//           of the length is clear; of those of machine parts, all.
+//   clear   The face on either side goes on flat: another edge of it hardly bends. Or it is a face of a polyhedron:
+//           it bends the same way at all edges. Of the creases of scans, a quarter of the length is clear; of those
+//           of machine parts, all.
 //   strong  Edges that go on straight into each other form a chain that is long, or short and sharp: the sum over
 //           its edges of length * (bend / 30 degrees)^2 is at least 15% of the mesh's radius.
 //

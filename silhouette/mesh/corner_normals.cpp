@@ -133,9 +133,25 @@ public:
             parent_[c] = parent_[c] == c ? count++ : parent_[parent_[c]];
         return count;
     }
+    /// Makes each corner of the groups with a flag a group of its own. Returns the count of groups.
+    std::uint32_t split(const std::vector<bool>& flags) {
+        std::vector<std::uint32_t> numbers(flags.size(), k_no_number);
+        std::uint32_t count = 0;
+        for (std::uint32_t& group : parent_) {
+            if (!flags[group] && numbers[group] != k_no_number) {
+                group = numbers[group];
+                continue;
+            }
+            numbers[group] = count;
+            group = count++;
+        }
+        return count;
+    }
     std::uint32_t group(std::uint32_t corner) const { return parent_[corner]; }
 
 private:
+    static constexpr std::uint32_t k_no_number = 0xffffffffu;
+
     std::uint32_t root(std::uint32_t c) {
         while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
         return c;
@@ -148,10 +164,18 @@ std::uint32_t corner_at(const Mesh& mesh, FaceId face, VertexId vertex) {
     return 3 * index(face) + (t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2);
 }
 
-CornerGroups group_corners(const Mesh& mesh, std::span<const glm::vec3> normals, double crease,
-                           const std::stop_token& stop) {
+// The groups, and the sum of the weighted normals of each.
+struct Shading {
+    CornerGroups groups;
+    std::vector<glm::dvec3> sums;
+};
+
+// Below this length the normals of a group cancel, and only rounding errors remain.
+constexpr double k_min_sum = 1e-6;
+
+CornerGroups join_corners(const Mesh& mesh, std::span<const glm::vec3> normals,
+                          const BendTest& bend, const std::stop_token& stop) {
     CornerGroups groups(3 * mesh.face_count());
-    const BendTest bend(crease);
     const Mesh::EdgeRange regular = mesh.edges_of_class(EdgeClass::regular);
     std::vector<std::uint8_t> is_smooth;
     fill(is_smooth, regular.size(), stop, [&](std::uint32_t i) -> std::uint8_t {
@@ -167,14 +191,12 @@ CornerGroups group_corners(const Mesh& mesh, std::span<const glm::vec3> normals,
     return groups;
 }
 
-}  // namespace
-
-std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad,
-                                      const std::stop_token& stop) {
-    RIMLINE_CHECK(crease_angle_rad >= 0.0f);
+Shading group_corners(const Mesh& mesh, std::span<const glm::vec3> own, double crease,
+                      const std::stop_token& stop) {
     const std::uint32_t face_count = mesh.face_count();
-    const std::vector<glm::vec3> own = face_normals(mesh, stop);
-    CornerGroups groups = group_corners(mesh, own, crease_angle_rad, stop);
+    const BendTest bend(crease);
+    Shading shading{join_corners(mesh, own, bend, stop), {}};
+    auto& [groups, sums] = shading;
     // The angles on all threads, the sums in one order.
     std::vector<std::array<double, 3>> angles;
     fill(angles, face_count, stop, [&](std::uint32_t f) {
@@ -186,27 +208,51 @@ std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad,
             own_angles[c] = angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
         return own_angles;
     });
-    std::vector<glm::dvec3> sums(groups.number(), glm::dvec3(0.0));
-    for_each_in_order(face_count, stop, [&](std::uint32_t f) {
-        if (!mesh.planes()[f].has_normal()) return;
-        for (std::uint32_t c = 0; c < 3; ++c)
-            sums[groups.group(3 * f + c)] += angles[f][c] * glm::dvec3(own[f]);
+    const auto for_each_corner = [&](auto&& visit) {
+        for_each_in_order(face_count, stop, [&](std::uint32_t f) {
+            if (!mesh.planes()[f].has_normal()) return;
+            for (std::uint32_t c = 0; c < 3; ++c)
+                visit(groups.group(3 * f + c), angles[f][c], glm::dvec3(own[f]));
+        });
+    };
+    const auto add_up = [&](std::uint32_t count) {
+        sums.assign(count, glm::dvec3(0.0));
+        for_each_corner([&](std::uint32_t group, double angle, const glm::dvec3& normal) {
+            sums[group] += angle * normal;
+        });
+    };
+    add_up(groups.number());
+    std::vector<bool> is_tip(sums.size());
+    for_each_corner([&](std::uint32_t group, double, const glm::dvec3& normal) {
+        const glm::dvec3& sum = sums[group];
+        if (glm::dot(sum, sum) > k_min_sum * k_min_sum && !bend.within(normal, glm::normalize(sum)))
+            is_tip[group] = true;
     });
+    if (std::ranges::find(is_tip, true) != is_tip.end()) add_up(groups.split(is_tip));
+    return shading;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad,
+                                      const std::stop_token& stop) {
+    RIMLINE_CHECK(crease_angle_rad >= 0.0f);
+    const std::vector<glm::vec3> own = face_normals(mesh, stop);
+    const Shading shading = group_corners(mesh, own, crease_angle_rad, stop);
     std::vector<glm::vec3> normals;
-    fill(normals, 3 * face_count, stop, [&](std::uint32_t corner) {
-        const glm::dvec3& sum = sums[groups.group(corner)];
+    fill(normals, 3 * mesh.face_count(), stop, [&](std::uint32_t corner) {
+        const glm::dvec3& sum = shading.sums[shading.groups.group(corner)];
         const double length = std::sqrt(glm::dot(sum, sum));
-        // Below this limit the group's normals cancel and only rounding errors remain.
-        return length > 1e-6 ? glm::vec3(sum / length) : own[corner / 3];
+        return length > k_min_sum ? glm::vec3(sum / length) : own[corner / 3];
     });
     return normals;
 }
 
 CornerGroupList corner_groups(const Mesh& mesh, float crease_angle_rad) {
     RIMLINE_CHECK(crease_angle_rad >= 0.0f);
-    CornerGroups groups = group_corners(mesh, face_normals(mesh, {}), crease_angle_rad, {});
+    const auto [groups, sums] = group_corners(mesh, face_normals(mesh, {}), crease_angle_rad, {});
     const std::uint32_t corner_count = 3 * mesh.face_count();
-    CornerGroupList list{.begin = std::vector<std::uint32_t>(groups.number() + std::size_t{1}),
+    CornerGroupList list{.begin = std::vector<std::uint32_t>(sums.size() + 1),
                          .corners = std::vector<std::uint32_t>(corner_count)};
     for (std::uint32_t c = 0; c < corner_count; ++c) ++list.begin[groups.group(c) + 1];
     std::partial_sum(list.begin.begin(), list.begin.end(), list.begin.begin());

@@ -7,6 +7,10 @@
 // normals. The weight of a face is its angle at the vertex (Thuermer, Wuethrich 1998), so the mean does
 // not depend on the triangulation.
 //
+// At the tip of a cone all faces are in one group, but their mean is the normal of none of them: light would
+// spread from the tip over the cone. So where a face of a group is turned from the mean by more than the crease
+// angle, each corner has its face's normal.
+//
 // These normals are for shading only. Planes decide which faces are front.
 
 #include <cstdint>

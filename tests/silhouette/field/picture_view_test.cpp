@@ -79,6 +79,16 @@ TEST_CASE("an upright plate is seen from one of its faces and not along its plan
     CHECK(std::abs(direction.x) > 0.5);
 }
 
+TEST_CASE("a box is seen with three faces") {
+    for (const glm::vec3 size : {glm::vec3(1, 1, 1), {4, 1, 2}, {1, 2, 1}}) {
+        CAPTURE(size.x);
+        MeshSource source = make_built_in_shape("box", 12);
+        for (glm::vec3& p : source.positions) p *= size;
+        const glm::dvec3 direction = choose_picture_direction(Mesh(source), {0, 1, 0});
+        for (int axis = 0; axis < 3; ++axis) CHECK(std::abs(direction[axis]) > 0.3);
+    }
+}
+
 TEST_CASE("the direction turns with the mesh's place, size and threads unchanged") {
     MeshSource source = make_built_in_shape("knot", 4000);
     const glm::dvec3 direction = choose_picture_direction(Mesh(source), {0, 1, 0});

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <random>
+#include <utility>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/silhouette/mesh/small_meshes.h"
 
 namespace rimline {
 namespace {
@@ -39,6 +41,37 @@ TEST_CASE("all edges of machine parts stand out") {
         CHECK(clear_creases_of(mesh, 30.0).size() ==
               find_creases(mesh, static_cast<float>(glm::radians(30.0))).size());
     }
+}
+
+// `n` houses in a row, boxes with a pyramid on top.
+MeshSource houses(int n) {
+    MeshSource source;
+    for (int i = 0; i < n; ++i) {
+        const auto first = static_cast<std::uint32_t>(source.positions.size());
+        for (const float y : {0.0f, 1.0f})
+            for (const auto& [x, z] :
+                 {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}})
+                source.positions.emplace_back(x + 4.0f * float(i), y, z);
+        source.positions.emplace_back(4.0f * float(i), 2.0f, 0.0f);
+        source.triangles.push_back({first + 0, first + 1, first + 2});
+        source.triangles.push_back({first + 0, first + 2, first + 3});
+        for (const std::uint32_t a : {0u, 1u, 2u, 3u}) {
+            const std::uint32_t b = (a + 1) % 4;
+            source.triangles.push_back({first + a, first + a + 4, first + b + 4});
+            source.triangles.push_back({first + a, first + b + 4, first + b});
+            source.triangles.push_back({first + a + 4, first + 8, first + b + 4});
+        }
+    }
+    return source;
+}
+
+TEST_CASE("all edges of polyhedra stand out") {
+    for (const int n : {1, 4}) {
+        CAPTURE(n);
+        CHECK(clear_creases_of(Mesh(houses(n)), 30.0).size() == 16 * std::size_t(n));
+    }
+    CHECK(clear_creases_of(Mesh(tests::tetrahedron()), 30.0).size() == 6);
+    CHECK(clear_creases_of(Mesh(tests::octahedron()), 30.0).size() == 12);
 }
 
 TEST_CASE("a ridge through a field stands out, whatever the field is made of") {

@@ -52,7 +52,11 @@ glm::dvec3 walked_normal(const Mesh& mesh, std::uint32_t face, VertexId vertex, 
             if (bend <= crease && seen.insert(other).second) reached.push_back(other);
         }
     }
-    return glm::normalize(sum);
+    const glm::dvec3 mean = glm::normalize(sum);
+    const bool is_tip = std::ranges::any_of(reached, [&](std::uint32_t f) {
+        return std::acos(std::min(1.0, glm::dot(face_normal(mesh, f), mean))) > crease;
+    });
+    return is_tip ? face_normal(mesh, face) : mean;
 }
 
 }  // namespace
@@ -191,7 +195,7 @@ TEST_CASE("a vertex of very high valence takes no longer than many vertices") {
         source.triangles.push_back({0, 1 + i, 1 + (i + 1) % k_sides});
     }
     const Mesh mesh(tests::shuffled(source, 1));
-    const auto normals = corner_normals(mesh, radians(30));
+    const auto normals = corner_normals(mesh, radians(50));
     check_unit(mesh, normals);
     for (std::uint32_t i = 0; i < normals.size(); ++i)
         if (mesh.positions()[index(mesh.triangles()[i / 3][i % 3])].y == 1.0f)
@@ -208,6 +212,32 @@ TEST_CASE("tiny and huge meshes have the same corner normals") {
         const auto normals = corner_normals(Mesh(other), radians(40));
         for (std::size_t i = 0; i < expected.size(); ++i)
             REQUIRE(glm::length(normals[i] - expected[i]) < 1e-6f);
+    }
+}
+
+TEST_CASE("the faces of a cone have their own normals at its tip and share them elsewhere") {
+    constexpr std::uint32_t sides = 32;
+    for (const float height : {0.3f, 1.0f, 4.0f}) {
+        CAPTURE(height);
+        MeshSource cone{.positions = {{0.0f, height, 0.0f}}};
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const float turn = 2.0f * k_pi * float(i) / float(sides);
+            cone.positions.emplace_back(std::cos(turn), 0.0f, -std::sin(turn));
+            cone.triangles.push_back({0, 1 + i, 1 + (i + 1) % sides});
+        }
+        const Mesh mesh(cone);
+        const auto normals = corner_normals(mesh, radians(40));
+        const bool is_steep = height > 0.9f;
+        for (std::uint32_t f = 0; f < sides; ++f)
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const bool is_tip = index(mesh.triangles()[f][c]) == 0;
+                const glm::dvec3 expected =
+                    is_tip && !is_steep ? glm::dvec3(0.0, 1.0, 0.0)
+                    : is_tip            ? face_normal(mesh, f)
+                             : walked_normal(mesh, f, mesh.triangles()[f][c], radians(40));
+                CHECK(glm::length(glm::dvec3(normals[3 * f + c]) - expected) < 1e-6);
+            }
+        CHECK(corner_groups(mesh, radians(40)).begin.size() - 1 == sides + (is_steep ? sides : 1));
     }
 }
 
