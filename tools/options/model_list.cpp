@@ -225,8 +225,14 @@ void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
                 settings.push_back(setting);
         use_settings(*app_, *scene_, settings);
     }
+    // Lighting of the file has a sun as key light, which lamps of the user replace.
+    std::vector<SceneFile::Setting> picture_settings = scene_->picture;
+    if (given({"--light"}))
+        std::erase_if(picture_settings, [](const SceneFile::Setting& setting) {
+            return setting.option == "--lighting";
+        });
     if (!given({"--sun", "--light"})) use_settings(*app_, *scene_, scene_->lights);
-    use_settings(*app_, *scene_, scene_->picture);
+    use_settings(*app_, *scene_, picture_settings);
     // The up direction of the camera may be another one than that of the scene.
     if (scene_->up) scene_up_ = scene_->up;
     if (!scene_up_) std::swap(scene_up_, models_.front().up);

@@ -39,7 +39,7 @@ struct PictureKey {
     Kind kind;
 };
 // Each is the name of an option.
-constexpr std::array<PictureKey, 18> k_picture_keys{{{"style", Kind::text},
+constexpr std::array<PictureKey, 19> k_picture_keys{{{"style", Kind::text},
                                                      {"palette", Kind::text},
                                                      {"color", Kind::text},
                                                      {"materials", Kind::on_or_off},
@@ -49,6 +49,7 @@ constexpr std::array<PictureKey, 18> k_picture_keys{{{"style", Kind::text},
                                                      {"crease", Kind::number},
                                                      {"hidden", Kind::flag},
                                                      {"shadows", Kind::text},
+                                                     {"lighting", Kind::text},
                                                      {"ground", Kind::flag},
                                                      {"intersections", Kind::on_or_off},
                                                      {"min-length", Kind::number},

@@ -1,6 +1,7 @@
 """Several models in one picture, and scene files."""
 import json
 import os
+import re
 import tempfile
 
 from program import drawn_again, fail, have_device, png_rows, read_file, run, succeed, write_faces
@@ -151,6 +152,7 @@ def test_a_saved_scene_draws_the_same_picture_in_every_style():
                  ["--style", "blueprint", "--hidden", "--palette", "sepia"],
                  ["--outline", "sobel", "--depth-step", "0.01", "--normal-step", "55.5"], ["--outline", "backs"],
                  ["--style", "mask", "--lines", "on"], ["--background", "none", "--ground"], ["--eye", "top", "--ground"],
+                 ["--lighting", "three-point"], ["--style", "toon", "--lighting", "three-point", "--sun", "1,2,3", "--ground"],
                  ["--ortho", "8.3", "--crease", "40.5", "--line-width", "3.3", "--line-color", "navy", "--materials", "off",
                   "--intersections", "off", "--min-length", "2.5", "--shadows", "fail", "--color", "#abc"])
         for options in cases:
@@ -168,6 +170,18 @@ def test_a_saved_scene_draws_the_same_picture_in_every_style():
             assert read_file(output) == read_file(other), options
 
 
+def test_every_option_of_the_look_of_a_picture_has_a_key():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        path = write_scene(folder, {"rimline_scene": 1, "models": [{"model": BOX}], "picture": {"look": 1}})
+        message = fail(1, "render", path, "-o", os.path.join(folder, "a.png"))
+    keys = set(re.search(r"there are ([a-z, -]+)", message)[1].split(", "))
+    sections = re.findall(r"^(Style|Light|Image):\n(.*?)(?:\n\n|\Z)", run("render", "--help").stdout, re.S | re.M)
+    options = {name for _, text in sections for name in re.findall(r"^  --([a-z-]+)", text, re.M)}
+    # Lights have a list of their own; the seed changes no picture.
+    assert len(sections) == 3 and options - keys == {"light", "sun", "seed"} and keys <= options, (options, keys)
+
+
 def test_options_go_before_what_a_scene_file_says():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
@@ -183,6 +197,14 @@ def test_options_go_before_what_a_scene_file_says():
                                 ("--eye", "9,9,9", "--target", "0,1,0", "--fov", "30", "--light", "2,3,4", "--ground")),
                                (("--eye", "3,2,1",), ("--eye", "3,2,1", "--sun", "1,2,3", "--style", "toon", "--ground"))):
             draw(output, scene, *options)
+            draw(other, BOX, *SIZE, *plain)
+            assert read_file(output) == read_file(other), options
+        studio = write_scene(folder, {"rimline_scene": 1, "models": [{"model": BOX}], "lights": [{"sun": [1, 2, 3]}],
+                                      "picture": {"lighting": "three-point", "size": "160x120"}}, "studio.json")
+        for options, plain in (((), ("--sun", "1,2,3", "--lighting", "three-point")),
+                               (("--sun", "3,2,1"), ("--sun", "3,2,1", "--lighting", "three-point")),
+                               (("--lighting", "sun"), ("--sun", "1,2,3")), (("--light", "2,3,4"), ("--light", "2,3,4"))):
+            draw(output, studio, *options)
             draw(other, BOX, *SIZE, *plain)
             assert read_file(output) == read_file(other), options
         assert "there are front, far" in fail(1, "render", scene, "--camera", "fro")
@@ -272,6 +294,7 @@ def test_bad_scene_files_are_errors_with_the_place():
         (changed(picture={"style": 3}), "scene.json:picture.style: expected a text, not 3"),
         (changed(picture={"ground": "yes"}), "scene.json:picture.ground: expected true or false"),
         (changed(picture={"size": "12"}), "scene.json:picture.size: expected WxH"),
+        (changed(picture={"lighting": "threepoint"}), "scene.json:picture.lighting: expected one of {sun,three-point"),
         (changed(picture={"crease": 5}), "scene.json:picture.crease: expected a number from 10 to 180"),
         ('{"rimline_scene": 1, "models": [{"model": "shape:box", "at": [1,2,3], "at": [1,2,3]}]}', "the key \"at\" occurs twice"),
         ('{"rimline_scene": 1, "models": [{"model": "shape:box", "scale": 1e999}]}', "out of range"),
