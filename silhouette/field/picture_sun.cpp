@@ -41,6 +41,9 @@ constexpr double k_lit_falloff = 0.07;
 constexpr double k_least_usual = 0.5;
 constexpr double k_least_spread = 0.05;  // So that the other terms decide on one flat face.
 
+// Of a grid of which fewer rays meet the mesh, the places say too little.
+constexpr double k_least_met = 0.01;
+
 constexpr double k_ray_offset_radii = 1e-4;
 constexpr double k_same_surface_steps = 4.0;  // Neighbors farther apart are different parts.
 
@@ -66,6 +69,60 @@ CoveredRectangle covered_by(const Mesh& mesh, const PictureFrame& frame) {
     covered.low = glm::max(covered.low, -1.0);
     covered.high = glm::min(covered.high, 1.0);
     return covered;
+}
+
+// In the picture's plane, at distance 1 from the eye. Nothing for a face that reaches beside or behind the eye.
+std::optional<std::array<glm::dvec2, 3>> projected(const Mesh& mesh, std::uint32_t face,
+                                                   const PictureFrame& frame) {
+    std::array<glm::dvec2, 3> corners;
+    const std::array<glm::dvec3, 3> positions = corners_of(mesh, face);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const glm::dvec3 away = positions[c] - frame.eye;
+        const double depth = frame.is_orthographic ? 1.0 : -glm::dot(away, frame.back);
+        if (!(depth > 0.0)) return std::nullopt;
+        corners[c] = glm::dvec2(glm::dot(away, frame.right), glm::dot(away, frame.up)) / depth;
+    }
+    return corners;
+}
+
+// Points of the picture's plane that lie in the pictures of faces, hidden faces too: at most `count`, even by area.
+std::vector<glm::dvec2> points_in_faces(const Mesh& mesh, const PictureFrame& frame,
+                                        std::uint32_t count) {
+    std::vector<std::array<glm::dvec2, 3>> faces;
+    std::vector<double> sums;  // Of areas.
+    double sum = 0.0;
+    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+        const std::optional<std::array<glm::dvec2, 3>> corners = projected(mesh, face, frame);
+        if (!corners) continue;
+        const auto& [a, b, c] = *corners;
+        const glm::dvec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+        if (low.x > frame.half_size.x || low.y > frame.half_size.y || high.x < -frame.half_size.x ||
+            high.y < -frame.half_size.y)
+            continue;
+        const double area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+        if (!(area > 0.0)) continue;
+        faces.push_back(*corners);
+        sums.push_back(sum += area);
+    }
+    std::vector<glm::dvec2> points;
+    if (faces.empty()) return points;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double at = sum * (i + 0.5) / count;
+        const auto found = std::ranges::upper_bound(sums, at);
+        const std::size_t face = std::min(std::size_t(found - sums.begin()), faces.size() - 1);
+        // The sequence R2 of M. Roberts: even in the square, and folded in the triangle.
+        double v = std::fmod(0.7548776662466927 * (i + 0.5), 1.0);
+        double w = std::fmod(0.5698402909980532 * (i + 0.5), 1.0);
+        if (v + w > 1.0) {
+            v = 1.0 - v;
+            w = 1.0 - w;
+        }
+        const auto& [a, b, c] = faces[face];
+        const glm::dvec2 point = a + v * (b - a) + w * (c - a);
+        if (std::abs(point.x) <= frame.half_size.x && std::abs(point.y) <= frame.half_size.y)
+            points.push_back(point);
+    }
+    return points;
 }
 
 double lit_share_preference(double lit) {
@@ -282,6 +339,53 @@ SunSurvey::SunSurvey(const Mesh& mesh, float crease_angle_rad, const LongCall& c
     call.checkpoint(1.0);
 }
 
+std::optional<SeenPlace> SunSurvey::place_at(const PictureFrame& frame,
+                                             const glm::dvec2& at) const {
+    const double reach = glm::distance(frame.eye, mesh_.center()) + 2.0 * mesh_.radius();
+    const glm::dvec3 beside = at.x * frame.right + at.y * frame.up;
+    const glm::dvec3 from =
+        frame.is_orthographic ? frame.eye + beside + reach * frame.back : frame.eye;
+    const glm::dvec3 direction =
+        frame.is_orthographic ? -frame.back : glm::normalize(beside - frame.back);
+    const double length = frame.is_orthographic ? 2.0 * reach : reach;
+    std::optional<LineHit> nearest;
+    std::uint32_t seen = 0;
+    tree_.each_along(from, from + length * direction, [&](std::uint32_t face) {
+        const std::optional<LineHit> hit = meet(corners_of(mesh_, face), from, direction);
+        if (!hit || hit->distance <= 0.0) return;
+        if (nearest && (hit->distance > nearest->distance ||
+                        (hit->distance == nearest->distance && face > seen)))
+            return;
+        nearest = hit;
+        seen = face;
+    });
+    if (!nearest) return std::nullopt;
+    const std::array<glm::dvec3, 3> corners = corners_of(mesh_, seen);
+    glm::dvec3 face_normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length_of_normal = glm::length(face_normal);
+    if (!(length_of_normal > 0.0)) return std::nullopt;
+    const double side = glm::dot(face_normal, direction) > 0.0 ? -1.0 : 1.0;
+    const std::array<double, 3> weights{1.0 - nearest->v - nearest->w, nearest->v, nearest->w};
+    glm::dvec3 normal(0.0);
+    for (std::size_t c = 0; c < 3; ++c)
+        normal += weights[c] * glm::dvec3(normals_[3 * std::size_t{seen} + c]);
+    face_normal *= side / length_of_normal;
+    normal = glm::length(normal) > 0.0 ? side * glm::normalize(normal) : face_normal;
+    return SeenPlace{from + nearest->distance * direction, normal, face_normal, seen, 0.0};
+}
+
+std::vector<SeenPlace> SunSurvey::places_in_faces(const PictureFrame& frame,
+                                                  std::uint32_t rays) const {
+    const std::vector<glm::dvec2> points = points_in_faces(mesh_, frame, rays);
+    std::vector<std::optional<SeenPlace>> met(points.size());
+    tbb::parallel_for(std::size_t{0}, points.size(),
+                      [&](std::size_t i) { met[i] = place_at(frame, points[i]); });
+    std::vector<SeenPlace> found;
+    for (const std::optional<SeenPlace>& place : met)
+        if (place) found.push_back(*place);
+    return found;
+}
+
 std::vector<SeenPlace> SunSurvey::places(const PictureFrame& frame, std::uint32_t rays) const {
     const CoveredRectangle covered = covered_by(mesh_, frame);
     const glm::dvec2 low = covered.low * frame.half_size, high = covered.high * frame.half_size;
@@ -291,42 +395,11 @@ std::vector<SeenPlace> SunSurvey::places(const PictureFrame& frame, std::uint32_
     const auto columns = static_cast<std::size_t>(std::clamp(size.x / spacing, 1.0, double(rays)));
     const auto rows =
         static_cast<std::size_t>(std::clamp(size.y / spacing, 1.0, double(rays) / double(columns)));
-    const double reach = glm::distance(frame.eye, mesh_.center()) + 2.0 * mesh_.radius();
     std::vector<std::optional<SeenPlace>> grid(columns * rows);
     tbb::parallel_for(std::size_t{0}, grid.size(), [&](std::size_t i) {
         const glm::dvec2 share((double(i % columns) + 0.5) / double(columns),
                                (double(i / columns) + 0.5) / double(rows));
-        const glm::dvec2 at = glm::mix(low, high, share);
-        const glm::dvec3 beside = at.x * frame.right + at.y * frame.up;
-        const glm::dvec3 from =
-            frame.is_orthographic ? frame.eye + beside + reach * frame.back : frame.eye;
-        const glm::dvec3 direction =
-            frame.is_orthographic ? -frame.back : glm::normalize(beside - frame.back);
-        const double length = frame.is_orthographic ? 2.0 * reach : reach;
-        std::optional<LineHit> nearest;
-        std::uint32_t seen = 0;
-        tree_.each_along(from, from + length * direction, [&](std::uint32_t face) {
-            const std::optional<LineHit> hit = meet(corners_of(mesh_, face), from, direction);
-            if (!hit || hit->distance <= 0.0) return;
-            if (nearest && (hit->distance > nearest->distance ||
-                            (hit->distance == nearest->distance && face > seen)))
-                return;
-            nearest = hit;
-            seen = face;
-        });
-        if (!nearest) return;
-        const std::array<glm::dvec3, 3> corners = corners_of(mesh_, seen);
-        glm::dvec3 face_normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        const double length_of_normal = glm::length(face_normal);
-        if (!(length_of_normal > 0.0)) return;
-        const double side = glm::dot(face_normal, direction) > 0.0 ? -1.0 : 1.0;
-        const std::array<double, 3> weights{1.0 - nearest->v - nearest->w, nearest->v, nearest->w};
-        glm::dvec3 normal(0.0);
-        for (std::size_t c = 0; c < 3; ++c)
-            normal += weights[c] * glm::dvec3(normals_[3 * std::size_t{seen} + c]);
-        face_normal *= side / length_of_normal;
-        normal = glm::length(normal) > 0.0 ? side * glm::normalize(normal) : face_normal;
-        grid[i] = SeenPlace{from + nearest->distance * direction, normal, face_normal, seen, 0.0};
+        grid[i] = place_at(frame, glm::mix(low, high, share));
     });
     std::vector<SeenPlace> found;
     const double step =
@@ -346,7 +419,9 @@ std::vector<SeenPlace> SunSurvey::places(const PictureFrame& frame, std::uint32_
         add_detail(i + columns < grid.size(), i + columns);
         found.push_back(place);
     }
-    return found;
+    if (double(found.size()) >= k_least_met * double(grid.size())) return found;
+    std::vector<SeenPlace> in_faces = places_in_faces(frame, rays);
+    return in_faces.size() > found.size() ? in_faces : found;
 }
 
 bool SunSurvey::is_blocked(const SeenPlace& place, const glm::dvec3& sun) const {

@@ -2,7 +2,8 @@
 
 // The sun that lights a picture of a mesh well: neither dark nor flat.
 //
-// Suns are compared by what they do at the places of the mesh that the camera sees, a grid of about a thousand.
+// Suns are compared by what they do at the places of the mesh that the camera sees, a grid of about a thousand, or
+// where the mesh covers little of that, as many through its faces.
 // A place is dark where its normal is too far from the sun for the styles to draw light (surface_shading.glsl),
 // where its face turns away, and where a ray towards the sun meets a face: cast shadows count. Of the lit
 // places, those whose normal is near the sun are bright, the others half bright. The score of a sun is the
@@ -28,6 +29,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -82,7 +84,8 @@ public:
     explicit SunSurvey(const Mesh& mesh, float crease_angle_rad = k_shading_crease_rad,
                        const LongCall& call = {});
 
-    /// The places that a grid of at most `rays` rays through the picture of the mesh meets.
+    /// The places that a grid of at most `rays` rays through the picture of the mesh meets. Where fewer than a hundredth
+    /// meet it, as of two small parts far apart: those that rays through the pictures of its faces meet, without detail.
     std::vector<SeenPlace> places(const PictureFrame& frame, std::uint32_t rays) const;
     SunTones tones(std::span<const SeenPlace> places, const glm::dvec3& sun) const;
     /// The same, or nothing once is_enough(tones) holds of what lit, bright and detail still can be at most: as if no place
@@ -93,6 +96,8 @@ public:
     const Mesh& mesh() const noexcept { return mesh_; }
 
 private:
+    std::optional<SeenPlace> place_at(const PictureFrame& frame, const glm::dvec2& at) const;
+    std::vector<SeenPlace> places_in_faces(const PictureFrame& frame, std::uint32_t rays) const;
     bool is_blocked(const SeenPlace& place, const glm::dvec3& sun) const;
 
     const Mesh& mesh_;

@@ -69,7 +69,9 @@ private:
     }
     [[noreturn]] void fail_unseen() const {
         throw Error(ErrorCode::bad_input,
-                    model_.model + ": no face turns a side towards --eye: move it");
+                    model_.model + (by_votes_ ? ": no face turns a side towards --eye: move it"
+                                              : ": no face is in the picture from --eye, which "
+                                                "looks at the model's center: move it"));
     }
 
     // The frame of a picture of the default size.

@@ -185,7 +185,9 @@ py::array best_light(const SharedMesh& shared, const py::object& eye, const std:
             return sun ? std::optional(sun->direction) : std::nullopt;
         });
     if (!direction)
-        throw Error(ErrorCode::bad_input, "no face turns a side towards the eye: move it");
+        throw Error(ErrorCode::bad_input, by == "votes"
+                                              ? "no face turns a side towards the eye: move it"
+                                              : "no face is in the picture from the eye: move it");
     return array_of(*direction);
 }
 

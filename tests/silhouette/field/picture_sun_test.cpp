@@ -194,6 +194,37 @@ TEST_CASE("there is no sun where nothing is seen") {
     CHECK_FALSE(choose_picture_sun(SunSurvey(Mesh(MeshSource{})), frame, {}));
 }
 
+TEST_CASE("small parts far apart are seen, and lit as one of them alone") {
+    const MeshSource box = make_built_in_shape("box", 12);
+    MeshSource apart = box;
+    for (const glm::vec3& offset : {glm::vec3(3000, 0, 0), glm::vec3(0, 3000, 0)}) {
+        const auto first = static_cast<std::uint32_t>(apart.positions.size());
+        for (const glm::vec3& position : box.positions)
+            apart.positions.push_back(position + offset);
+        for (const auto& [a, b, c] : box.triangles)
+            apart.triangles.push_back({first + a, first + b, first + c});
+    }
+    const Mesh one{box}, three{apart};
+    const SunSurvey of_one(one), of_three(three);
+    for (const bool is_orthographic : {false, true}) {
+        CAPTURE(is_orthographic);
+        PictureFrame far = frame_towards(three, {1, 2, 20});
+        far.is_orthographic = is_orthographic;
+        if (is_orthographic) far.half_size = glm::dvec2(1.1 * three.radius());
+        const std::vector<SeenPlace> places = of_three.places(far, 2400);
+        CHECK(places.size() > 2300);
+        for (const SeenPlace& place : places)
+            CHECK_FALSE(meets_some_face(
+                three, place.face, far.is_orthographic ? place.position + 9.0 * far.back : far.eye,
+                place.position));
+        const std::optional<PictureSun> sun = choose_picture_sun(of_three, far, {});
+        REQUIRE(sun);
+        const std::vector<SeenPlace> near = of_one.places(frame_towards(one, far.back), 2400);
+        CHECK(sun->tones.lit ==
+              doctest::Approx(of_one.tones(near, sun->direction).lit).epsilon(0.1));
+    }
+}
+
 TEST_CASE(
     "a moving sun follows the camera, turns slowly and comes back, and leaves no frame dark") {
     const Mesh mesh(make_built_in_shape("knot", 8000));

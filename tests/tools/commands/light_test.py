@@ -3,7 +3,7 @@ import math
 import os
 import tempfile
 
-from program import SMALL, have_device, succeed
+from program import SMALL, fail, have_device, run, succeed
 
 
 def test_light_is_where_render_puts_an_auto_sun():
@@ -24,3 +24,27 @@ def test_light_is_where_render_puts_an_auto_sun():
             with open(output, "rb") as file:
                 pictures.append(file.read())
         assert pictures[0] == pictures[1] != pictures[2]
+
+
+def write_two_boxes(path, distance):
+    corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    sides = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+    with open(path, "w") as file:
+        for first in (0, distance):
+            file.writelines(f"v {x + first} {y} {z}\n" for x, y, z in corners)
+        for first in (1, 9):
+            file.writelines("f " + " ".join(str(first + i) for i in side) + "\n" for side in sides)
+    return path
+
+
+def test_a_model_that_is_small_in_the_picture_has_a_light():
+    with tempfile.TemporaryDirectory() as folder:
+        two = write_two_boxes(os.path.join(folder, "two.obj"), 100)
+        # The camera looks at the middle, and sees the side of the farther box that is turned there.
+        for eye, side in (("3,4,5", -1), ("60,4,5", 1)):
+            found = succeed("light", two, "--eye", eye)
+            assert found["lit"] > 0.5 and found["sun"][0] * side > 0, (eye, found)
+        # Between the boxes, which lie beside the picture.
+        far = write_two_boxes(os.path.join(folder, "far.obj"), 1000)
+        assert "no face is in the picture from --eye" in fail(1, "light", far, "--eye", "500.5,0.5,3")
+        assert run("light", far, "--eye", "500.5,0.5,3", "--by-votes").returncode == 0
