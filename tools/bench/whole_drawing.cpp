@@ -36,7 +36,7 @@ private:
     TimePoint last_ = std::chrono::steady_clock::now();
 };
 
-// The steps of tools/commands/draw.cpp.
+// The steps of tools/commands/draw.cpp, but for the choice of a view.
 WholeResult draw_once(const std::string& model, const Mesh& mesh, const LongCall& call) {
     WholeResult times;
     PartClock clock;

@@ -46,7 +46,9 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     check_options(options);
     const std::lock_guard lock(mutex_);
     const Mesh& mesh = mesh_->mesh();
-    const LineCamera camera = options.camera.make_camera(mesh_->name(), mesh);
+    LineCameraOptions camera_options = options.camera;
+    camera_options.choose_view(mesh_->name(), mesh, call);
+    const LineCamera camera = camera_options.make_camera(mesh_->name(), mesh);
     const ShownPart part = shown_part(camera, mesh, options.page.aspect());
     const ViewCell cell{part.low, part.high, 0, 0};
     const DrawingPage page = place_views(options.page, {&cell, 1});

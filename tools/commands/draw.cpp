@@ -148,6 +148,7 @@ public:
         check_has_extent(model_.model, mesh);
         context.checkpoint();
 
+        choose_view(mesh, context);
         const std::vector<LineCamera> cameras = make_cameras(mesh);
         std::vector<ShownPart> parts;
         for (const LineCamera& camera : cameras) parts.push_back(shown_part(camera, mesh, aspect));
@@ -189,10 +190,10 @@ private:
     void check_options() const {
         const bool is_sheet = views_option_->count() > 0;
         if (is_sheet &&
-            (camera_.eye || camera_.target || camera_.fov_degrees || camera_.ortho_height))
+            (camera_.has_place() || camera_.target || camera_.fov_degrees || camera_.ortho_height))
             throw UsageError(
                 "--views: the views of a sheet are orthographic and show the whole model; leave "
-                "--eye, --target, --fov and a height of --ortho out");
+                "--eye, --azimuth, --elevation, --target, --fov and a height of --ortho out");
         if (page_.mm_per_unit && !is_sheet && !camera_.is_orthographic)
             throw UsageError("--scale: needs an orthographic view: --ortho auto, or --views");
         if (lines_.hidden_by > 0 && !lines_.draws_hidden())
@@ -201,6 +202,13 @@ private:
 
     static bool has_curves(DrawingFormat format) {
         return format == DrawingFormat::svg || format == DrawingFormat::pdf;
+    }
+
+    void choose_view(const Mesh& mesh, const Context& context) {
+        if (!views_.empty()) return;
+        Progress progress(context, "choosing the view");
+        camera_.choose_view(model_.model, mesh, progress.call());
+        context.times.end("choosing the view");
     }
 
     std::vector<LineCamera> make_cameras(const Mesh& mesh) const {

@@ -10,7 +10,6 @@
 #include "silhouette/error.h"
 #include "silhouette/lines/fitted_eye.h"
 #include "tools/command.h"
-#include "tools/options/default_view.h"
 #include "tools/options/option_types.h"
 #include "tools/options/up_option.h"
 
@@ -42,15 +41,14 @@ void parse_ortho(const std::string& text, LineCameraOptions& options) {
 
 void LineCameraOptions::add_to(CLI::App& app) {
     constexpr const char* k_group = "Camera";
-    add_point(app, "--eye", eye, "Position of the camera (default: chosen to show the model)")
-        ->group(k_group);
+    view.add_to(app, eye);
     add_point(app, "--target", target,
               "Point that the camera looks at (default: the model's center)")
         ->group(k_group);
     add_up_or_auto(app, up, is_up_auto)->group(k_group);
     CLI::Option* fov =
         add_number(app, "--fov", fov_degrees, 1.0, 170.0,
-                   "Vertical field of view in degrees (default: 35). With --eye, the "
+                   "Vertical field of view in degrees (default: 35). With --eye X,Y,Z, the "
                    "drawing ends at its borders; if not given, it shows the whole "
                    "model")
             ->group(k_group);
@@ -66,8 +64,13 @@ glm::dvec3 LineCameraOptions::up_of(const Mesh& mesh) const {
     return choose_up(mesh, up, is_up_auto).up;
 }
 
+void LineCameraOptions::choose_view(const std::string& model, const Mesh& mesh,
+                                    const LongCall& call) {
+    if (!eye) view.choose(model, mesh, up_of(mesh), call);
+}
+
 LineCamera LineCameraOptions::make_camera(const std::string& model, const Mesh& mesh) const {
-    const glm::dvec3 upwards = up_of(mesh);
+    glm::dvec3 upwards = up_of(mesh);
     const double tangent =
         std::tan(0.5 * glm::radians(fov_degrees.value_or(k_default_fov_degrees)));
     FittedEye place{};
@@ -77,7 +80,8 @@ LineCamera LineCameraOptions::make_camera(const std::string& model, const Mesh& 
             throw UsageError(target ? "--eye and --target are the same point"
                                     : "--eye is the model's center, where it looks");
     } else {
-        const glm::dvec3 direction = default_view_of(model, upwards);
+        const glm::dvec3 direction = view.direction(model, upwards);
+        upwards = up_in_picture(direction, upwards);
         place = is_orthographic
                     ? FittedEye{mesh.center() + 3.0 * mesh.radius() * glm::normalize(direction),
                                 mesh.center()}

@@ -11,6 +11,7 @@
 
 #include "silhouette/lines/line_view.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/options/view_option.h"
 
 namespace rimline::tools {
 
@@ -33,6 +34,7 @@ struct ShownPart {
 
 struct LineCameraOptions {
     std::optional<glm::vec3> eye;
+    ViewOption view;  ///< Where the camera stands without `eye`.
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
     bool is_up_auto = false;            ///< --up auto.
@@ -42,8 +44,14 @@ struct LineCameraOptions {
         ortho_height;  ///< Not set in an orthographic view: it shows the whole model.
 
     void add_to(CLI::App& app);
-    /// Without an eye, the three-quarter view of `render`, or its view of the built-in scene. Throws UsageError
-    /// if eye and target coincide, and Error{too_large} if the eye is too far away.
+    /// Whether an option says where the camera stands.
+    bool has_place() const noexcept {
+        return eye || view.name || view.azimuth_deg || view.elevation_deg;
+    }
+    /// As `render` chooses it, unless there is an eye: ViewOption::choose(). It comes before make_camera(), or a chosen
+    /// view is the default one.
+    void choose_view(const std::string& model, const Mesh& mesh, const LongCall& call = {});
+    /// Throws UsageError if eye and target coincide, and Error{too_large} if the eye is too far away.
     LineCamera make_camera(const std::string& model, const Mesh& mesh) const;
     glm::dvec3 up_of(const Mesh& mesh) const;
 };

@@ -179,8 +179,9 @@ void bind_lines(py::module_& module) {
                 return draw(self, options, false, progress);
             },
             py::kw_only(), py::arg("progress") = py::none(),
-            "Draws from a camera. The keywords are the options of `rimline draw`: eye, target, up, "
-            "fov, ortho, lines, crease, hidden, hidden_by, gap, min_length, stubble, smooth, "
+            "Draws from a camera. The keywords are the options of `rimline draw`: eye (a point or "
+            "the name of a view), azimuth, elevation, target, up, fov, ortho, lines, crease, "
+            "hidden, hidden_by, gap, min_length, stubble, smooth, "
             "simplify, curve, width, hidden_width, line_color, keep_coincident, page, margin, "
             "scale.")
         .def(

@@ -10,7 +10,7 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
-from program import fail, model, run, skip, succeed
+from program import SMALL, fail, have_device, model, run, skip, succeed
 
 SVG = "{http://www.w3.org/2000/svg}"
 INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
@@ -417,6 +417,24 @@ def test_a_drawing_ends_at_the_borders_of_its_picture():
         assert result["mm_per_unit"] == 130
 
 
+def test_the_camera_is_that_of_render():
+    cameras = ([], ["--eye", "auto"], ["--eye", "front"], ["--eye", "top"], ["--azimuth", "200", "--elevation", "15"],
+               ["--eye", "left", "--fov", "20"], ["--target", "0.1,0,0"], ["--eye", "3,2,4", "--target", "0.1,0,0", "--fov", "40"])
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        places = set()
+        for shape in ("shape:knot:3000", "shape:scene"):
+            drawn = [succeed("draw", shape, *camera, "-o", path)["views"][0] for camera in cameras]
+            places.update(str(view["eye"]) for view in drawn)
+            have_device()
+            for camera, view in zip(cameras, drawn):
+                picture = succeed("render", shape, *camera, *SMALL, "-o", os.path.join(folder, "a.png"))
+                for key in ("eye", "target", "up"):
+                    assert is_close(view[key], picture[key], 1e-5), (shape, camera, key)
+        # The knot has no view of its own, and both are seen from the same point last.
+        assert len(places) == 2 * len(cameras) - 2
+
+
 def test_wrong_drawings_are_told_in_plain_words():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.svg")
@@ -432,6 +450,8 @@ def test_wrong_drawings_are_told_in_plain_words():
         assert "--margin: the margins leave no space" in fail(2, *box, "--margin", "105")
         assert "--ortho: expected auto or a height" in fail(2, *box, "--ortho", "-1")
         assert "--views: the views of a sheet" in fail(2, *box, "--views", "front", "--eye", "1,2,3")
+        assert "--views: the views of a sheet" in fail(2, *box, "--views", "front", "--azimuth", "20")
+        assert "--eye excludes --azimuth" in fail(2, *box, "--eye", "front", "--azimuth", "20")
         assert "--hidden-by: needs --hidden" in fail(2, *box, "--hidden-by", "2")
         assert "--eye and --target are the same point" in fail(2, *box, "--eye", "1,2,3", "--target", "1,2,3")
         for page in ("nan", "xx", "1e9x5", "10x", "fits"):
