@@ -256,6 +256,24 @@ def test_no_file_takes_the_number_of_a_standard_stream():
     with tempfile.TemporaryDirectory() as folder:
         model, path = os.path.join(folder, "a.obj"), os.path.join(folder, "a.svg")
         with open(model, "w") as file:  # It has a warning, for standard error.
+def test_a_scene_file_where_a_model_is_needed_names_what_takes_it():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "s.json")
+        with open(path, "w") as file:
+            file.write('{"rimline_scene": 1, "models": [{"model": "shape:box"}]}')
+        for command in (["info"], ["draw", "-o", os.path.join(folder, "a.svg")], ["views", "--no-ratio"], ["points"],
+                        ["silhouette", "--from", "1,2,3"]):
+            line = fail(1, command[0], path, *command[1:])
+            if "without the engine" in line:
+                continue
+            assert path + ": is a scene file, which only render, animate and view take" in line, line
+        # Of another file with this ending it is not said.
+        with open(path, "w") as file:
+            file.write('{"scene": 0}')
+        assert "'asset'" in fail(1, "info", path)
+        assert sorted(os.listdir(folder)) == ["s.json"]
+
+
             file.write("mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")
         arguments = ["silhouette", model, "--from", "3,2,1", "--borders", "-o", path]
         result = run(*arguments)

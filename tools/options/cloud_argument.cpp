@@ -53,8 +53,10 @@ PointCloud CloudArgument::load(const BeginCall& begin) const {
             read_cloud_from_standard_input(format, drop_bad ? BadPoints::keep : BadPoints::refuse,
                                            begin("reading standard input"));
     else
-        source = read_point_file(model, drop_bad ? BadPoints::keep : BadPoints::refuse,
-                                 begin("reading " + model));
+        source = about_scene_files(model, [&] {
+            return read_point_file(model, drop_bad ? BadPoints::keep : BadPoints::refuse,
+                                   begin("reading " + model));
+        });
     declare_inputs(source.files);
     if (!as_points && !source.triangles.empty())
         throw Error(ErrorCode::bad_input, model + ": it has " +

@@ -14,6 +14,7 @@
 #include "tools/nearest_name.h"
 #include "tools/options/double_faces.h"
 #include "tools/options/option_types.h"
+#include "tools/options/scene_mark.h"
 #include "tools/options/standard_input.h"
 #include "tools/progress.h"
 
@@ -73,7 +74,9 @@ MeshSource read_model(const std::string& model, const std::string& format,
     constexpr FaceRequirement k_any = FaceRequirement::faces_or_points;
     MeshSource source = model == k_standard_input
                             ? read_standard_input(format, k_any, begin("reading standard input"))
-                            : read_mesh_file(model, k_any, begin("reading " + model));
+                            : about_scene_files(model, [&] {
+                                  return read_mesh_file(model, k_any, begin("reading " + model));
+                              });
     if (requirement == FaceRequirement::faces && source.triangles.empty())
         throw Error(ErrorCode::bad_input,
                     model + ": no faces: it is a cloud of " +
@@ -180,6 +183,13 @@ void check_has_extent(const std::string& model, const Mesh& mesh) {
     if (mesh.radius() == 0.0)
         throw Error(ErrorCode::bad_input,
                     model + ": its radius is 0: take a model whose vertices are not all one point");
+}
+
+void throw_about_scene_file(const std::string& path) {
+    if (!is_scene_file(path) || !holds_scene(path)) throw;
+    throw Error(
+        ErrorCode::bad_input,
+        path + ": is a scene file, which only render, animate and view take; give a model instead");
 }
 
 void throw_about_model(const std::string& model) {

@@ -63,6 +63,20 @@ void check_viewing_range(const std::string& model, const Mesh& mesh);
 /// The same, and throws Error{bad_input} if all vertices are one point.
 void check_has_extent(const std::string& model, const Mesh& mesh);
 
+/// To be called in a catch block: rethrows the exception, or if the file is a scene file (scene_mark.h) an Error{bad_input}
+/// that says so.
+[[noreturn]] void throw_about_scene_file(const std::string& path);
+
+/// Returns read(), which reads the file.
+template <typename Read>
+auto about_scene_files(const std::string& path, Read&& read) {
+    try {
+        return read();
+    } catch (const Error&) {
+        throw_about_scene_file(path);
+    }
+}
+
 /// To be called in a catch block: rethrows the exception. An Error without the model's name, but for one of
 /// input or output, and a failed allocation become an Error that begins with the name.
 [[noreturn]] void throw_about_model(const std::string& model);

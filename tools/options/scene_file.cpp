@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -337,24 +336,16 @@ double short_number(float value) { return std::stod(exact_text(value)); }
 
 }  // namespace
 
-bool is_scene_file(const std::string& model) {
-    constexpr std::string_view k_ending = ".json";
-    return model.size() > k_ending.size() &&
-           std::ranges::equal(std::string_view(model).substr(model.size() - k_ending.size()),
-                              k_ending, {},
-                              [](char c) { return std::tolower(static_cast<unsigned char>(c)); });
-}
-
 SceneFile read_scene_file(const std::string& path) {
     const Json json = parse_json(path, read_text(path));
     const Node root(path, json, "");
-    if (!json.is_object() || !json.contains("rimline_scene"))
+    if (!json.is_object() || !json.contains(k_scene_key))
         throw Error(ErrorCode::bad_input,
                     path + ": is not a scene: expected an object with \"rimline_scene\": 1");
-    const Node version = root.at("rimline_scene");
+    const Node version = root.at(k_scene_key);
     if (version.value() != k_scene_version)
         version.reject("version " + std::to_string(k_scene_version));
-    root.check_keys({"rimline_scene", "up", "models", "lights", "cameras", "picture"});
+    root.check_keys({k_scene_key, "up", "models", "lights", "cameras", "picture"});
 
     SceneFile scene{.path = path};
     if (root.has("up")) scene.up = up_of(root.at("up"));
@@ -474,9 +465,9 @@ std::string scene_text(const WrittenScene& scene, const std::string& path) {
                 fs::absolute(model.model).lexically_normal().lexically_proximate(folder).string();
         models.push_back(to_json(model));
     }
-    const Json json{{"rimline_scene", k_scene_version}, {"up", short_vector(scene.up)},
-                    {"models", std::move(models)},      {"lights", scene.lights},
-                    {"cameras", scene.cameras},         {"picture", scene.picture}};
+    const Json json{{k_scene_key, k_scene_version}, {"up", short_vector(scene.up)},
+                    {"models", std::move(models)},  {"lights", scene.lights},
+                    {"cameras", scene.cameras},     {"picture", scene.picture}};
     std::string text;
     append_json(text, json, 0);
     return text + "\n";

@@ -15,13 +15,11 @@
 #include <vector>
 
 #include "tools/options/placed_model.h"
+#include "tools/options/scene_mark.h"
 
 namespace rimline::tools {
 
 constexpr int k_scene_version = 1;
-
-/// Whether MODEL names a scene file: it ends in .json.
-bool is_scene_file(const std::string& model);
 
 struct SceneFile {
     /// An option and its value. `place` is where the file says it: "cameras.front.eye".
