@@ -139,7 +139,7 @@ public:
             ->check(CLI::IsMember({"obj", "ply", "svg"}))
             ->capture_default_str()
             ->group("Output");
-        app.add_flag("--borders", with_borders_, "Write border edges too, marked as such")
+        app.add_flag("--borders", with_borders_, "With -o, write border edges too, marked as such")
             ->group("Output");
         app.add_flag("--no-concave", without_concave_,
                      "Leave out strictly concave edges, which are never visible on a closed solid "
@@ -164,6 +164,9 @@ public:
     ExitStatus run(const Context& context) override {
         const HomogeneousPoint point = point_from_options();
         check_method_options();
+        if (with_borders_ && output_option_->count() == 0)
+            throw UsageError(
+                "--borders: needs -o; the JSON has the number of border edges, not the edges");
         if (!is_in_build(*method_))
             require_methods("silhouette --method " + std::string(method_->name));
         std::optional<OutputFile> file;

@@ -3,7 +3,7 @@ import os
 import re
 import tempfile
 
-from program import check_silhouette, have_methods, succeed
+from program import check_silhouette, fail, have_methods, succeed
 
 
 def test_concave_edges_can_be_left_out():
@@ -27,6 +27,23 @@ def test_a_box_has_the_silhouette_that_one_can_draw():
     found = succeed("silhouette", "shape:box:12", "--direction", "-1,-1,-1")
     check_silhouette(found)
     assert found["count"] == 6
+
+
+def test_border_edges_need_a_file():
+    view = ["silhouette", "shape:terrain:2000", "--from", "4,1,2"]
+    found = succeed(*view)
+    check_silhouette(found)
+    assert found["borders"] > 0
+    for options in ([], ["--json"]):
+        assert "--borders: needs -o" in fail(2, *view, "--borders", *options)
+    with tempfile.TemporaryDirectory() as folder:
+        lines = []
+        for options in ([], ["--borders"]):
+            path = os.path.join(folder, "a.obj")
+            assert succeed(*view, *options, "-o", path)["edges"] == found["edges"]
+            with open(path) as file:
+                lines.append(sum(line.startswith("l ") for line in file))
+        assert lines == [found["count"], found["count"] + found["borders"]]
 
 
 EXACT = ("octree", "literal", "brute", "brute-scalar", "edge-buffer", "dual", "plane-tree", "gauss", "cone-tree", "quadric")
