@@ -1,11 +1,13 @@
 #include "tools/command.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "silhouette/printable_text.h"
@@ -46,23 +48,21 @@ Json in_utf8(const Json& value) {
     return result;
 }
 
-void write_text(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-
 void write_json(const Json& value) {
     try {
-        write_text(value.dump());
+        print_text(value.dump());
     } catch (const Json::type_error&) {  // Thrown before anything is written.
-        write_text(in_utf8(value).dump());
+        print_text(in_utf8(value).dump());
     }
 }
 
 void write_list(const JsonList& list) {
-    write_text("[");
+    print_text("[");
     for (std::size_t i = 0; i < list.count; ++i) {
-        if (i > 0) write_text(",");
+        if (i > 0) print_text(",");
         write_json(list.element(i));
     }
-    write_text("]");
+    print_text("]");
 }
 
 }  // namespace
@@ -82,9 +82,16 @@ ExitStatus report_check(const std::string& failure) {
     return ExitStatus::check_failed;
 }
 
+void print_text(std::string_view text) {
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return;
+    throw Error(ErrorCode::io,
+                "standard output: cannot write: " + std::generic_category().message(errno));
+}
+
 void print_json(const Json& object) {
     write_json(object);
-    write_text("\n");
+    print_text("\n");
 }
 
 void print_json(const Context& context, Json object) {
@@ -96,16 +103,16 @@ void print_json(const Context& context, Json object, const JsonList& list) {
     object["times_ms"] = context.times.json();
     std::string_view separator = "{";
     for (const auto& [key, value] : object.items()) {
-        write_text(separator);
+        print_text(separator);
         separator = ",";
         write_json(key);
-        write_text(":");
+        print_text(":");
         if (key == list.key)
             write_list(list);
         else
             write_json(value);
     }
-    write_text("}\n");
+    print_text("}\n");
 }
 
 }  // namespace rimline::tools

@@ -79,7 +79,10 @@ bool is_quiet() noexcept;
 /// Prints `failure`, of a --verify or --check, and returns check_failed. Returns success where it is empty.
 ExitStatus report_check(const std::string& failure);
 
-/// Writes one JSON object to standard output. Bytes of file names that are not UTF-8 are escaped
+/// Writes to standard output. Throws Error{io} with the reason if the text does not fit into the stream's buffer and
+/// cannot be written.
+void print_text(std::string_view text);
+/// Writes one JSON object to standard output, as print_text(). Bytes of file names that are not UTF-8 are escaped
 /// (printable_text.h).
 void print_json(const nlohmann::ordered_json& object);
 /// The same with `times_ms` of the run as its last value.

@@ -98,12 +98,14 @@ ExitStatus report_usage(const std::string& message, const CLI::App& app) {
     return ExitStatus::wrong_usage;
 }
 
-// A full disk is reported only when the buffer of standard output is flushed.
+// A full disk is reported only when the buffer of standard output is flushed. After an earlier write that failed, the
+// reason is no longer known.
 void flush_output() {
     errno = 0;
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-        throw Error(ErrorCode::io,
-                    "standard output: cannot write: " + std::generic_category().message(errno));
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
+    throw Error(ErrorCode::io,
+                "standard output: cannot write" +
+                    (errno == 0 ? " all of it" : ": " + std::generic_category().message(errno)));
 }
 
 std::vector<std::string> names_of(const std::vector<std::unique_ptr<Command>>& commands) {
@@ -190,14 +192,14 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         if (e.get_exit_code() == 0) {  // --help and --version arrive as exceptions.
             std::ostringstream text;
             app.exit(e, text, text);
-            std::fputs(text.str().c_str(), stdout);
+            rimline::tools::print_text(text.str());
             flush_output();
             return ExitStatus::success;
         }
         return report_usage(rimline::tools::first_usage_words(e, app), app);
     }
     if (!completion.empty() || wants_manual) {
-        std::fputs(document(table, completion).c_str(), stdout);
+        rimline::tools::print_text(document(table, completion));
         flush_output();
         return ExitStatus::success;
     }
