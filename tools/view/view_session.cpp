@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -47,8 +48,15 @@ const char* style_name(Style style) {
     return "";
 }
 
+// Whether they are a sun with the lights of three_point.h, which follow from it.
+bool are_three_point(std::span<const Light> lights) {
+    return lights.size() == 3 && lights[0].directional && lights[0].casts_shadows &&
+           !lights[1].casts_shadows && !lights[2].casts_shadows;
+}
+
 // "picture" of a scene file. What is the style's own is left out.
-nlohmann::ordered_json picture_json(const ViewAppearance& appearance, ImageSize size) {
+nlohmann::ordered_json picture_json(const ViewAppearance& appearance, std::span<const Light> lights,
+                                    ImageSize size) {
     const StyleDefaults defaults = style_defaults(appearance.style);
     nlohmann::ordered_json json{{"style", style_name(appearance.style)}};
     if (appearance.background != defaults.background)
@@ -74,6 +82,7 @@ nlohmann::ordered_json picture_json(const ViewAppearance& appearance, ImageSize 
         json["shadows"] = "off";
     else if (appearance.shadow_method == ShadowMethod::fail)
         json["shadows"] = "fail";
+    if (are_three_point(lights)) json["lighting"] = "three-point";
     if (appearance.ground) json["ground"] = true;
     std::string sides = std::to_string(size.width);
     sides.append("x").append(std::to_string(size.height));
@@ -281,7 +290,7 @@ std::string ViewSession::command(ImageSize size, const std::string& output) cons
         command += up + " ";
     }
     command += words_of(models);
-    const nlohmann::ordered_json picture = picture_json(appearance, size);
+    const nlohmann::ordered_json picture = picture_json(appearance, lights, size);
     for (const auto& [key, value] : picture.items()) {
         if (value.is_boolean()) {
             const bool is_flag = key == "hidden" || key == "ground";
@@ -392,7 +401,7 @@ WrittenScene ViewSession::written_scene(ImageSize size) const {
             .models = model.models(),
             .lights = scene_lights_json(rounded_lights),
             .cameras = {{"window", scene_camera_json(rounded)}},
-            .picture = picture_json(appearance, size)};
+            .picture = picture_json(appearance, lights, size)};
 }
 
 }  // namespace rimline::tools

@@ -6,6 +6,7 @@
 
 #include "tests/tools/scratch_folder.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/three_point.h"
 #include "tools/output/same_picture.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/screen_view.h"
@@ -294,6 +295,25 @@ TEST_CASE(
           "320x240 "
           "--eye 3,2,4 --target 0,0.5,0 --up 0,1,0 --fov 30 --sun 1,2,0.5 --light 3,1,1 -o 'my "
           "picture.png'");
+}
+
+TEST_CASE("three-point lighting is in the command and in the scene file as its sun") {
+    ViewSession session;
+    session.show(open("shape:knot"), {.eye = {3, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
+                 {{.vector = {1, 2, 0.5}, .directional = true}});
+    CHECK_FALSE(session.written_scene({320, 240}).picture.contains("lighting"));
+    Scene scene = session.scene();
+    add_fill_and_rim(scene);
+    session.lights = scene.lights;
+    const WrittenScene written = session.written_scene({320, 240});
+    CHECK(written.picture["lighting"] == "three-point");
+    CHECK(written.lights.size() == 1);
+    const std::string command = session.command({320, 240}, "a.png");
+    CHECK(command.find("--lighting three-point") != std::string::npos);
+    CHECK(command.find("--sun 1,2,0.5") != std::string::npos);
+    // A picture with them takes no other light.
+    session.add_light();
+    CHECK_FALSE(session.written_scene({320, 240}).picture.contains("lighting"));
 }
 
 TEST_CASE("what cannot be drawn gives way to the model before it") {
