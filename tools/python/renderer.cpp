@@ -1,6 +1,7 @@
 #include "tools/python/renderer.h"
 
 #include <pybind11/stl.h>
+#include <unistd.h>
 
 #include <memory>
 
@@ -23,7 +24,11 @@ using tools::BoundRenderer;
 std::shared_ptr<BoundRenderer> make_renderer(const std::string& device, bool validate) {
     // A stop leaves the device to be opened and closed.
     return long_result_apart(py::none(), [=](const LongCall&) {
-        return std::make_shared<BoundRenderer>(device, validate);
+        // A child of fork() has none of the device's threads: closing it would wait for them.
+        const auto close = [opened_by = getpid()](const BoundRenderer* renderer) {
+            if (getpid() == opened_by) delete renderer;
+        };
+        return std::shared_ptr<BoundRenderer>(new BoundRenderer(device, validate), close);
     });
 }
 

@@ -1,5 +1,6 @@
 #include "tools/python/tracker.h"
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -118,13 +119,17 @@ public:
     ~PythonService() { stop(); }
 
     SilhouetteService& service() const { return *service_; }
-    void stop() const {
+    void stop() {
         const py::gil_scoped_release unlocked;
         service_->stop();
+        is_stopped_ = true;
     }
+    /// Then no more change sets come than are pending.
+    bool is_stopped() const { return is_stopped_; }
 
 private:
     std::unique_ptr<SilhouetteService> service_;
+    std::atomic<bool> is_stopped_ = false;
 };
 
 // A tracker of a service, which it removes at its end.
@@ -164,8 +169,11 @@ public:
         py::object change = changes_.take();
         auto& published = change.cast<PythonChange&>().change;
         for (;;) {
+            const bool is_last = service_.cast<const PythonService&>().is_stopped();
             switch (service().take(id_, published)) {
-                case Taken::nothing: break;
+                case Taken::nothing:
+                    if (is_last) throw Error(ErrorCode::cancelled, "the service was stopped");
+                    break;
                 case Taken::change: changes_.give_back(change); return change;
                 case Taken::gap:
                     throw Error(ErrorCode::too_large,

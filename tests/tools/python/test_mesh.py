@@ -299,3 +299,22 @@ def test_threads_in_long_calls_do_not_break_the_end_of_the_interpreter():
     for _ in range(3):
         result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
         assert result.returncode == 0 and result.stderr == "", (result.returncode, result.stderr)
+
+
+def test_objects_are_not_copied_or_pickled():
+    mesh = rimline.load("shape:box")
+    for make in [copy.copy, copy.deepcopy, *(lambda m, p=p: pickle.dumps(m, p) for p in range(6))]:
+        for thing in (mesh, mesh.silhouette(eye=(3, 2, 1)), rimline.Tracker(mesh, (3, 2, 1))):
+            with pytest.raises(TypeError, match=f"cannot copy or pickle a {type(thing).__name__}"):
+                make(thing)
+    assert isinstance(pickle.loads(pickle.dumps(rimline.InputError("a.obj: line 1"))), rimline.InputError)
+
+
+def test_a_child_of_fork_ends_and_draws_by_itself():
+    have_device()
+    code = ("import os, rimline; mesh = rimline.load('shape:knot:500'); mine = rimline.Renderer();"
+            "mine.render(mesh, size=(16, 16)); rimline.render(mesh, size=(16, 16)); child = os.fork()\n"
+            "if child == 0:\n    mine = rimline.Renderer(); mine.render(mesh, size=(16, 16)); raise SystemExit(7)\n"
+            "raise SystemExit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))")
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert result.returncode == 7, result.stderr

@@ -195,3 +195,17 @@ def test_a_tracker_of_a_service_keeps_what_it_needs():
     tracker.post((3, 2, 0.5))
     assert tracker.take(5.0) is not None
     assert sys.getrefcount(tracker) == 2
+
+
+def test_taking_ends_where_the_service_is_stopped():
+    service = rimline.SilhouetteService(workers=1)
+    tracker = service.add(rimline.load("shape:torus:2000"), (3, 2, 1))
+    tracker.post((3, 2, 0.5))
+    assert tracker.take(5.0) is not None
+    thread = threading.Timer(0.2, service.stop)
+    thread.start()
+    start = time.perf_counter()
+    with pytest.raises(rimline.CancelledError, match="stopped"):
+        tracker.take(60.0)
+    assert time.perf_counter() - start < 30
+    thread.join()

@@ -177,13 +177,19 @@ _shared_renderer: Renderer | None = None
 _shared_renderer_lock = threading.Lock()
 
 
-_renderers_of_parents: list[Renderer | None] = []
+def _refuse_copies(self: Any, protocol: Any = None) -> Any:
+    raise TypeError(f"cannot copy or pickle a {type(self).__name__}")
+
+
+# Python's own way would make objects without their C++ part.
+for _value in vars(_rimline).values():
+    if isinstance(_value, type) and not issubclass(_value, BaseException):
+        _value.__reduce__ = _value.__reduce_ex__ = _refuse_copies  # type: ignore[method-assign,assignment]
 
 
 def _forget_renderer() -> None:
-    """In a child of fork(): the device belongs to the parent, and is not closed here."""
+    """In a child of fork(): the device belongs to the parent."""
     global _shared_renderer, _shared_renderer_lock
-    _renderers_of_parents.append(_shared_renderer)
     _shared_renderer, _shared_renderer_lock = None, threading.Lock()
 
 
