@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
+#include "round_to_even.glsl"
 #include "face_bit.glsl"
 
 // Face bits from planes: one word of 32 faces per invocation.

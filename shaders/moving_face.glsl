@@ -2,9 +2,7 @@
 #define RIMLINE_SHADERS_MOVING_FACE_GLSL
 
 // The face bit of silhouette/mesh/moving_face.h, the same expression in the same order, without
-// contraction. The rules of face_bit.glsl apply, too. It must be included for its rounding mode.
-
-#include "face_bit.glsl"
+// contraction. The rules of face_bit.glsl apply, too.
 
 vec3 snapped(vec3 v, float smallest) { return mix(v, vec3(0.0), lessThan(abs(v), vec3(smallest))); }
 

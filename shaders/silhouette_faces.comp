@@ -1,6 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "silhouette_job.h"
+#include "round_to_even.glsl"
+#include "face_bit.glsl"
 #include "moving_face.glsl"
 
 // Step 1 of 4: computes face bits from planes or corners, and their changes.
