@@ -24,7 +24,9 @@ vec4 face_at(uint corner) {
     const vec3 a = unit(corner_of(t, (c + 1u) % 3u) - here);
     const vec3 b = unit(corner_of(t, (c + 2u) % 3u) - here);
     const vec3 across = cross(a, b);
-    return vec4(unit(across), atan(length(across), dot(a, b)));
+    const float sine = length(across);
+    // The arc tangent of (0, 0), where corners coincide, is undefined.
+    return vec4(unit(across), sine > 0.0 ? atan(sine, dot(a, b)) : 0.0);
 }
 
 void main() {
