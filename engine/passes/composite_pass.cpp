@@ -46,8 +46,10 @@ void CompositePass::prepare(const DeviceContext& context, const CompositeKind& k
     VkFormatProperties properties;
     context.vk->GetPhysicalDeviceFormatProperties(context.physical_device, kind.format,
                                                   &properties);
-    if (encoding == PictureEncoding::impossible ||
-        (properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) == 0)
+    const VkFormatFeatureFlags needed = kind.use == PictureUse::over
+                                            ? VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT
+                                            : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
+    if (encoding == PictureEncoding::impossible || (properties.optimalTilingFeatures & needed) == 0)
         throw Error(ErrorCode::bad_input,
                     "pictures cannot be drawn in VkFormat " + std::to_string(kind.format));
     RIMLINE_CHECK(kind.is_layer || kind.use == PictureUse::whole);

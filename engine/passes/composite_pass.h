@@ -37,7 +37,7 @@ public:
     explicit CompositePass(const DeviceContext& context);
 
     /// Makes the pipeline for `kind`, if there is none yet. Throws Error{bad_input} naming the format if the
-    /// device cannot draw into it, or if it is not a color format.
+    /// device cannot draw into it, or cannot blend in it for PictureUse::over, or if it is not a color format.
     void prepare(const DeviceContext& context, const CompositeKind& kind);
 
     bool is_prepared(const CompositeKind& kind) const { return pipelines_.contains(kind); }
