@@ -4,7 +4,7 @@
 
 // Surfaces in the colors of the mesh.
 
-layout(location = 3) in vec3 surface_color;
+layout(location = 3) centroid in vec3 surface_color;
 layout(location = 0) out vec4 color;
 
 void main() { color = shaded_surface(surface_color); }

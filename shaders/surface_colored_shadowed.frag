@@ -4,6 +4,6 @@
 
 // As surface_colored.frag, and in shadow.
 
-layout(location = 3) in vec3 surface_color;
+layout(location = 3) centroid in vec3 surface_color;
 
 void main() { write_surface(surface_color); }

@@ -10,8 +10,10 @@
 #include "draw.glsl"
 #include "hatch.glsl"
 
+// A triangle may cover samples of a pixel, but not its center. There, values that are not `centroid` are
+// extrapolated. The position is so on purpose: strokes of hatching continue across edges of triangles.
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
+layout(location = 1) centroid in vec3 normal;
 layout(location = 2) flat in uint grazed_side;
 
 layout(constant_id = 0) const uint k_style = RIMLINE_STYLE_INK;

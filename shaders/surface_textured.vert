@@ -7,6 +7,7 @@
 
 layout(location = 3) out vec3 surface_color;
 layout(location = 4) out vec2 uv;
+layout(location = 5) out vec2 center_uv;
 
 void main() {
     const uint number =
@@ -14,4 +15,5 @@ void main() {
     write_corner(number);
     surface_color = color_of_corner(number);
     uv = instance.corner_uvs.at[number];
+    center_uv = uv;
 }

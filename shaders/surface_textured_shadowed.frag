@@ -1,12 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "surface_shadowed.glsl"
+#include "surface_texture.glsl"
 
 // As surface_textured.frag, and in shadow.
 
-layout(set = 1, binding = 0) uniform sampler2D surface_texture;
+layout(location = 3) centroid in vec3 surface_color;
 
-layout(location = 3) in vec3 surface_color;
-layout(location = 4) in vec2 uv;
-
-void main() { write_surface(surface_color * texture(surface_texture, uv).rgb); }
+void main() { write_surface(surface_color * texture_color()); }

@@ -175,6 +175,47 @@ TEST_CASE("colors of corners are interpolated in linear light and multiply that 
     CHECK(wrong == 0);
 }
 
+TEST_CASE("thin triangles show no color that their corners do not have") {
+    RIMLINE_OPEN_GPU(gpu);
+    // A fifth of a pixel wide, more than a pixel apart, oblique: they cover every part of a pixel.
+    constexpr float k_pixel = static_cast<float>(k_height) / k_size;
+    const glm::vec3 low(0.3f, 0.5f, 0.4f), high(0.5f, 0.3f, 0.4f);
+    MeshSource source;
+    for (float x = -1.9f; x < 1.8f; x += 2.3f * k_pixel) {
+        const auto v = static_cast<std::uint32_t>(source.positions.size());
+        for (const float y : {-1.9f, 1.9f})
+            for (const float aside : {0.0f, 0.2f * k_pixel})
+                source.positions.emplace_back(x + 0.02f * y + aside, y, 0.0f);
+        source.triangles.push_back({v, v + 1, v + 3});
+        source.triangles.push_back({v, v + 3, v + 2});
+        for (const glm::vec3& color : {low, high, high, low, high, low})
+            source.materials.corner_colors.push_back(color);
+    }
+    source.materials.materials = {{glm::vec3(1.0f)}};
+    source.materials.of_face.assign(source.triangles.size(), MaterialId{0});
+    const Model slivers(source);
+    Scene scene = scene_of(slivers, Style::toon, {0, 0, 5}, {0, 0, 1});
+    scene.palette.background = 0.5f * (low + high);
+    for (const bool shadows : {false, true}) {
+        CAPTURE(shadows);
+        scene.shadows = shadows;
+        const Picture picture =
+            Renderer(gpu->context(), {.samples = 4, .scale = 1}).render(scene, k_size, k_size);
+        save_picture("thin_triangles", picture, {});
+        int drawn = 0, wrong = 0;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+            for (int c = 0; c < 3; ++c) {
+                const int value = picture.rgba[i + static_cast<std::size_t>(c)];
+                const int least = encoded(std::min(low[c], high[c]));
+                const int most = encoded(std::max(low[c], high[c]));
+                wrong += value < least - 1 || value > most + 1;
+                drawn += std::abs(value - encoded(scene.palette.background[c])) > 1;
+            }
+        CHECK(wrong == 0);
+        CHECK(drawn > 1000);
+    }
+}
+
 TEST_CASE(
     "a mesh without materials, or whose colors are not shown, is drawn in its instance's color") {
     RIMLINE_OPEN_GPU(gpu);
