@@ -16,7 +16,7 @@
 #include "draw.glsl"
 
 float random_of(float value) {
-    uint bits = floatBitsToUint(value);
+    uint bits = value == 0.0 ? 0u : floatBitsToUint(value);  // -0.0, too.
     bits = (bits ^ (bits >> 16u)) * 0x7feb352du;
     bits = (bits ^ (bits >> 15u)) * 0x846ca68bu;
     return float((bits ^ (bits >> 16u)) >> 8u) / 16777216.0;
@@ -54,9 +54,9 @@ vec2 passing(vec3 direction, HatchedPlace place) {
 float strokes_ink(vec3 direction, float density, HatchedPlace place) {
     const float spacing = frame.hatch_spacing;
     const float along = dot(direction, place.from_center);
-    const float gradient = length(passing(direction, place));
+    const float gradient = max(length(passing(direction, place)), 1e-30);
     const float level = log2(spacing * gradient);
-    const float period = exp2(floor(level));
+    const float period = ldexp(1.0, int(floor(level)));  // exp2() may round.
     const float between = fract(level);
     const float odd_share = 1.0 - between;
     const float number = round(along / period);

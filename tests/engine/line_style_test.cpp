@@ -308,6 +308,34 @@ TEST_CASE("hatching has the tone it stands for, at every distance") {
         }
 }
 
+TEST_CASE("the stroke through the center of a mesh has one width on both sides of it") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model model(
+        MeshSource{{{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+    constexpr double k_density = 0.2;
+    Scene scene = flat_scene(model.octree);
+    scene.style = Style::hatch;
+    scene.lines = false;
+    scene.palette.shade = glm::vec3(static_cast<float>(1.0 - k_density));
+    scene.hatch_spacing_px = 80.0f;
+    const Picture picture = draw(*gpu, scene, {.samples = 1, .scale = 1});
+    // As hatch.glsl says, of a stroke whose random number is 0.
+    const double across = std::hypot(0.5345, 0.8018);  // Of the first layer, on the screen.
+    const double level = std::log2(80.0 * across / k_pixels);
+    const double pixels = std::exp2(std::floor(level)) / across * k_pixels;
+    const double width = 1.6 * k_density * pixels / (2.0 - (level - std::floor(level)));
+    // Along a row, from the middle of the stroke.
+    constexpr std::size_t k_row = k_size / 2;
+    const auto middle = k_row + static_cast<std::size_t>(0.08 * pixels * across / 0.5345);
+    REQUIRE(ink_at(picture, middle, k_row) == 1.0);
+    double seen = 0.0;
+    for (std::size_t x = middle; ink_at(picture, x, k_row) > 0.0; ++x)
+        seen += ink_at(picture, x, k_row);
+    for (std::size_t x = middle - 1; ink_at(picture, x, k_row) > 0.0; --x)
+        seen += ink_at(picture, x, k_row);
+    CHECK(is_close(seen * 0.5345 / across, width, 0.05));
+}
+
 TEST_CASE("light takes strokes away, and where there is enough of it none is left") {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(
