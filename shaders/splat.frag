@@ -14,5 +14,5 @@ void main() {
         dot(place, rest.xy) < 0.0)
         discard;
     result = vec4(color, 0.0);
-    gl_FragDepth = gl_FragCoord.z - rest.z * length(place);
+    gl_FragDepth = clamp(gl_FragCoord.z - rest.z * length(place), 0.0, 1.0);
 }

@@ -30,7 +30,9 @@ void main() {
     gl_Position = clip_from_world(splat.position + splat.radius * (place.x * u + place.y * v));
     const vec4 center = clip_from_world(splat.position);
     const vec4 behind = clip_from_world(splat.position - k_slope * splat.radius * towards);
-    rest.z = center.z / center.w - behind.z / behind.w;
+    // Behind the camera there is no depth: the disc is flat.
+    const bool has_depths = min(center.w, behind.w) > 0.0;
+    rest.z = has_depths ? center.z / center.w - behind.z / behind.w : 0.0;
     const vec4 given = unpackUnorm4x8(splat.color);
     const float light = given.a > 0.5 ? 1.0 : mix(k_ambient, 1.0, abs(dot(normal, towards)));
     color = light * linear_from_srgb(given.rgb);

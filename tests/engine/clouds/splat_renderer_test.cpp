@@ -113,6 +113,23 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("A disc whose center is behind the camera hides nothing that is nearer than it") {
+    RIMLINE_OPEN_GPU(gpu);
+    SplatRenderer renderer(gpu->context());
+    const gpu::SplatRecord floor{{0.0f, -0.5f, 0.05f}, 5.0f, {0.0f, 1.0f, 0.0f}, k_red, {}};
+    const gpu::SplatRecord above{{0.0f, -0.2f, -1.0f}, 0.1f, k_up, k_green, {}};
+    const auto draw = [&](std::vector<gpu::SplatRecord> splats) {
+        TestScene scene = scene_of(std::move(splats));
+        scene.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_y_deg = 60.0};
+        scene.radius = 5.0;
+        return count(renderer.render(scene, k_size, k_size));
+    };
+    CHECK(draw({floor}).red > 10000.0);
+    const double expected = draw({above}).green;
+    CHECK(expected > 500.0);
+    CHECK(draw({floor, above}).green == doctest::Approx(expected).epsilon(0.01));
+}
+
 TEST_CASE("Cuts leave what lies on their side") {
     RIMLINE_OPEN_GPU(gpu);
     SplatRenderer renderer(gpu->context());
