@@ -13,6 +13,7 @@ void main() {
     if (vertex >= job.data.vertex_count) return;
     const vec3 rest = job.data.rest.at[vertex];
     const vec3 from_center = rest - wave.center;
-    const float turns = fract(dot(wave.per_length, from_center) - wave.turns);
+    // In [-0.5, 0.5): the precision of sin() is specified in [-pi, pi] only.
+    const float turns = fract(dot(wave.per_length, from_center) - wave.turns + 0.5) - 0.5;
     job.data.positions.at[vertex] = rest + wave.reach * sin(k_turn_rad * turns);
 }
