@@ -5,11 +5,12 @@
 
 // Step 3 of 4: replaces the tallies of groups by sums over all earlier groups, so that lists are in the
 // order of faces and edges. Workgroup 0 sums the edges' tallies, and workgroup 1 the faces'. Each then
-// writes the totals. A tally covers 2048 faces or edges, so 2^30 of them take only 2048 rounds.
+// writes the totals. A tally covers 2048 faces or edges, so 2^30 of them take only 4096 rounds. Devices need not
+// support larger workgroups.
 
-layout(local_size_x = 256) in;
+layout(local_size_x = 128) in;
 
-shared uvec4 sums[256];
+shared uvec4 sums[128];
 
 uvec4 load(bool edges, uint group) {
     if (edges) {
@@ -32,19 +33,19 @@ void main() {
     const bool edges = gl_WorkGroupID.x == 0u;
     const uint count = edges ? job.data.edge_group_count : job.data.face_group_count;
     uvec4 before = uvec4(0u);
-    for (uint first = 0u; first < count; first += 256u) {
+    for (uint first = 0u; first < count; first += 128u) {
         const uint group = first + lane;
         const uvec4 own = group < count ? load(edges, group) : uvec4(0u);
         sums[lane] = own;
         barrier();
-        for (uint reach = 1u; reach < 256u; reach *= 2u) {
+        for (uint reach = 1u; reach < 128u; reach *= 2u) {
             const uvec4 other = lane >= reach ? sums[lane - reach] : uvec4(0u);
             barrier();
             sums[lane] += other;
             barrier();
         }
         if (group < count) store(edges, group, before + sums[lane] - own);
-        before += sums[255];
+        before += sums[127];
         barrier();
     }
     if (lane != 0u) return;
