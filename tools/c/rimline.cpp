@@ -219,7 +219,8 @@ rimline_status rimline_mesh_load(const char* path, const rimline_call* call, rim
             *mesh = new rimline_mesh{
                 rimline::tools::load_bound_mesh(name, 0, true, warnings, long_call.get())};
         } catch (const CLI::ValidationError& failure) {  // A shape that does not exist.
-            throw UsageError(std::string("path: ") + failure.what());
+            const std::string message = failure.what();
+            throw UsageError("path" + message.substr(message.find(": ")));
         }
     });
 }

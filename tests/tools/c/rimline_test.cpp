@@ -150,7 +150,10 @@ TEST_CASE("null handles and wrong arguments are errors, never crashes") {
     wrong([&](auto e) { return rimline_mesh_load(nullptr, nullptr, &other, e); });
     wrong([&](auto e) { return rimline_mesh_load("", nullptr, &other, e); });
     wrong([&](auto e) { return rimline_mesh_load("-", nullptr, &other, e); });
-    wrong([&](auto e) { return rimline_mesh_load("shape:nothing", nullptr, &other, e); });
+    rimline_error* error = nullptr;
+    CHECK(rimline_mesh_load("shape:nothing", nullptr, &other, &error) == RIMLINE_BAD_ARGUMENT);
+    CHECK(std::string(rimline_error_message(error)).starts_with("path: no built-in shape"));
+    rimline_error_free(error);
     wrong([&](auto e) { return rimline_mesh_load("shape:box", nullptr, nullptr, e); });
     wrong([&](auto e) { return rimline_mesh_get_info(nullptr, &info, e); });
     wrong([&](auto e) { return rimline_mesh_get_info(mesh, nullptr, e); });
