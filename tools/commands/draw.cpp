@@ -138,8 +138,12 @@ public:
         check_options();
         const double aspect = page_.aspect();  // Reports margins without space before the work.
         check_output(context, output_);
-        const DrawingFormat format =
+        const std::optional<DrawingFormat> named =
             drawing_format_of(output_ == k_standard_output ? "." + standard_format_ : output_);
+        if (!named)
+            throw UsageError("-o: expected a name that ends in .svg, .pdf, .dxf or .json, not '" +
+                             output_ + "'");
+        const DrawingFormat format = *named;
         if (!has_curves(format) && (lines_.color || lines_.has_material_colors))
             throw UsageError("--line-color: only drawings in SVG and PDF have colors");
         OutputFile file(output_, model_.model);

@@ -5,19 +5,16 @@
 #include <cctype>
 #include <charconv>
 
-#include "tools/command.h"
-
 namespace rimline::tools {
 
-DrawingFormat drawing_format_of(const std::string& file_name) {
+std::optional<DrawingFormat> drawing_format_of(const std::string& file_name) {
     std::string ending = file_name.substr(std::min(file_name.rfind('.'), file_name.size()));
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (ending == ".svg") return DrawingFormat::svg;
     if (ending == ".pdf") return DrawingFormat::pdf;
     if (ending == ".dxf") return DrawingFormat::dxf;
     if (ending == ".json") return DrawingFormat::json;
-    throw UsageError("-o: expected a name that ends in .svg, .pdf, .dxf or .json, not '" +
-                     file_name + "'");
+    return std::nullopt;
 }
 
 void append_decimals(std::string& text, double value) {

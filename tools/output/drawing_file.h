@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +21,8 @@ namespace rimline::tools {
 
 enum class DrawingFormat { svg, pdf, dxf, json };
 
-/// The format of the file name's ending, in upper or lower case. Throws UsageError for other endings.
-DrawingFormat drawing_format_of(const std::string& file_name);
+/// The format of the file name's ending, in upper or lower case. Nothing for other endings.
+std::optional<DrawingFormat> drawing_format_of(const std::string& file_name);
 
 /// Of hidden lines: a dash and the space after it, in widths of the line.
 constexpr double k_dash_widths = 10.0, k_dash_space_widths = 5.0;

@@ -3,9 +3,11 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "tools/bindings/bound_drawer.h"
+#include "tools/command.h"
 #include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
 #include "tools/output/output_file.h"
@@ -90,9 +92,10 @@ py::dict report_of(const LineDrawing& drawing) {
 
 void save(const BoundDrawing& drawing, const py::object& path) {
     const std::string name = path_of(path);
-    const tools::DrawingFormat format = tools::drawing_format_of(name);
-    if (format == tools::DrawingFormat::json)
-        throw py::value_error("path: expected a name that ends in .svg, .pdf or .dxf");
+    const std::optional<tools::DrawingFormat> format = tools::drawing_format_of(name);
+    if (!format || format == tools::DrawingFormat::json)
+        throw tools::UsageError("path: expected a name that ends in .svg, .pdf or .dxf, not '" +
+                                name + "'");
     const py::gil_scoped_release unlocked;
     tools::OutputFile file(name);
     file.write(format == tools::DrawingFormat::svg   ? drawing_svg(drawing.page)

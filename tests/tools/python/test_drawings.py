@@ -129,7 +129,7 @@ def test_files_are_written_whole_or_not_at_all(knot, tmp_path):
     have_device()
     drawing = rimline.draw(knot)
     for name in ("drawing.txt", "drawing.json", "drawing"):
-        with pytest.raises(ValueError):
+        with pytest.raises(ValueError, match=rf"path: expected .* \.svg, \.pdf or \.dxf, not '.*{name}'"):
             drawing.save(tmp_path / name)
     with pytest.raises(rimline.FileError):
         drawing.save(tmp_path / "missing" / "drawing.svg")
