@@ -26,7 +26,18 @@ PyObject* make_exception(py::module_& module, const char* name, const py::tuple&
     return exception;
 }
 
+void raise(PyObject* exception, std::string_view message) {
+    PyErr_SetObject(exception, message_text(message).ptr());
+}
+
 }  // namespace
+
+py::str message_text(std::string_view message) {
+    PyObject* const text = PyUnicode_DecodeUTF8(
+        message.data(), static_cast<Py_ssize_t>(message.size()), "backslashreplace");
+    if (text == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::str>(text);
+}
 
 void bind_errors(py::module_& module) {
     const py::handle base_class(make_exception(module, "Error",
@@ -51,13 +62,12 @@ void bind_errors(py::module_& module) {
         try {
             if (failure) std::rethrow_exception(failure);
         } catch (const Error& error) {
-            PyErr_SetString(g_exceptions[static_cast<std::size_t>(error.code())], error.what());
+            raise(g_exceptions[static_cast<std::size_t>(error.code())], error.what());
         } catch (const CLI::ValidationError& error) {  // Of the name of a built-in shape.
             const std::string message = error.what();
-            PyErr_SetString(PyExc_ValueError,
-                            ("path" + message.substr(message.find(": "))).c_str());
+            raise(PyExc_ValueError, "path" + message.substr(message.find(": ")));
         } catch (const tools::UsageError& error) {
-            PyErr_SetString(PyExc_ValueError, in_keywords(error.what()).c_str());
+            raise(PyExc_ValueError, in_keywords(error.what()));
         }
     });
 }

@@ -14,7 +14,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string_view>
+
 namespace rimline::python {
+
+/// Text with names of files, which are any bytes: those that are not UTF-8 are escaped, as \xNN.
+pybind11::str message_text(std::string_view message);
 
 void bind_errors(pybind11::module_& module);
 

@@ -8,6 +8,7 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/up_option.h"
 #include "tools/python/arrays.h"
+#include "tools/python/errors.h"
 #include "tools/python/long_calls.h"
 
 namespace rimline::python {
@@ -52,7 +53,8 @@ SharedMesh load(const py::object& path, std::uint32_t subdivide, bool textures,
         return tools::load_bound_mesh(name, subdivide, textures, warnings, call);
     });
     for (const std::string& warning : warnings)
-        if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+        if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", message_text(warning).ptr()) != 0)
+            throw py::error_already_set();
     return mesh;
 }
 
@@ -118,10 +120,19 @@ py::array segments(const PythonSilhouette& silhouette) {
             {static_cast<py::ssize_t>(silhouette.edges.size()), py::ssize_t{2}, py::ssize_t{3}});
 }
 
-std::string text_of(const BoundMesh& mesh) {
-    return "<rimline.Mesh " + mesh.name() + ": " + std::to_string(mesh.mesh().vertex_count()) +
-           " vertices, " + std::to_string(mesh.mesh().face_count()) + " faces, " +
-           std::to_string(mesh.mesh().edge_count()) + " edges>";
+// As Python's own functions have names of files: os.fsencode() gives the bytes.
+py::object system_name_of(const BoundMesh& mesh) {
+    PyObject* const name = PyUnicode_DecodeFSDefaultAndSize(
+        mesh.name().data(), static_cast<Py_ssize_t>(mesh.name().size()));
+    if (name == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::str>(name);
+}
+
+py::str description_of(const BoundMesh& mesh) {
+    return message_text("<rimline.Mesh " + mesh.name() + ": " +
+                        std::to_string(mesh.mesh().vertex_count()) + " vertices, " +
+                        std::to_string(mesh.mesh().face_count()) + " faces, " +
+                        std::to_string(mesh.mesh().edge_count()) + " edges>");
 }
 
 }  // namespace
@@ -201,7 +212,7 @@ void bind_mesh(py::module_& module) {
                 return edge_vertices(m.mesh(), edges_of_class(m.mesh(), EdgeClass::border));
             },
             "N x 2 uint32: edges of one face. They are in no silhouette.")
-        .def_property_readonly("name", &BoundMesh::name)
+        .def_property_readonly("name", &system_name_of)
         .def_property_readonly(
             "center", [](const BoundMesh& m) { return array_of(m.mesh().center()); },
             "The center of the bounding box of the used vertices.")
@@ -245,7 +256,7 @@ void bind_mesh(py::module_& module) {
             py::kw_only(), py::arg("progress") = py::none(),
             "Makes the index that trackers and fast silhouettes use, about half a microsecond a "
             "face. Where it is needed it is made anyway.")
-        .def("__repr__", &text_of);
+        .def("__repr__", &description_of);
 
     module.def("load", &load, py::arg("path"), py::kw_only(), py::arg("subdivide") = 0,
                py::arg("textures") = false, py::arg("progress") = py::none(),

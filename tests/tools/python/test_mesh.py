@@ -1,5 +1,6 @@
 """rimline.Mesh: arrays in and out, and silhouettes against numpy."""
 
+import os
 import subprocess
 import sys
 import threading
@@ -176,6 +177,21 @@ def test_files_are_read_and_their_faults_are_errors(tmp_path):
             rimline.load(wrong)
     with pytest.raises(ValueError, match="subdivide"):
         rimline.load("shape:box", subdivide=99)
+
+
+def test_names_of_files_are_any_bytes(tmp_path):
+    path = os.fsencode(tmp_path / "caf") + b"\xe9.obj"
+    with pytest.raises(rimline.FileError, match=r"caf\\xe9.obj: "):
+        rimline.load(path)
+    with open(path, "w") as file:
+        file.write("mtllib missing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    with pytest.warns(UserWarning, match=r"caf\\xe9.obj.*missing.mtl"):
+        mesh = rimline.load(path)
+    assert os.fsencode(mesh.name) == path and rimline.load("shape:box").name == "shape:box"
+    assert r"caf\xe9.obj: 3 vertices" in repr(mesh)
+    assert r"caf\xe9.obj" in rimline.draw(mesh, eye=(3, 2, 4)).to_svg()
+    with pytest.raises(ValueError, match=r"path: .*caf\\xe9.txt"):
+        rimline.draw(mesh, eye=(3, 2, 4)).save(path.replace(b".obj", b".txt"))
 
 
 def test_warnings_of_a_file_are_pythons(tmp_path):
