@@ -1,7 +1,6 @@
 #include "tools/python/arrays.h"
 
 #include <cmath>
-#include <limits>
 
 namespace rimline::python {
 
@@ -11,6 +10,11 @@ namespace {
 
 [[noreturn]] void throw_type(const std::string& name, const std::string& what) {
     throw py::type_error(name + ": " + what);
+}
+
+[[noreturn]] void throw_type(const std::string& name, const std::string& expected,
+                             py::handle value) {
+    throw_type(name, "expected " + expected + ", not " + Py_TYPE(value.ptr())->tp_name);
 }
 
 std::string shape_text(const py::array& array) {
@@ -102,6 +106,45 @@ std::vector<Vector> positions_as(py::handle value, const char* name) {
 
 }  // namespace
 
+std::uint32_t count_of(py::handle value, const char* name, std::uint32_t low, std::uint32_t high) {
+    const auto integer = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    if (!integer) {
+        PyErr_Clear();
+        throw_type(name, "an integer", value);
+    }
+    int overflow = 0;
+    const long long count = PyLong_AsLongLongAndOverflow(integer.ptr(), &overflow);
+    if (overflow != 0 || count < low || count > high)
+        throw py::value_error(std::string(name) + ": expected " + std::to_string(low) + " to " +
+                              std::to_string(high) + ", not " +
+                              py::str(integer).cast<std::string>());
+    return static_cast<std::uint32_t>(count);
+}
+
+double number_of(py::handle value, const char* name) {
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
+    const bool is_too_large = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+    PyErr_Clear();
+    if (is_too_large) return std::numeric_limits<double>::infinity();
+    throw_type(name, "a number", value);
+}
+
+bool is_flag(py::handle value) {
+    return PyBool_Check(value.ptr()) != 0 ||
+           py::isinstance(value, py::module_::import("numpy").attr("bool_"));
+}
+
+bool flag_of(py::handle value, const char* name) {
+    if (!is_flag(value)) throw_type(name, "True or False", value);
+    return PyObject_IsTrue(value.ptr()) == 1;
+}
+
+std::string word_of(py::handle value, const char* name) {
+    if (PyUnicode_Check(value.ptr()) == 0) throw_type(name, "a str", value);
+    return value.cast<std::string>();
+}
+
 glm::dvec3 vector_of(py::handle value, const char* name) {
     glm::dvec3 vector;
     const py::object sequence =
@@ -116,11 +159,7 @@ glm::dvec3 vector_of(py::handle value, const char* name) {
         throw py::value_error(std::string(name) + ": expected three numbers, not " +
                               std::to_string(PySequence_Fast_GET_SIZE(sequence.ptr())));
     for (int i = 0; i < 3; ++i) {
-        vector[i] = PyFloat_AsDouble(PySequence_Fast_GET_ITEM(sequence.ptr(), i));
-        if (vector[i] == -1.0 && PyErr_Occurred() != nullptr) {
-            PyErr_Clear();
-            throw_type(name, "expected three numbers");
-        }
+        vector[i] = number_of(PySequence_Fast_GET_ITEM(sequence.ptr(), i), name);
         if (!(std::abs(vector[i]) <= double{k_max_coordinate}))  // NaN too.
             throw py::value_error(std::string(name) +
                                   ": expected finite numbers within 2^60, not " +
@@ -175,8 +214,16 @@ py::array_t<double> array_of(const glm::dvec3& vector) { return py::array_t<doub
 
 std::string path_of(const py::object& path) {
     PyObject* bytes = nullptr;
-    if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) throw py::error_already_set();
-    return py::reinterpret_steal<py::bytes>(bytes);
+    if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) {
+        const py::error_already_set error;
+        const std::string message = "path: " + py::str(error.value()).cast<std::string>();
+        if (error.matches(PyExc_TypeError)) throw py::type_error(message);
+        if (error.matches(PyExc_ValueError)) throw py::value_error(message);
+        throw error;
+    }
+    const std::string name = py::reinterpret_steal<py::bytes>(bytes);
+    if (name.empty() || name == "-") throw py::value_error("path: expected the name of a file");
+    return name;
 }
 
 }  // namespace rimline::python

@@ -1,6 +1,8 @@
 #pragma once
 
-// Numbers of Python as the library takes them, and arrays of the library as numpy's.
+// Arguments of Python as the library takes them, and arrays of the library as numpy's.
+//
+// A wrong argument is a ValueError or TypeError that names it.
 //
 // Arrays in: numpy arrays of float32, float64 or integers of any width, in any order of memory, are read where they lie;
 // other sequences are converted by numpy first. Wrong shapes and kinds of numbers are a ValueError or TypeError that
@@ -12,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +23,16 @@
 #include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline::python {
+
+/// An integer from `low` to `high`.
+std::uint32_t count_of(pybind11::handle value, const char* name, std::uint32_t low,
+                       std::uint32_t high = std::numeric_limits<std::uint32_t>::max());
+double number_of(pybind11::handle value, const char* name);
+/// True or False, of Python or numpy.
+bool is_flag(pybind11::handle value);
+bool flag_of(pybind11::handle value, const char* name);
+/// A str.
+std::string word_of(pybind11::handle value, const char* name);
 
 /// Three finite numbers, each at most k_max_coordinate in magnitude.
 glm::dvec3 vector_of(pybind11::handle value, const char* name);
@@ -59,7 +72,7 @@ pybind11::array_t<Number> copied(std::span<const Element> elements, pybind11::ss
 /// An array of three numbers.
 pybind11::array_t<double> array_of(const glm::dvec3& vector);
 
-/// Text of a path: a str, bytes or os.PathLike.
+/// Text of a path: a str, bytes or os.PathLike. Neither empty nor "-", which would be standard input or output.
 std::string path_of(const pybind11::object& path);
 
 }  // namespace rimline::python

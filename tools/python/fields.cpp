@@ -42,22 +42,24 @@ glm::dvec3 up_of(const Mesh& mesh, const py::object& up) {
 
 class PythonField {
 public:
-    PythonField(const SharedMesh& mesh, const std::string& function, double tolerance, bool by_area,
-                const py::object& progress) {
-        const NamedFunction* named = find_named_function(function);
+    PythonField(const py::object& mesh, const py::object& function, const py::object& tolerance,
+                const py::object& by_area, const py::object& progress) {
+        const SharedMesh shared = mesh_of(mesh);
+        const std::string name = word_of(function, "function");
+        const NamedFunction* named = find_named_function(name);
         if (named == nullptr) {
             std::string names;
             for (const NamedFunction& known : named_functions())
                 names += (names.empty() ? "" : ", ") + std::string(known.name);
-            throw py::value_error("function: expected one of " + names + ", not '" + function +
-                                  "'");
+            throw py::value_error("function: expected one of " + names + ", not '" + name + "'");
         }
-        if (!(tolerance >= 0.0 && tolerance <= 1.0))
-            throw py::value_error("tolerance: expected 0 to 1");
-        const FieldOptions options{
-            .tolerance = tolerance,
-            .weight = by_area ? FieldOptions::Weight::area : FieldOptions::Weight::count};
-        const Mesh& library_mesh = mesh->mesh();
+        const double error = number_of(tolerance, "tolerance");
+        if (!(error >= 0.0 && error <= 1.0)) throw py::value_error("tolerance: expected 0 to 1");
+        const FieldOptions options{.tolerance = error,
+                                   .weight = flag_of(by_area, "by_area")
+                                                 ? FieldOptions::Weight::area
+                                                 : FieldOptions::Weight::count};
+        const Mesh& library_mesh = shared->mesh();
         run_long(progress, [&](const LongCall& call) {
             field_ = std::make_unique<TangentialField>(UnitPlanes(library_mesh, call.stop),
                                                        named->function, options, call.stop);
@@ -88,13 +90,18 @@ struct PythonView {
 };
 
 // `renderer` is None where votes alone count.
-py::list best_views(const SharedMesh& shared, std::uint32_t count, const py::object& renderer,
-                    const std::string& below, bool by_area, const py::object& up,
-                    const py::object& progress) {
-    if (count < 1 || count > 64) throw py::value_error("count: expected 1 to 64");
-    if (below != "less" && below != "full")
+py::list best_views(const py::object& mesh_object, const py::object& count,
+                    const py::object& renderer, const py::object& below, const py::object& by_area,
+                    const py::object& up, const py::object& progress) {
+    const SharedMesh shared = mesh_of(mesh_object);
+    const tools::ViewChoice choice{.count = count_of(count, "count", 1, 64),
+                                   .by_area = flag_of(by_area, "by_area"),
+                                   .below = word_of(below, "below")};
+    if (choice.below != "less" && choice.below != "full")
         throw py::value_error("below: expected 'less' or 'full'");
-    const tools::ViewChoice choice{.count = count, .by_area = by_area, .below = below};
+    if (!renderer.is_none() && !py::isinstance<tools::BoundRenderer>(renderer))
+        throw py::type_error(std::string("renderer: expected a rimline.Renderer, not ") +
+                             Py_TYPE(renderer.ptr())->tp_name);
     const glm::dvec3 upwards = up_of(shared->mesh(), up);
     std::shared_ptr<tools::BoundRenderer> drawer;
     if (!renderer.is_none()) drawer = renderer.cast<std::shared_ptr<tools::BoundRenderer>>();
@@ -119,8 +126,9 @@ py::list best_views(const SharedMesh& shared, std::uint32_t count, const py::obj
 
 class PythonPath {
 public:
-    PythonPath(const SharedMesh& shared, const py::object& eyes, const py::object& up,
+    PythonPath(const py::object& mesh_object, const py::object& eyes, const py::object& up,
                const py::object& progress) {
+        const SharedMesh shared = mesh_of(mesh_object);
         const Mesh& mesh = shared->mesh();
         const std::vector<glm::dvec3> views = positions_of(eyes, "eyes");
         if (views.size() < 2) throw py::value_error("eyes: expected at least two");
@@ -140,33 +148,40 @@ public:
                 make_view_field(mesh, {.tolerance = k_view_tolerance}, view_function(), call.stop);
             std::vector<glm::dvec3> places;
             for (const TourNode& node : plan_tour(field, views, call)) places.push_back(node.place);
-            path_ = std::make_unique<CameraPath>(center_, places);
+            path_ = std::make_shared<const CameraPath>(center_, places);
         });
     }
 
     const CameraPath& path() const { return *path_; }
 
-    py::tuple sample(std::uint32_t count) const {
-        if (count < 1 || count > 1'000'000) throw py::value_error("count: expected 1 to 1,000,000");
-        const tools::PathSamples samples = tools::sample_path(*path_, center_, up_, count);
+    py::tuple sample(const py::object& count) const {
+        // A stop leaves it to end by itself, which takes a second or two.
+        const tools::PathSamples samples = long_result_apart(
+            py::none(), [path = path_, center = center_, up = up_,
+                         frames = count_of(count, "count", 1, 1'000'000)](const LongCall&) {
+                return tools::sample_path(*path, center, up, frames);
+            });
         return py::make_tuple(copied<double>(std::span<const glm::dvec3>(samples.eyes), 3),
                               copied<double>(std::span<const glm::dvec3>(samples.ups), 3));
     }
-    py::array position(double share) const {
-        if (!std::isfinite(share)) throw py::value_error("share: expected a finite number");
-        return array_of(path_->position(share));
+    py::array position(const py::object& share) const {
+        const double number = number_of(share, "share");
+        if (!std::isfinite(number)) throw py::value_error("share: expected a finite number");
+        return array_of(path_->position(number));
     }
 
 private:
     glm::dvec3 up_, center_;
-    std::unique_ptr<CameraPath> path_;
+    std::shared_ptr<const CameraPath> path_;
 };
 
-py::array best_light(const SharedMesh& shared, const py::object& eye, const std::string& by,
+py::array best_light(const py::object& mesh_object, const py::object& eye, const py::object& by,
                      const py::object& up, const py::object& progress) {
+    const SharedMesh shared = mesh_of(mesh_object);
     const Mesh& mesh = shared->mesh();
     const glm::dvec3 place(glm::vec3(vector_of(eye, "eye")));
-    if (by != "tones" && by != "votes") throw py::value_error("by: expected 'tones' or 'votes'");
+    const std::string way = word_of(by, "by");
+    if (way != "tones" && way != "votes") throw py::value_error("by: expected 'tones' or 'votes'");
     const glm::dvec3 upwards = up_of(mesh, up);
     const tools::ViewCamera seen = tools::camera_of_view(mesh, place, upwards, k_aspect);
     if (seen.eye == seen.target) throw py::value_error("eye: is the mesh's center, where it looks");
@@ -174,7 +189,7 @@ py::array best_light(const SharedMesh& shared, const py::object& eye, const std:
         .eye = seen.eye, .target = seen.target, .up = seen.up, .fov_y_deg = seen.fov_y_deg};
     const auto direction =
         long_result(progress, [&](const LongCall& call) -> std::optional<glm::dvec3> {
-            if (by == "votes") {
+            if (way == "votes") {
                 const std::optional<ChosenSun> sun = choose_sun(mesh, place, call);
                 return sun ? std::optional(sun->direction) : std::nullopt;
             }
@@ -197,8 +212,9 @@ void bind_fields(py::module_& module) {
     py::class_<PythonField>(module, "TangentialField",
                             "The sum over a mesh's planes of a function of the distance of a point "
                             "from each. Immutable; any number of threads may use one.")
-        .def(py::init<const SharedMesh&, const std::string&, double, bool, const py::object&>(),
-             py::arg("mesh").none(false), py::arg("function") = "views", py::kw_only(),
+        .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&,
+                      const py::object&>(),
+             py::arg("mesh"), py::arg("function") = "views", py::kw_only(),
              py::arg("tolerance") = 1e-3, py::arg("by_area") = false,
              py::arg("progress") = py::none(),
              "function: one of FIELD_FUNCTIONS. tolerance: the greatest error as a share of "
@@ -239,9 +255,9 @@ void bind_fields(py::module_& module) {
         });
 
     py::class_<PythonPath>(module, "CameraPath", "A closed, smooth path around a mesh.")
-        .def(py::init<const SharedMesh&, const py::object&, const py::object&, const py::object&>(),
-             py::arg("mesh").none(false), py::arg("eyes"), py::kw_only(),
-             py::arg("up") = py::none(), py::arg("progress") = py::none(),
+        .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&>(),
+             py::arg("mesh"), py::arg("eyes"), py::kw_only(), py::arg("up") = py::none(),
+             py::arg("progress") = py::none(),
              "Through N x 3 eyes of best_views(), two or more, and an interesting view between "
              "each two.")
         .def_property_readonly(
@@ -254,11 +270,10 @@ void bind_fields(py::module_& module) {
              "Eyes and up axes (each N x 3 float64) of equally spaced cameras that look at the "
              "mesh's center.");
 
-    module.def("_best_views", &best_views, py::arg("mesh").none(false), py::arg("count"),
-               py::arg("renderer"), py::arg("below"), py::arg("by_area"), py::arg("up"),
-               py::arg("progress"));
-    module.def("best_light", &best_light, py::arg("mesh").none(false), py::arg("eye"),
-               py::kw_only(), py::arg("by") = "tones", py::arg("up") = py::none(),
+    module.def("_best_views", &best_views, py::arg("mesh"), py::arg("count"), py::arg("renderer"),
+               py::arg("below"), py::arg("by_area"), py::arg("up"), py::arg("progress"));
+    module.def("best_light", &best_light, py::arg("mesh"), py::arg("eye"), py::kw_only(),
+               py::arg("by") = "tones", py::arg("up") = py::none(),
                py::arg("progress") = py::none(),
                "The direction (3 float64) towards the sun that lights the mesh best, seen from "
                "`eye`.\n\n"

@@ -27,10 +27,11 @@ using tools::BoundDrawer;
 using tools::BoundDrawing;
 using tools::PageLine;
 
-std::unique_ptr<BoundDrawer> make_drawer(SharedMesh mesh, const py::object& progress) {
+std::unique_ptr<BoundDrawer> make_drawer(const py::object& mesh, const py::object& progress) {
+    SharedMesh shared = mesh_of(mesh);
     std::unique_ptr<BoundDrawer> drawer;
     run_long(progress, [&](const LongCall& call) {
-        drawer = std::make_unique<BoundDrawer>(std::move(mesh), call);
+        drawer = std::make_unique<BoundDrawer>(std::move(shared), call);
     });
     return drawer;
 }
@@ -173,7 +174,7 @@ void bind_lines(py::module_& module) {
 
     py::class_<BoundDrawer>(module, "LineDrawer",
                             "Draws the lines of a mesh from a camera, with exact visibility.")
-        .def(py::init(&make_drawer), py::arg("mesh").none(false), py::kw_only(),
+        .def(py::init(&make_drawer), py::arg("mesh"), py::kw_only(),
              py::arg("progress") = py::none(),
              "Finds the contacts of faces, about a microsecond a face; once a mesh.")
         .def(

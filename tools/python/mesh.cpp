@@ -26,7 +26,8 @@ struct PythonSilhouette {
 };
 
 SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, const py::object& up,
-                          bool weld, const py::object& progress) {
+                          const py::object& weld, const py::object& progress) {
+    const Welding welding = flag_of(weld, "weld") ? Welding::equal_positions : Welding::none;
     MeshSource source{.positions = float_positions_of(vertices, "vertices"), .triangles = {}};
     source.triangles = faces_of(faces, "faces", source.positions.size());
     if (!up.is_none()) {
@@ -36,21 +37,18 @@ SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, c
         source.is_up_known = true;
     }
     return long_result(progress, [&](const LongCall& call) {
-        return std::make_shared<BoundMesh>("the mesh", std::move(source),
-                                           weld ? Welding::equal_positions : Welding::none, call);
+        return std::make_shared<BoundMesh>("the mesh", std::move(source), welding, call);
     });
 }
 
-SharedMesh load(const py::object& path, std::uint32_t subdivide, bool textures,
+SharedMesh load(const py::object& path, const py::object& subdivide, const py::object& textures,
                 const py::object& progress) {
     const std::string name = path_of(path);
-    if (name.empty() || name == "-") throw py::value_error("path: expected the name of a file");
-    if (subdivide > tools::k_max_subdivisions)
-        throw py::value_error("subdivide: expected at most " +
-                              std::to_string(tools::k_max_subdivisions));
+    const std::uint32_t steps = count_of(subdivide, "subdivide", 0, tools::k_max_subdivisions);
+    const bool reads_textures = flag_of(textures, "textures");
     std::vector<std::string> warnings;
     SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
-        return tools::load_bound_mesh(name, subdivide, textures, warnings, call);
+        return tools::load_bound_mesh(name, steps, reads_textures, warnings, call);
     });
     for (const std::string& warning : warnings)
         if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", message_text(warning).ptr()) != 0)
@@ -136,6 +134,13 @@ py::str description_of(const BoundMesh& mesh) {
 }
 
 }  // namespace
+
+SharedMesh mesh_of(const py::object& mesh) {
+    if (!py::isinstance<BoundMesh>(mesh))
+        throw py::type_error(std::string("mesh: expected a rimline.Mesh, not ") +
+                             Py_TYPE(mesh.ptr())->tp_name);
+    return mesh.cast<SharedMesh>();
+}
 
 py::array edge_vertices(const Mesh& mesh, std::span<const EdgeId> edges) {
     py::array_t<std::uint32_t> result(

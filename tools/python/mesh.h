@@ -14,6 +14,9 @@ namespace rimline::python {
 using tools::BoundMesh;
 using tools::SharedMesh;
 
+/// Throws TypeError naming `mesh` for anything but a rimline.Mesh.
+SharedMesh mesh_of(const pybind11::object& mesh);
+
 /// The numbers of the file of an edge's vertices, N x 2.
 pybind11::array edge_vertices(const Mesh& mesh, std::span<const EdgeId> edges);
 

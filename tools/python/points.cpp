@@ -23,17 +23,17 @@ constexpr std::array<const char*, 4> k_label_names{"border", "interior", "featur
 // Points are numbered as the input numbers them. Of equal positions all have what the first has.
 class PythonPoints {
 public:
-    PythonPoints(const py::object& points, std::uint32_t k, bool drop_outliers,
+    PythonPoints(const py::object& points, const py::object& k, const py::object& drop_outliers,
                  const py::object& progress) {
-        if (k < 4 || k > 32) throw py::value_error("k: expected 4 to 32 neighbors");
+        const PointSurfaceOptions options{
+            .k = count_of(k, "k", 4, 32),
+            .drops_outliers = flag_of(drop_outliers, "drop_outliers")};
         std::vector<glm::dvec3> positions = positions_of(points, "points");
         if (positions.empty()) throw py::value_error("points: expected at least one");
         run_long(progress, [&](const LongCall& call) {
             call.checkpoint(0.0);
             number_rows(positions, call.stop);
-            surface_.emplace(positions,
-                             PointSurfaceOptions{.k = k, .drops_outliers = drop_outliers},
-                             call.part(0.02, 0.8));
+            surface_.emplace(positions, options, call.part(0.02, 0.8));
             weights_ = feature_weights(*surface_, call.part(0.8, 0.9));
             index_ = std::make_unique<UmbrellaIndex>(*surface_, call.part(0.9, 1.0));
         });
@@ -117,7 +117,7 @@ void bind_points(py::module_& module) {
                              "The surface that points were sampled from, point by point: normals, "
                              "borders, features, silhouettes. Immutable; any number of threads may "
                              "use one.")
-        .def(py::init<const py::object&, std::uint32_t, bool, const py::object&>(),
+        .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&>(),
              py::arg("points"), py::kw_only(), py::arg("k") = 16, py::arg("drop_outliers") = false,
              py::arg("progress") = py::none(),
              "Finds the umbrella of each of N x 3 points, about five microseconds a point.\n\n"

@@ -21,14 +21,16 @@ namespace {
 
 using tools::BoundRenderer;
 
-std::shared_ptr<BoundRenderer> make_renderer(const std::string& device, bool validate) {
+std::shared_ptr<BoundRenderer> make_renderer(const py::object& device, const py::object& validate) {
+    const std::string device_name = word_of(device, "device");
+    const bool validates = flag_of(validate, "validate");
     // A stop leaves the device to be opened and closed.
     return long_result_apart(py::none(), [=](const LongCall&) {
         // A child of fork() has none of the device's threads: closing it would wait for them.
         const auto close = [opened_by = getpid()](const BoundRenderer* renderer) {
             if (getpid() == opened_by) delete renderer;
         };
-        return std::shared_ptr<BoundRenderer>(new BoundRenderer(device, validate), close);
+        return std::shared_ptr<BoundRenderer>(new BoundRenderer(device_name, validates), close);
     });
 }
 

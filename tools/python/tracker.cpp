@@ -48,9 +48,9 @@ private:
 
 class PythonTracker {
 public:
-    PythonTracker(SharedMesh mesh, const py::object& eye, const py::object& direction,
+    PythonTracker(const py::object& mesh, const py::object& eye, const py::object& direction,
                   const py::object& progress)
-        : mesh_(std::move(mesh)) {
+        : mesh_(mesh_of(mesh)) {
         const HomogeneousPoint point = point_of(eye, direction);
         run_long(progress, [&](const LongCall& call) {
             tracker_ = std::make_unique<SilhouetteTracker>(mesh_->octree(call), point);
@@ -111,10 +111,10 @@ struct PythonSnapshot {
 
 class PythonService {
 public:
-    explicit PythonService(std::uint32_t workers, std::uint32_t max_pending) {
-        if (max_pending == 0) throw py::value_error("max_pending: expected at least 1");
+    PythonService(const py::object& workers, const py::object& max_pending) {
         service_ = std::make_unique<SilhouetteService>(
-            SilhouetteServiceOptions{.workers = workers, .max_pending = max_pending});
+            SilhouetteServiceOptions{.workers = count_of(workers, "workers", 0),
+                                     .max_pending = count_of(max_pending, "max_pending", 1)});
     }
     ~PythonService() { stop(); }
 
@@ -266,8 +266,8 @@ void bind_tracker(py::module_& module) {
         module, "Tracker",
         "The silhouette of one mesh from a moving point. Several trackers may share a mesh; one "
         "that several threads use moves for one after the other.")
-        .def(py::init<SharedMesh, const py::object&, const py::object&, const py::object&>(),
-             py::arg("mesh").none(false), py::arg("eye") = py::none(), py::kw_only(),
+        .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&>(),
+             py::arg("mesh"), py::arg("eye") = py::none(), py::kw_only(),
              py::arg("direction") = py::none(), py::arg("progress") = py::none(),
              "Starts at a viewpoint or a direction towards the viewer. Makes the index of the "
              "mesh if it has none.")
@@ -359,18 +359,18 @@ void bind_tracker(py::module_& module) {
 
     py::class_<PythonService>(module, "SilhouetteService",
                               "Many trackers, moved by threads of the library. A context manager.")
-        .def(py::init<std::uint32_t, std::uint32_t>(), py::kw_only(), py::arg("workers") = 0,
-             py::arg("max_pending") = 4,
+        .def(py::init<const py::object&, const py::object&>(), py::kw_only(),
+             py::arg("workers") = 0, py::arg("max_pending") = 4,
              "workers: threads; 0: one less than the processor has. max_pending: change sets that "
              "wait to be taken before a tracker waits.")
         .def(
             "add",
-            [](py::object self, SharedMesh mesh, const py::object& eye, const py::object& direction,
-               const py::object& progress) {
-                return std::make_unique<ServiceTracker>(std::move(self), std::move(mesh),
+            [](py::object self, const py::object& mesh, const py::object& eye,
+               const py::object& direction, const py::object& progress) {
+                return std::make_unique<ServiceTracker>(std::move(self), mesh_of(mesh),
                                                         point_of(eye, direction), progress);
             },
-            py::arg("mesh").none(false), py::arg("eye") = py::none(), py::kw_only(),
+            py::arg("mesh"), py::arg("eye") = py::none(), py::kw_only(),
             py::arg("direction") = py::none(), py::arg("progress") = py::none(),
             "Adds a tracker at a viewpoint or a direction.")
         .def("stop", &PythonService::stop, "Ends the workers. Points not reached are dropped.")

@@ -82,6 +82,22 @@ def test_paths_pass_through_the_views(knot):
         rimline.camera_path(knot, views, below="full")
 
 
+def test_views_of_a_path_are_a_number_views_or_points(knot):
+    path = rimline.camera_path(knot, np.int64(3), visible=False)
+    views = rimline.best_views(knot, 3, visible=False)
+    eyes = np.array([view.eye for view in views])
+    for same in (views, eyes, eyes.tolist(), np.asfortranarray(eyes)):
+        assert (rimline.camera_path(knot, same).nodes == path.nodes).all()
+    with pytest.raises(TypeError, match="views: expected an integer, views or points, not float"):
+        rimline.camera_path(knot, 2.0, visible=False)
+    for wrong in (eyes[:2].T, [(1, 2), (3, 4)]):
+        with pytest.raises(ValueError, match=r"eyes: expected the shape \(N, 3\), not \(\d, 2\)"):
+            rimline.camera_path(knot, wrong)
+    for wrong in ([(1, 2, 3), (3, 4)], ["view", "view"]):
+        with pytest.raises((TypeError, ValueError), match="eyes: "):
+            rimline.camera_path(knot, wrong)
+
+
 def test_lights_are_those_of_the_command(knot):
     for by, option in (("tones", []), ("votes", ["--by-votes"])):
         told = command("light", "shape:knot:3000", "--eye", "3,2,4", *option)["sun"]

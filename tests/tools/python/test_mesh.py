@@ -201,6 +201,50 @@ def test_warnings_of_a_file_are_pythons(tmp_path):
         rimline.load(path)
 
 
+BOX = rimline.load("shape:box")
+BOX_PATH = rimline.camera_path(BOX, 3, visible=False)
+WRONG_ARGUMENTS = [
+    (lambda: rimline.load(3), TypeError, "path: expected str"),
+    (lambda: rimline.load("a\0b"), ValueError, "path: "),
+    (lambda: rimline.load("shape:box", subdivide=-1), ValueError, "subdivide: expected 0 to 14, not -1"),
+    (lambda: rimline.load("shape:box", subdivide=10**30), ValueError, "subdivide: .*, not 10"),
+    (lambda: rimline.load("shape:box", subdivide=1.0), TypeError, "subdivide: expected an integer, not float"),
+    (lambda: rimline.load("shape:box", textures=1), TypeError, "textures: expected True or False, not int"),
+    (lambda: rimline.Mesh(TRIANGLE, FACES, weld=None), TypeError, "weld: expected True or False, not NoneType"),
+    (lambda: BOX.silhouette((10**400, 0, 0)), ValueError, "eye: expected finite numbers within 2"),
+    (lambda: BOX.silhouette(("a", 0, 0)), TypeError, "eye: expected a number, not str"),
+    (lambda: rimline.Tracker("mesh", (1, 2, 3)), TypeError, "mesh: expected a rimline.Mesh, not str"),
+    (lambda: rimline.draw(None), TypeError, "mesh: expected a rimline.Mesh, not NoneType"),
+    (lambda: rimline.SilhouetteService(workers=-1), ValueError, "workers: .*, not -1"),
+    (lambda: rimline.SilhouetteService(max_pending=0), ValueError, "max_pending: .*, not 0"),
+    (lambda: rimline.PointSurface(TRIANGLE, k=-1), ValueError, "k: expected 4 to 32, not -1"),
+    (lambda: rimline.PointSurface(TRIANGLE, drop_outliers="no"), TypeError, "drop_outliers: "),
+    (lambda: rimline.best_views(BOX, -1, visible=False), ValueError, "count: expected 1 to 64, not -1"),
+    (lambda: rimline.best_views(BOX, 2, renderer=3), TypeError, "renderer: expected a rimline.Renderer, not int"),
+    (lambda: rimline.best_views(BOX, 2, visible=False, below=3), TypeError, "below: expected a str, not int"),
+    (lambda: rimline.best_views(BOX, 2, visible=False, by_area=0), TypeError, "by_area: "),
+    (lambda: BOX_PATH.sample(-1), ValueError, "count: .*, not -1"),
+    (lambda: BOX_PATH.position("a"), TypeError, "share: expected a number, not str"),
+    (lambda: rimline.best_light(BOX, (3, 2, 4), by=1), TypeError, "by: expected a str, not int"),
+    (lambda: rimline.TangentialField(BOX, 3), TypeError, "function: expected a str, not int"),
+    (lambda: rimline.TangentialField(BOX, tolerance="a"), TypeError, "tolerance: expected a number, not str"),
+    (lambda: rimline.Renderer(3), TypeError, "device: expected a str, not int"),
+    (lambda: rimline.Renderer(validate=3), TypeError, "validate: expected True or False, not int"),
+]
+
+
+@pytest.mark.parametrize("call, error, words", WRONG_ARGUMENTS)
+def test_wrong_arguments_are_errors_that_name_them(call, error, words):
+    with pytest.raises(error, match=f"^{words}") as caught:
+        call()
+    assert "incompatible" not in str(caught.value)
+
+
+def test_numbers_and_flags_of_numpy_are_as_those_of_python():
+    assert len(rimline.load("shape:box", subdivide=np.uint8(1), textures=np.bool_(True)).faces) == 4 * len(BOX.faces)
+    assert len(rimline.Mesh(TRIANGLE, FACES, weld=np.bool_(False)).edges) == 3
+
+
 def test_real_models_load():
     mesh = rimline.load(find_model("igea.ply"))
     assert mesh.silhouette(eye=(2, 1, 2)).edges.shape[1] == 2

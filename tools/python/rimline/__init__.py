@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import os
 import threading
-from typing import Any, NamedTuple, Sequence, Union
+from typing import Any, Iterable, NamedTuple, Sequence, SupportsIndex, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -217,7 +217,7 @@ def draw(mesh: Mesh, *, progress: Any = None, **options: Any) -> LineDrawing:
 
 def best_views(
     mesh: Mesh,
-    count: int = 4,
+    count: SupportsIndex = 4,
     *,
     visible: bool = True,
     renderer: Renderer | None = None,
@@ -232,13 +232,14 @@ def best_views(
     below: 'less', views from below and behind count less; 'full', they do not. by_area: planes count by the areas of
     their faces. Fewer than `count` views where no other shows more.
     """
-    used = (renderer or _renderer()) if visible else None
-    return _rimline._best_views(mesh, count, used, below, by_area, up, progress)
+    if visible and renderer is None:
+        renderer = _renderer()
+    return _rimline._best_views(mesh, count, renderer if visible else None, below, by_area, up, progress)
 
 
 def camera_path(
     mesh: Mesh,
-    views: int | Sequence[View] | npt.NDArray[Any] = 4,
+    views: SupportsIndex | Sequence[View] | npt.NDArray[Any] = 4,
     *,
     up: Vector | None = None,
     progress: Any = None,
@@ -248,9 +249,10 @@ def camera_path(
 
     views: how many, or those of best_views(), or their eyes (N x 3).
     """
-    if isinstance(views, int):
+    if not isinstance(views, Iterable):
+        if not isinstance(views, SupportsIndex):
+            raise TypeError(f"views: expected an integer, views or points, not {type(views).__name__}")
         views = best_views(mesh, views, up=up, progress=progress, **options)
     elif options:
         raise TypeError(f"unexpected keyword argument '{next(iter(options))}'")
-    eyes = np.array([view.eye if isinstance(view, View) else view for view in views], dtype=np.float64)
-    return CameraPath(mesh, eyes.reshape(-1, 3), up=up, progress=progress)
+    return CameraPath(mesh, [view.eye if isinstance(view, View) else view for view in views], up=up, progress=progress)

@@ -2,7 +2,7 @@
 
 import os
 from types import TracebackType
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Sequence, SupportsIndex
 
 import numpy as np
 import numpy.typing as npt
@@ -74,7 +74,7 @@ class Mesh:
     def front_faces(self, eye: _Vector | None = None, *, direction: _Vector | None = None) -> npt.NDArray[np.bool_]: ...
     def build_index(self, *, progress: _Progress = None) -> None: ...
 
-def load(path: _Path, *, subdivide: int = 0, textures: bool = False, progress: _Progress = None) -> Mesh: ...
+def load(path: _Path, *, subdivide: SupportsIndex = 0, textures: bool = False, progress: _Progress = None) -> Mesh: ...
 
 class ChangeSet:
     @property
@@ -135,7 +135,7 @@ class ServiceTracker:
     def remove(self) -> bool: ...
 
 class SilhouetteService:
-    def __init__(self, *, workers: int = 0, max_pending: int = 4) -> None: ...
+    def __init__(self, *, workers: SupportsIndex = 0, max_pending: SupportsIndex = 4) -> None: ...
     def add(
         self, mesh: Mesh, eye: _Vector | None = None, *, direction: _Vector | None = None, progress: _Progress = None
     ) -> ServiceTracker: ...
@@ -229,11 +229,11 @@ class CameraPath:
     @property
     def length(self) -> float: ...
     def position(self, share: float) -> npt.NDArray[np.float64]: ...
-    def sample(self, count: int) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]: ...
+    def sample(self, count: SupportsIndex) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]: ...
 
 def _best_views(
     mesh: Mesh,
-    count: int,
+    count: SupportsIndex,
     renderer: Renderer | None,
     below: str,
     by_area: bool,
@@ -253,7 +253,7 @@ class PointSilhouette:
 
 class PointSurface:
     def __init__(
-        self, points: _Rows, *, k: int = 16, drop_outliers: bool = False, progress: _Progress = None
+        self, points: _Rows, *, k: SupportsIndex = 16, drop_outliers: bool = False, progress: _Progress = None
     ) -> None: ...
     def __len__(self) -> int: ...
     @property
