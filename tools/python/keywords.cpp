@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/nearest_name.h"
+#include "tools/python/arrays.h"
 
 namespace rimline::python {
 
@@ -25,65 +27,77 @@ std::string keyword_name(std::string option) {
 }
 
 bool is_list(const py::handle& value) {
-    return PyUnicode_Check(value.ptr()) == 0 && PyDict_Check(value.ptr()) == 0 &&
-           py::hasattr(value, "__len__") && py::hasattr(value, "__getitem__");
+    if (PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0 ||
+        PySequence_Check(value.ptr()) == 0)
+        return false;
+    const bool has_length = PyObject_Size(value.ptr()) >= 0;
+    PyErr_Clear();  // An array of no dimensions is a number.
+    return has_length;
 }
 
 bool is_number(const py::handle& value) {
-    return PyUnicode_Check(value.ptr()) == 0 && PyNumber_Check(value.ptr()) != 0 && !is_list(value);
+    return PyNumber_Check(value.ptr()) != 0 && !is_list(value) && !is_flag(value);
 }
 
 // The shortest text that is parsed to the same number.
-std::string number_text(const py::handle& value) {
-    const auto fail = [] { throw py::error_already_set(); };
+std::string number_text(const py::handle& value, const std::string& keyword) {
     if (PyLong_Check(value.ptr()) != 0) return py::str(value);
-    const double number = PyFloat_AsDouble(value.ptr());
-    if (number == -1.0 && PyErr_Occurred() != nullptr) fail();
-    std::string text = py::repr(py::float_(number));
+    std::string text = py::repr(py::float_(number_of(value, keyword.c_str())));
     if (text.ends_with(".0")) text.resize(text.size() - 2);
     return text;
 }
 
-std::string joined(const py::handle& values, const std::string& keyword) {
+// What options are given, and what the caller wrote for their values.
+struct Words {
+    std::vector<std::string> words;
+    std::vector<std::pair<std::string, py::object>> written;
+
+    void add(const std::string& keyword, const std::string& text, const py::handle& value) {
+        words.push_back(option_name(keyword) + "=" + text);
+        written.emplace_back(text, py::reinterpret_borrow<py::object>(value));
+    }
+    // The message with `(1, 2)` for `'1,2'`.
+    std::string as_written(std::string message) const {
+        for (const auto& [text, value] : written) {
+            const std::string quoted = "not '" + text + "'";
+            const std::size_t at = message.find(quoted);
+            if (at != std::string::npos)
+                message.replace(at, quoted.size(), "not " + py::repr(value).cast<std::string>());
+        }
+        return message;
+    }
+};
+
+// Of a number or name, or of a list of these.
+std::string value_text(const py::handle& value, const std::string& keyword) {
+    if (PyUnicode_Check(value.ptr()) != 0) return value.cast<std::string>();
+    if (is_number(value)) return number_text(value, keyword);
     std::string text;
-    for (const py::handle& value : py::reinterpret_borrow<py::object>(values)) {
-        if (!text.empty()) text += ',';
-        if (is_number(value))
-            text += number_text(value);
-        else if (PyUnicode_Check(value.ptr()) != 0)
-            text += value.cast<std::string>();
-        else
-            throw py::type_error(keyword + ": expected numbers or names");
+    for (const py::handle& item : py::reinterpret_borrow<py::object>(value)) {
+        if (!is_number(item) && PyUnicode_Check(item.ptr()) == 0)
+            throw py::type_error(keyword + ": expected numbers or names, not " +
+                                 py::repr(item).cast<std::string>());
+        text += (text.empty() ? "" : ",") + value_text(item, keyword);
     }
     return text;
 }
 
-void add_words(std::vector<std::string>& words, const CLI::Option& option,
-               const std::string& keyword, const py::handle& value) {
-    const std::string name = option_name(keyword);
-    const bool is_flag = option.get_expected_max() == 0;
-    if (is_flag || PyBool_Check(value.ptr()) != 0) {
-        if (PyBool_Check(value.ptr()) == 0)
-            throw py::type_error(keyword + ": expected True or False");
-        const bool is_on = value.cast<bool>();
-        if (!is_flag)
-            words.push_back(name + (is_on ? "=on" : "=off"));
-        else if (is_on)
-            words.push_back(name);
-    } else if (PyUnicode_Check(value.ptr()) != 0) {
-        words.push_back(name + "=" + value.cast<std::string>());
+void add_words(Words& words, const CLI::Option& option, const std::string& keyword,
+               const py::handle& value) {
+    if (option.get_expected_max() == 0) {
+        if (flag_of(value, keyword.c_str())) words.words.push_back(option_name(keyword));
+    } else if (is_flag(value)) {
+        words.add(keyword, flag_of(value, keyword.c_str()) ? "on" : "off", value);
     } else if (is_list(value)) {
         const auto items = py::reinterpret_borrow<py::object>(value);
-        const bool is_nested = py::len(items) > 0 && is_list(items[py::int_(0)]);
-        if (!is_nested)
-            words.push_back(name + "=" + joined(items, keyword));
-        else
-            for (const py::handle& item : items)
-                words.push_back(name + "=" + joined(item, keyword));
-    } else if (is_number(value)) {
-        words.push_back(name + "=" + number_text(value));
+        if (!std::any_of(items.begin(), items.end(), is_list))
+            return words.add(keyword, value_text(value, keyword), value);
+        for (const py::handle& item : items) words.add(keyword, value_text(item, keyword), item);
+    } else if (PyUnicode_Check(value.ptr()) != 0 || is_number(value)) {
+        words.add(keyword, value_text(value, keyword), value);
     } else {
-        throw py::type_error(keyword + ": expected a number, text, or a list of these");
+        throw py::type_error(keyword + ": expected a number, text, or a list of these, not " +
+                             Py_TYPE(value.ptr())->tp_name);
     }
 }
 
@@ -103,7 +117,7 @@ std::string in_keywords(std::string message) {
 }
 
 void parse_keywords(CLI::App& app, const py::dict& keywords) {
-    std::vector<std::string> words;
+    Words words;
     for (const auto& [key, value] : keywords) {
         const auto keyword = key.cast<std::string>();
         const CLI::Option* option = app.get_option_no_throw(option_name(keyword));
@@ -117,11 +131,11 @@ void parse_keywords(CLI::App& app, const py::dict& keywords) {
         }
         if (!value.is_none()) add_words(words, *option, keyword, value);
     }
-    std::ranges::reverse(words);  // CLI11 takes them from the end.
+    std::ranges::reverse(words.words);  // CLI11 takes them from the end.
     try {
-        app.parse(words);
+        app.parse(words.words);
     } catch (const CLI::ParseError& error) {
-        throw py::value_error(in_keywords(error.what()));
+        throw py::value_error(words.as_written(in_keywords(error.what())));
     }
 }
 

@@ -114,7 +114,14 @@ def test_chains_keep_their_ids_over_frames(knot):
     ({"eye": object()}, TypeError, "eye"),
     ({"line_color": "no-color"}, ValueError, "line_color"),
     ({"width": -1}, ValueError, "width"),
-    ({"keep_coincident": "yes"}, TypeError, "keep_coincident"),
+    ({"keep_coincident": "yes"}, TypeError, "keep_coincident: expected True or False, not str"),
+    ({"keep_coincident": 1}, TypeError, "keep_coincident"),
+    ({"eye": (1, 2)}, ValueError, r"eye: .*, not \(1, 2\)"),
+    ({"eye": b"abc"}, TypeError, "eye: .*, not bytes"),
+    ({"eye": (True, 2, 3)}, TypeError, "eye: .*, not True"),
+    ({"width": 1j}, TypeError, "width: expected a number, not complex"),
+    ({"ortho": True}, ValueError, "ortho: .*, not True"),
+    ({"ortho": np.bool_(True)}, ValueError, "ortho: .*, not (np.)?True"),
     ({"scale": "1:2"}, ValueError, "orthographic"),
     ({"hidden_by": 2}, ValueError, "hidden"),
     ({"fov": 30, "ortho": "auto"}, ValueError, "ortho|fov"),
@@ -200,6 +207,13 @@ def test_threads_take_turns_at_a_renderer(knot):
         thread.join()
     assert not failures
 
+    for wrong, error in ((32, TypeError), ((32,), ValueError), ((32, "a"), TypeError), ((32.5, 5), TypeError)):
+        with pytest.raises(error, match="size: expected width and height, not"):
+            renderer.render(knot, size=wrong)
+    with pytest.raises(ValueError, match="sun: .*, not 'noon'"):
+        renderer.render(knot, size=(64, 48), sun=[(1, 1, 1), "noon"])
+    assert (renderer.render(scene.replace(ground=np.bool_(True))) == renderer.render(scene.replace(ground=True))).all()
+    assert (renderer.render(scene.replace(ground=np.bool_(False))) == first).all()
 
 def test_a_machine_without_the_device_is_told_so():
     have_device()

@@ -18,6 +18,7 @@ share.
 
 from __future__ import annotations
 
+import operator
 import os
 import threading
 from typing import Any, Iterable, NamedTuple, Sequence, SupportsIndex, Union
@@ -148,7 +149,10 @@ class Scene:
             raise TypeError(f"mesh: expected a rimline.Mesh, not {type(mesh).__name__}")
         size = options.get("size")
         if size is not None and not isinstance(size, str):
-            width, height = (int(side) for side in size)
+            try:
+                width, height = map(operator.index, size)
+            except (TypeError, ValueError) as error:
+                raise type(error)(f"size: expected width and height, not {size!r}") from None
             options["size"] = f"{width}x{height}"
         self.mesh = mesh
         self.options = options
