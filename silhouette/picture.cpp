@@ -3,9 +3,12 @@
 #include <png.h>
 
 #include <array>
+#include <csetjmp>
+#include <cstdio>
+#include <exception>
+#include <new>
 #include <string>
-
-#include "silhouette/error.h"
+#include <utility>
 
 namespace rimline {
 
@@ -43,29 +46,76 @@ void check_png_is_whole(std::span<const std::byte> bytes) {
     }
 }
 
+// Writes a PNG file to memory.
+class PngWriter {
+public:
+    PngWriter() {
+        png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, &fail, [](auto, auto) {});
+        info_ = png_create_info_struct(png_);
+        if (info_ == nullptr) {
+            png_destroy_write_struct(&png_, nullptr);
+            throw std::bad_alloc();
+        }
+        png_set_write_fn(png_, this, &append, nullptr);
+    }
+    ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    /// Calls work(png, info). libpng may leave it by longjmp(): it must own nothing.
+    template <typename Work>
+    void run(const Work& work) {
+        if (setjmp(png_jmpbuf(png_)) == 0) return work(png_, info_);
+        if (failure_) std::rethrow_exception(failure_);
+        throw Error(ErrorCode::io, std::string("PNG: ") + message_.data());
+    }
+    std::vector<std::byte>& bytes() { return bytes_; }
+
+private:
+    [[noreturn]] static void fail(png_structp png, const char* message) {
+        auto& self = *static_cast<PngWriter*>(png_get_error_ptr(png));
+        std::snprintf(self.message_.data(), self.message_.size(), "%s", message);
+        png_longjmp(png, 1);
+    }
+    static void append(png_structp png, std::uint8_t* data, std::size_t size) {
+        auto& self = *static_cast<PngWriter*>(png_get_io_ptr(png));
+        try {
+            const auto* begin = reinterpret_cast<const std::byte*>(data);
+            self.bytes_.insert(self.bytes_.end(), begin, begin + size);
+        } catch (...) {
+            self.failure_ = std::current_exception();
+        }
+        if (self.failure_) png_error(png, "");  // No exception may pass through libpng.
+    }
+
+    png_structp png_;
+    png_infop info_;
+    std::vector<std::byte> bytes_;
+    std::exception_ptr failure_;
+    std::array<char, 64> message_;
+};
+
 }  // namespace
 
-std::vector<std::byte> encode_png(const Picture& picture) {
+std::vector<std::byte> encode_png(const Picture& picture, const LongCall& call) {
     RIMLINE_CHECK(picture.rgba.size() == std::size_t{4} * picture.width * picture.height);
-    std::vector<std::uint8_t> rgb;
-    if (!picture.has_alpha) {
-        rgb.reserve(picture.rgba.size() / 4 * 3);
-        for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-            rgb.insert(rgb.end(), &picture.rgba[i], &picture.rgba[i] + 3);
+    PngWriter writer;
+    writer.run([&](png_structp png, png_infop info) {
+        png_set_IHDR(png, info, picture.width, picture.height, 8,
+                     picture.has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_write_info(png, info);
+        if (!picture.has_alpha) png_set_filler(png, 0, PNG_FILLER_AFTER);  // Leaves out alpha.
+    });
+    for (std::uint32_t y = 0; y < picture.height; ++y) {
+        call.checkpoint(double(y) / picture.height);
+        const std::uint8_t* row = &picture.rgba[std::size_t{4} * picture.width * y];
+        writer.run([&](png_structp png, png_infop) { png_write_row(png, row); });
     }
-    const std::vector<std::uint8_t>& pixels = picture.has_alpha ? picture.rgba : rgb;
-
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = picture.width;
-    image.height = picture.height;
-    image.format = picture.has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-    std::vector<std::byte> bytes(size);
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
-        throw Error(ErrorCode::io, std::string("PNG: ") + image.message);
-    bytes.resize(size);
-    return bytes;
+    writer.run([](png_structp png, png_infop info) { png_write_end(png, info); });
+    call.checkpoint(1.0);
+    return std::move(writer.bytes());
 }
 
 Picture decode_png(std::span<const std::byte> bytes) {

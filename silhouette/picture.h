@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/error.h"
+
 namespace rimline {
 
 /// Rows from the top; 4 bytes a pixel: red, green, blue (sRGB), alpha.
@@ -19,7 +21,7 @@ struct Picture {
 };
 
 /// The bytes of a PNG file, with alpha if the picture has it. Throws Error{io} when libpng fails.
-std::vector<std::byte> encode_png(const Picture& picture);
+std::vector<std::byte> encode_png(const Picture& picture, const LongCall& call = {});
 
 /// Files of pictures with more pixels are refused: 1 GiB of memory.
 constexpr std::uint64_t k_max_decoded_pixels = std::uint64_t{1} << 28;

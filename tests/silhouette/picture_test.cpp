@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <array>
+#include <stop_token>
 #include <string>
 
 #include "silhouette/error.h"
@@ -82,6 +83,17 @@ TEST_CASE("decode_png reads what encode_png writes") {
         for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 17;
         CHECK(encode_png(picture) == encode_png(read));
     }
+}
+
+TEST_CASE("a stop ends encode_png between two rows") {
+    std::stop_source stop;
+    double last = 0.0;
+    const LongCall call{stop.get_token(), [&](double done) {
+                            last = done;
+                            if (done >= 0.5) stop.request_stop();
+                        }};
+    CHECK_THROWS_AS(encode_png(make_picture(4, 100), call), Error);
+    CHECK(last == 0.5);
 }
 
 TEST_CASE("decode_png reads alpha and gray and 16 bits") {

@@ -8,6 +8,6 @@
 namespace rimline::tools {
 
 /// Writes the picture and commits the file. Throws Error{io}.
-void write_png(OutputFile& file, const Picture& picture);
+void write_png(OutputFile& file, const Picture& picture, const LongCall& call = {});
 
 }  // namespace rimline::tools

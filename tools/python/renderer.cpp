@@ -8,6 +8,8 @@
 #include "engine/vulkan/device.h"
 #include "silhouette/picture.h"
 #include "tools/bindings/bound_renderer.h"
+#include "tools/output/output_file.h"
+#include "tools/output/picture_file.h"
 #include "tools/python/arrays.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
@@ -45,19 +47,51 @@ py::array render(const std::shared_ptr<BoundRenderer>& renderer, const SharedMes
         picture.rgba.data());
 }
 
-py::bytes png_of(const py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>& rgba) {
-    if (rgba.ndim() != 3 || rgba.shape(2) != 4 || rgba.size() == 0)
-        throw py::value_error("picture: expected the shape (H, W, 4)");
-    Picture picture{.width = std::uint32_t(rgba.shape(1)), .height = std::uint32_t(rgba.shape(0))};
-    picture.rgba.assign(rgba.data(), rgba.data() + rgba.size());
-    for (std::size_t i = 3; i < picture.rgba.size() && !picture.has_alpha; i += 4)
-        picture.has_alpha = picture.rgba[i] != 255;
-    std::vector<std::byte> bytes;
-    {
-        const py::gil_scoped_release unlocked;
-        bytes = encode_png(picture);
+using Pixels = py::array_t<std::uint8_t, py::array::c_style>;
+
+Pixels pixels_of(const py::object& picture) {
+    if (!py::isinstance<py::array_t<std::uint8_t>>(picture))
+        throw py::type_error(
+            "picture: expected an array of uint8, not " +
+            py::str(py::getattr(picture, "dtype", py::type::of(picture))).cast<std::string>());
+    Pixels pixels(picture);
+    if (pixels.ndim() != 3 || pixels.shape(2) != 4 || pixels.size() == 0)
+        throw py::value_error("picture: expected the shape (H, W, 4), not " +
+                              py::str(picture.attr("shape")).cast<std::string>());
+    return pixels;
+}
+
+// Needs no lock of the interpreter.
+Picture picture_of(const Pixels& pixels, const LongCall& call) {
+    Picture picture{.width = std::uint32_t(pixels.shape(1)),
+                    .height = std::uint32_t(pixels.shape(0))};
+    picture.rgba.reserve(std::size_t(pixels.size()));
+    const std::size_t row_size = std::size_t{4} * picture.width;
+    for (std::uint32_t y = 0; y < picture.height; ++y) {
+        call.checkpoint(0.0);
+        const std::uint8_t* row = pixels.data() + row_size * y;
+        picture.rgba.insert(picture.rgba.end(), row, row + row_size);
+        for (std::size_t i = 3; i < row_size && !picture.has_alpha; i += 4)
+            picture.has_alpha = row[i] != 255;
     }
+    return picture;
+}
+
+py::bytes png_of(const py::object& picture) {
+    const Pixels pixels = pixels_of(picture);
+    const std::vector<std::byte> bytes = long_result(py::none(), [&](const LongCall& call) {
+        return encode_png(picture_of(pixels, call), call);
+    });
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void save_png(const py::object& picture, const py::object& path) {
+    const Pixels pixels = pixels_of(picture);
+    const std::string name = path_of(path);
+    run_long(py::none(), [&](const LongCall& call) {
+        tools::OutputFile file(name);
+        tools::write_png(file, picture_of(pixels, call), call);
+    });
 }
 
 py::list devices() {
@@ -88,7 +122,9 @@ void bind_renderer(py::module_& module) {
             [](const BoundRenderer& r) { return r.device().instance.validation_message_count(); },
             "None without validation layers.");
     module.def("encode_png", &png_of, py::arg("picture"),
-               "The bytes of a PNG file of an H x W x 4 array.");
+               "The bytes of a PNG file of an H x W x 4 array of uint8.");
+    module.def("save_png", &save_png, py::arg("picture"), py::arg("path"),
+               "Writes a PNG file of an H x W x 4 array of uint8, whole or not at all.");
     module.def("devices", &devices,
                "Vulkan devices: name, type, and what each lacks; an empty list where it can be "
                "used.");

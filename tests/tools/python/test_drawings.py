@@ -138,11 +138,42 @@ def test_files_are_written_whole_or_not_at_all(knot, tmp_path):
     for name in ("drawing.txt", "drawing.json", "drawing"):
         with pytest.raises(ValueError, match=rf"path: expected .* \.svg, \.pdf or \.dxf, not '.*{name}'"):
             drawing.save(tmp_path / name)
-    with pytest.raises(rimline.FileError):
-        drawing.save(tmp_path / "missing" / "drawing.svg")
     picture = rimline.render(knot, size=(32, 24))
-    with pytest.raises(OSError):
-        picture.save(tmp_path / "missing" / "picture.png")
+    for thing, name in ((drawing, "drawing.svg"), (picture, "picture.png")):
+        missing = tmp_path / "missing"
+        with pytest.raises(rimline.FileError, match=f"{missing}/{name}: .*there is no folder {missing}"):
+            thing.save(missing / name)
+        for wrong, error in (("", ValueError), ("-", ValueError), ("a\0.svg", ValueError), (3, TypeError)):
+            with pytest.raises(error, match="path: "):
+                thing.save(wrong)
+    assert list(tmp_path.iterdir()) == []
+
+
+def picture_of(array):
+    return np.asarray(array).view(rimline.Picture)
+
+
+def test_pictures_are_saved_as_they_are(tmp_path):
+    pixels = np.random.default_rng(4).integers(0, 256, (7, 10, 4), dtype=np.uint8)
+    path = os.fsencode(tmp_path / "picture.png")
+    for picture in (picture_of(pixels), picture_of(pixels)[::2, ::-1], picture_of(np.asfortranarray(pixels))):
+        picture.save(path)
+        with open(path, "rb") as file:
+            assert file.read() == picture._repr_png_() == picture_of(picture.copy())._repr_png_()
+    picture_of(pixels).save(path)
+    read = pytest.importorskip("matplotlib.image").imread(tmp_path / "picture.png")
+    assert (np.rint(255 * read) == pixels).all()
+
+
+def test_only_bytes_of_colors_are_saved(tmp_path):
+    pixels = np.full((4, 5, 4), 200, dtype=np.uint8)
+    for array in (pixels / 255, pixels.astype(int) + 300, np.full(pixels.shape, np.nan), pixels.astype(bool),
+                  pixels.astype(np.int8)):
+        with pytest.raises(TypeError, match=f"picture: expected an array of uint8, not {array.dtype}"):
+            picture_of(array).save(tmp_path / "picture.png")
+    for array in (pixels[0], pixels[:, :, :3], pixels[:0]):
+        with pytest.raises(ValueError, match=r"picture: expected the shape \(H, W, 4\), not"):
+            picture_of(array).save(tmp_path / "picture.png")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -176,6 +207,13 @@ def test_a_renderer_draws_one_mesh_after_another(knot):
     assert (renderer.render(scene) == first).all()
     assert (renderer.render(scene.replace(style="toon")) != first).any()
     assert (scene.replace(style="toon").replace(style="ink").options["size"]) == "64x48"
+    for wrong, error in ((32, TypeError), ((32,), ValueError), ((32, "a"), TypeError), ((32.5, 5), TypeError)):
+        with pytest.raises(error, match="size: expected width and height, not"):
+            renderer.render(knot, size=wrong)
+    with pytest.raises(ValueError, match="sun: .*, not 'noon'"):
+        renderer.render(knot, size=(64, 48), sun=[(1, 1, 1), "noon"])
+    assert (renderer.render(scene.replace(ground=np.bool_(True))) == renderer.render(scene.replace(ground=True))).all()
+    assert (renderer.render(scene.replace(ground=np.bool_(False))) == first).all()
     for wrong in ({"size": (0, 5)}, {"size": (20000, 5)}, {"style": "oil"}, {"palette": "none"}, {"eye": "above"}):
         with pytest.raises(ValueError):
             renderer.render(knot, **wrong)
@@ -207,13 +245,6 @@ def test_threads_take_turns_at_a_renderer(knot):
         thread.join()
     assert not failures
 
-    for wrong, error in ((32, TypeError), ((32,), ValueError), ((32, "a"), TypeError), ((32.5, 5), TypeError)):
-        with pytest.raises(error, match="size: expected width and height, not"):
-            renderer.render(knot, size=wrong)
-    with pytest.raises(ValueError, match="sun: .*, not 'noon'"):
-        renderer.render(knot, size=(64, 48), sun=[(1, 1, 1), "noon"])
-    assert (renderer.render(scene.replace(ground=np.bool_(True))) == renderer.render(scene.replace(ground=True))).all()
-    assert (renderer.render(scene.replace(ground=np.bool_(False))) == first).all()
 
 def test_a_machine_without_the_device_is_told_so():
     have_device()

@@ -275,7 +275,9 @@ def test_progress_is_reported_to_functions_and_bars():
         rimline.load("shape:knot:300000", subdivide=1, progress=fail)
 
 
-def test_other_threads_run_meanwhile():
+@pytest.mark.parametrize("call", [lambda: rimline.load("shape:knot:500000").build_index(),
+                                  lambda: BOX_PATH.sample(1_000_000)], ids=["index", "sample"])
+def test_other_threads_run_meanwhile(call):
     ticks, over = [], threading.Event()
 
     def tick():
@@ -284,7 +286,7 @@ def test_other_threads_run_meanwhile():
 
     thread = threading.Thread(target=tick)
     thread.start()
-    rimline.load("shape:knot:500000").build_index()
+    call()
     over.set()
     thread.join()
     assert len(ticks) > 20
@@ -292,11 +294,14 @@ def test_other_threads_run_meanwhile():
 
 INTERRUPTED = """
 import os, signal, sys, threading, time
+import numpy as np
 import rimline
 
 mesh = rimline.load("shape:knot:1000000")
 vertices, faces = mesh.vertices, mesh.faces
 half = rimline.load("shape:knot:500000")
+path = rimline.camera_path(rimline.load("shape:box"), 3, visible=False)
+picture = np.random.default_rng(1).integers(0, 256, (4000, 4000, 4), dtype=np.uint8).view(rimline.Picture)
 calls = {
     "load": lambda: rimline.load("shape:knot:500000", subdivide=3),
     "mesh": lambda: rimline.Mesh(vertices, faces),
@@ -307,6 +312,8 @@ calls = {
     "light": lambda: rimline.best_light(mesh, (3, 2, 4)),
     "points": lambda: rimline.PointSurface(vertices),
     "render": lambda: rimline.render(mesh),
+    "sample": lambda: path.sample(1_000_000),
+    "save": lambda: picture.save(os.devnull),
 }
 call, delay_s = calls[sys.argv[1]], float(sys.argv[2])
 sent = []
@@ -334,7 +341,7 @@ thread.join()
 
 @pytest.mark.parametrize(("name", "delay_s"), [
     ("load", 0.08), ("mesh", 0.08), ("index", 0.08), ("lines", 0.08), ("field", 0.08), ("views", 0.08),
-    ("light", 0.08), ("points", 0.08), ("load", 0.8), ("field", 0.32), ("light", 0.35),
+    ("light", 0.08), ("points", 0.08), ("sample", 0.08), ("save", 0.04), ("save", 0.6), ("load", 0.8), ("field", 0.32), ("light", 0.35),
     ("render", 0.02), ("render", 0.7), ("render", 1.5), ("render", 2.5)])
 def test_ctrl_c_ends_long_calls_at_once(name, delay_s):
     if name == "render":

@@ -114,17 +114,9 @@ class Line(NamedTuple):
 class Picture(np.ndarray):  # type: ignore[type-arg]
     """An H x W x 4 array of uint8: sRGB and straight alpha, rows from the top."""
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | bytes | os.PathLike[str] | os.PathLike[bytes]) -> None:
         """Writes a PNG file, whole or not at all."""
-        folder, name = os.path.split(os.fspath(path))
-        part = os.path.join(folder, f".{name}.{os.getpid()}.{threading.get_ident()}.part")
-        try:
-            with open(part, "wb") as file:
-                file.write(_rimline.encode_png(self))
-            os.replace(part, path)
-        finally:
-            if os.path.exists(part):
-                os.remove(part)
+        _rimline.save_png(self, path)
 
     def _repr_png_(self) -> bytes | None:
         is_picture = self.ndim == 3 and self.shape[2] == 4 and self.dtype == np.uint8 and self.size > 0
