@@ -1,6 +1,8 @@
 """rimline.Mesh: arrays in and out, and silhouettes against numpy."""
 
+import copy
 import os
+import pickle
 import subprocess
 import sys
 import threading
