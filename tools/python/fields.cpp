@@ -200,7 +200,7 @@ py::array best_light(const py::object& mesh_object, const py::object& eye, const
             return sun ? std::optional(sun->direction) : std::nullopt;
         });
     if (!direction)
-        throw Error(ErrorCode::bad_input, by == "votes"
+        throw Error(ErrorCode::bad_input, way == "votes"
                                               ? "no face turns a side towards the eye: move it"
                                               : "no face is in the picture from the eye: move it");
     return array_of(*direction);

@@ -375,7 +375,7 @@ void bind_tracker(py::module_& module) {
             "Adds a tracker at a viewpoint or a direction.")
         .def("stop", &PythonService::stop, "Ends the workers. Points not reached are dropped.")
         .def("__enter__", [](py::object self) { return self; })
-        .def("__exit__", [](const PythonService& self, const py::args&) { self.stop(); })
+        .def("__exit__", [](PythonService& self, const py::args&) { self.stop(); })
         .def_property_readonly("worker_count", [](const PythonService& self) {
             return self.service().worker_count();
         });
