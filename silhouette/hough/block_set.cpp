@@ -1,5 +1,7 @@
 #include "silhouette/hough/block_set.h"
 
+#include "silhouette/gradual_resize.h"
+
 namespace rimline {
 
 namespace {
@@ -12,8 +14,8 @@ BlockBounds bounds_of(std::span<const PlaneVector> planes) noexcept {
 
 }  // namespace
 
-void FaceBlocks::resize(std::size_t faces) {
-    planes.resize(block_count_of(faces));
+void FaceBlocks::resize(std::size_t faces, const std::stop_token& stop) {
+    resize_gradually(planes, block_count_of(faces), stop);
     last_lanes = lanes_of_last_block(faces);
 }
 
@@ -25,10 +27,10 @@ BlockBounds FaceBlocks::set(std::size_t block, std::span<const PlaneVector> of_b
     return bounds;
 }
 
-void EdgeBlocks::resize(std::size_t edge_count) {
+void EdgeBlocks::resize(std::size_t edge_count, const std::stop_token& stop) {
     const std::uint32_t block_count = block_count_of(edge_count);
-    planes.resize(block_count);
-    edges.assign(std::size_t{block_count} * k_block_size, k_no_edge);
+    resize_gradually(planes, block_count, stop);
+    resize_gradually(edges, std::size_t{block_count} * k_block_size, stop, k_no_edge);
     last_lanes = lanes_of_last_block(edge_count);
 }
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/hough/block_tree.h"
@@ -51,8 +52,8 @@ struct FaceBlocks {
     std::uint32_t first_block = 0;  ///< The number of the first among the blocks of all origins.
     std::uint32_t last_lanes = 0;   ///< Of the last block, the lanes in use.
 
-    /// Makes room for all blocks.
-    void resize(std::size_t faces);
+    /// Makes room for all blocks. Throws Error{cancelled}.
+    void resize(std::size_t faces, const std::stop_token& stop);
     /// Writes the planes of a block, at most sixteen, and returns their box, for the tree. Blocks can be
     /// written at the same time.
     BlockBounds set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
@@ -69,8 +70,8 @@ struct EdgeBlocks {
     std::vector<EdgeId> edges;  ///< Sixteen for each block; k_no_edge after the last edge.
     std::uint32_t last_lanes = 0;
 
-    /// Makes room for all blocks. All edges are k_no_edge.
-    void resize(std::size_t edge_count);
+    /// Makes room for all blocks. All edges are k_no_edge. Throws Error{cancelled}.
+    void resize(std::size_t edge_count, const std::stop_token& stop);
     /// The same for two planes of each edge, at most 32.
     BlockBounds set(std::size_t block, std::span<const PlaneVector> of_block) noexcept;
 };

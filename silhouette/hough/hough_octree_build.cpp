@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "silhouette/gradual_resize.h"
 #include "silhouette/hough/block_set.h"
 #include "silhouette/hough/face_links.h"
 #include "silhouette/hough/hough_octree.h"
@@ -59,6 +60,15 @@ private:
         if (tbb::is_current_task_group_canceling()) throw Error(ErrorCode::cancelled, "cancelled");
     }
 
+    // On this thread.
+    template <typename Visit>
+    void for_each_in_order(std::uint32_t count, Visit&& visit) const {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (i % (1u << 16) == 0) LongCall{call_.stop, {}}.checkpoint(0.0);
+            visit(i);
+        }
+    }
+
     HoughPoint hough_point_of(FaceId face, std::size_t group) const {
         return hough_point(mesh_.plane(face), octree_.origins_[group]);
     }
@@ -84,7 +94,7 @@ private:
     }
 
     void group_faces() {
-        group_.assign(mesh_.face_count(), 0);
+        resize_gradually(group_, mesh_.face_count(), call_.stop);
         if (octree_.origins_.size() == 1) return;
         for_each_index(mesh_.face_count(), [&](std::size_t f) {
             const FaceId face{size32(f)};
@@ -103,10 +113,11 @@ private:
     }
 
     void place_faces() {
-        position_.assign(mesh_.face_count(), k_no_position);
+        resize_gradually(position_, mesh_.face_count(), call_.stop, k_no_position);
         std::vector<std::vector<FaceId>> members(octree_.origins_.size());
-        for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
+        for_each_in_order(mesh_.face_count(), [&](std::uint32_t f) {
             if (mesh_.plane(FaceId{f}).has_normal()) members[group_[f]].push_back(FaceId{f});
+        });
         for (std::size_t g = 0; g < members.size(); ++g) {
             octree_.statistics_.group_faces.push_back(size32(members[g].size()));
             octree_.face_blocks_.push_back(make_face_blocks(g, members[g]));
@@ -120,7 +131,8 @@ private:
     }
 
     FaceBlocks make_face_blocks(std::size_t group, std::span<const FaceId> members) {
-        std::vector<glm::dvec3> positions(members.size());
+        std::vector<glm::dvec3> positions;
+        resize_gradually(positions, members.size(), call_.stop);
         // The Hough point of a plane is that of the plane turned around. A box would hold both: apart.
         std::vector<std::uint8_t> sides(members.size());
         for_each_index(members.size(), [&](std::size_t i) {
@@ -128,7 +140,7 @@ private:
             positions[i] = point.position;
             sides[i] = point.side < 0;
         });
-        const std::vector<std::uint32_t> order = octree_order(positions, sides);
+        const std::vector<std::uint32_t> order = octree_order(positions, sides, call_.stop);
         double length = 0.0;
         for (const FaceId face : members) {
             const HoughPoint point = hough_point_of(face, group);
@@ -138,10 +150,11 @@ private:
         FaceBlocks blocks;
         blocks.space = space_of(group, length);
         blocks.first_block = octree_.block_count();
-        blocks.resize(members.size());
+        blocks.resize(members.size(), call_.stop);
         const std::uint32_t block_count = block_count_of(members.size());
         const std::size_t first_position = octree_.faces_.size();
-        octree_.faces_.resize(first_position + std::size_t{block_count} * k_block_size, k_no_face);
+        resize_gradually(octree_.faces_, first_position + std::size_t{block_count} * k_block_size,
+                         call_.stop, k_no_face);
         std::vector<BlockBounds> bounds(block_count);
         for_each_index(block_count, [&](std::size_t b) {
             const std::size_t begin = b * k_block_size;
@@ -196,12 +209,13 @@ private:
 
     void place_edges() {
         const std::uint32_t two_faced = mesh_.edges_of_class(EdgeClass::inconsistent).last;
-        std::vector<std::uint32_t> owner(two_faced);
+        std::vector<std::uint32_t> owner;
+        resize_gradually(owner, two_faced, call_.stop);
         for_each_index(two_faced, [&](std::size_t e) { owner[e] = owner_of(EdgeId{size32(e)}); });
         const std::size_t groups = octree_.origins_.size();
         owned_.resize(groups);
         HoughOctreeStatistics& statistics = octree_.statistics_;
-        for (std::uint32_t e = 0; e < two_faced; ++e) {
+        for_each_in_order(two_faced, [&](std::uint32_t e) {
             const std::array<FaceId, 2>& faces = mesh_.edge(EdgeId{e}).faces;
             statistics.sfo_edges += owner[e] == k_sfo;
             statistics.undecided_edges += owner[e] == k_undecided;
@@ -210,7 +224,7 @@ private:
             statistics.owned_edges += is_owned;
             statistics.ghost_edges += is_owned && (group_[index(faces[0])] != owner[e] ||
                                                    group_[index(faces[1])] != owner[e]);
-        }
+        });
         octree_.edge_blocks_.resize(groups);
         tbb::parallel_for(std::size_t{0}, groups,
                           [&](std::size_t g) { octree_.edge_blocks_[g] = make_edge_blocks(g); });
@@ -238,8 +252,10 @@ private:
             return mesh_.plane(face).has_normal() ? hough_point_of(face, group)
                                                   : HoughPoint{{}, 0.0, 0};
         };
-        std::vector<glm::dvec3> centers(edges.size());
-        std::vector<double> lengths(edges.size());
+        std::vector<glm::dvec3> centers;
+        std::vector<double> lengths;
+        resize_gradually(centers, edges.size(), call_.stop);
+        resize_gradually(lengths, edges.size(), call_.stop);
         for_each_index(edges.size(), [&](std::size_t i) {
             const std::array<HoughPoint, 2> points{point_of(edges[i], 0), point_of(edges[i], 1)};
             for (const HoughPoint& point : points)
@@ -260,9 +276,10 @@ private:
                 squares[i] += difference * difference;
             }
         });
-        const std::vector<std::uint32_t> order = octree_order(centers, length_classes(squares));
+        const std::vector<std::uint32_t> order =
+            octree_order(centers, length_classes(squares), call_.stop);
 
-        blocks.resize(edges.size());
+        blocks.resize(edges.size(), call_.stop);
         const std::uint32_t block_count = block_count_of(edges.size());
         std::vector<BlockBounds> bounds(block_count);
         for_each_index(block_count, [&](std::size_t b) {
@@ -286,7 +303,7 @@ private:
         const std::uint32_t position_count = size32(octree_.faces_.size());
         // A face without a plane: where the states of trackers are zero.
         std::ranges::replace(position_, k_no_position, position_count);
-        octree_.links_.resize(position_count);
+        resize_gradually(octree_.links_, position_count, call_.stop);
         for_each_index(position_count, [&](std::size_t i) {
             if (octree_.faces_[i] != k_no_face)
                 octree_.links_[i] = FaceLinks(mesh_, octree_.faces_[i], position_);

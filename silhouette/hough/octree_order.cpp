@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/gradual_resize.h"
 #include "silhouette/hough/interleaved_bits.h"
 
 namespace rimline {
@@ -78,8 +79,20 @@ void make_hilbert_codes(std::array<BatchAxis, 3>& x, std::array<std::uint64_t, k
     }
 }
 
+// In order.
+template <typename Visit>
+void for_each_point(std::span<const CodedPoint> points, const std::stop_token& stop,
+                    Visit&& visit) {
+    constexpr std::size_t k_points_a_checkpoint = std::size_t{1} << 18;
+    for (std::size_t first = 0; first < points.size(); first += k_points_a_checkpoint) {
+        LongCall{stop, {}}.checkpoint(0.0);
+        const std::size_t count = std::min(k_points_a_checkpoint, points.size() - first);
+        for (const CodedPoint& p : points.subspan(first, count)) visit(p);
+    }
+}
+
 // Radix sort, least significant digit first. It is stable: equal codes keep the order of their numbers.
-void sort_by_code(std::span<CodedPoint> range) {
+void sort_by_code(std::span<CodedPoint> range, const std::stop_token& stop) {
     constexpr std::size_t k_min_for_radix = 2000;
     if (range.size() < k_min_for_radix) {
         std::sort(range.begin(), range.end());
@@ -87,7 +100,8 @@ void sort_by_code(std::span<CodedPoint> range) {
     }
     constexpr std::uint32_t k_digit_bits = 11;
     constexpr std::size_t k_digits = std::size_t{1} << k_digit_bits;
-    std::vector<CodedPoint> other(range.size());
+    std::vector<CodedPoint> other;
+    resize_gradually(other, range.size(), stop);
     std::span<CodedPoint> from = range;
     std::span<CodedPoint> to = other;
     for (std::uint32_t shift = 0; shift < k_code_bits; shift += k_digit_bits) {
@@ -95,10 +109,10 @@ void sort_by_code(std::span<CodedPoint> range) {
             return p.code >> shift & (k_digits - 1);
         };
         std::vector<std::uint32_t> begin(k_digits + 1, 0);
-        for (const CodedPoint& p : from) ++begin[digit(p) + 1];
+        for_each_point(from, stop, [&](const CodedPoint& p) { ++begin[digit(p) + 1]; });
         if (begin[digit(from[0]) + 1] == from.size()) continue;  // All the same.
         for (std::size_t d = 1; d < k_digits; ++d) begin[d] += begin[d - 1];
-        for (const CodedPoint& p : from) to[begin[digit(p)]++] = p;
+        for_each_point(from, stop, [&](const CodedPoint& p) { to[begin[digit(p)]++] = p; });
         std::swap(from, to);
     }
     if (from.data() != range.data()) std::copy(from.begin(), from.end(), range.begin());
@@ -121,7 +135,8 @@ Cube bounding_cube(Points points, std::span<const CodedPoint> range) {
 }
 
 void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
-                      std::span<CodedPoint> range, std::uint32_t cubes) {
+                      std::span<CodedPoint> range, std::uint32_t cubes,
+                      const std::stop_token& stop) {
     const Cube cube = bounding_cube(points, range);
     const double side = cube.side();
     if (!(side > 0.0) && sizes.empty()) return;
@@ -152,27 +167,29 @@ void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
                 }
             }
         });
-    sort_by_code(range);
+    sort_by_code(range, stop);
     if (cubes + 1 == k_max_cubes || !(side > 0.0)) return;
     for (std::size_t begin = 0; begin < range.size();) {
         std::size_t end = begin + 1;
         while (end < range.size() && range[end].code == range[begin].code) ++end;
         if (end - begin > 1)
-            sort_in_own_cube(points, {}, range.subspan(begin, end - begin), cubes + 1);
+            sort_in_own_cube(points, {}, range.subspan(begin, end - begin), cubes + 1, stop);
         begin = end;
     }
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> octree_order(Points points, std::span<const std::uint8_t> sizes) {
+std::vector<std::uint32_t> octree_order(Points points, std::span<const std::uint8_t> sizes,
+                                        const std::stop_token& stop) {
     RIMLINE_CHECK(sizes.empty() || sizes.size() == points.size());
-    std::vector<CodedPoint> coded(points.size());
+    std::vector<CodedPoint> coded;
+    resize_gradually(coded, points.size(), stop);
     for (std::uint32_t i = 0; i < coded.size(); ++i) coded[i] = {0, i};
-    sort_in_own_cube(points, sizes, coded, 0);
+    sort_in_own_cube(points, sizes, coded, 0, stop);
     std::vector<std::uint32_t> order;
     order.reserve(coded.size());
-    for (const CodedPoint& p : coded) order.push_back(p.point);
+    for_each_point(coded, stop, [&](const CodedPoint& p) { order.push_back(p.point); });
     return order;
 }
 

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace rimline {
@@ -24,9 +25,10 @@ namespace rimline {
 /// The points' numbers in order. Coordinates and their differences must be finite. `sizes` is empty or has
 /// one for each point; points are sorted by size first, the smallest first. Points that coincide stay in the
 /// order of their numbers. O(n log n): codes on all threads that oneTBB provides, sorting on one. The result
-/// does not depend on the number of threads or the machine.
+/// does not depend on the number of threads or the machine. Throws Error{cancelled}.
 std::vector<std::uint32_t> octree_order(std::span<const glm::dvec3> points,
-                                        std::span<const std::uint8_t> sizes = {});
+                                        std::span<const std::uint8_t> sizes = {},
+                                        const std::stop_token& stop = {});
 
 /// Sizes for octree_order(), from the squares of lengths or widths: the ratio to the usual length, in powers
 /// of two. Without them, long elements would widen the boxes of the short ones beside them.

@@ -51,7 +51,7 @@ void WindowedBruteForce::place_faces() {
     order_.insert(order_.end(), flat.begin(), flat.end());
     for (std::uint32_t p = 0; p < order_.size(); ++p) places_[index(order_[p])] = p;
 
-    blocks_.resize(faces.size());
+    blocks_.resize(faces.size(), {});
     std::vector<BlockBounds> bounds(blocks_.planes.size());
     for (std::size_t b = 0; b < blocks_.planes.size(); ++b) {
         std::array<PlaneVector, k_block_size> planes;

@@ -143,7 +143,7 @@ private:
         });
         const std::vector<std::uint8_t> classes = length_classes(squares);
         squares = {};
-        std::vector<std::uint32_t> order = octree_order(centers, classes);
+        std::vector<std::uint32_t> order = octree_order(centers, classes, call_.stop);
         for (std::uint32_t& place : order) place = points[place];
         points = std::move(order);
         call_.checkpoint(0.5);

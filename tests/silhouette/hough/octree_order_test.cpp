@@ -7,6 +7,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <stop_token>
+
+#include "silhouette/error.h"
 
 namespace rimline {
 namespace {
@@ -136,6 +139,14 @@ TEST_CASE("the order does not depend on the number of threads") {
     const std::vector<std::uint32_t> order = octree_order(points);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     CHECK(octree_order(points) == order);
+}
+
+TEST_CASE("ordering stops where that is asked") {
+    const std::vector<glm::dvec3> points = random_points(100000, 1.0, 46);
+    std::stop_source stop;
+    CHECK(octree_order(points, {}, stop.get_token()) == octree_order(points));
+    stop.request_stop();
+    CHECK_THROWS_AS(octree_order(points, {}, stop.get_token()), Error);
 }
 
 }  // namespace

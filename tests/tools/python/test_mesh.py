@@ -301,13 +301,12 @@ import rimline
 
 mesh = rimline.load("shape:knot:1000000")
 vertices, faces = mesh.vertices, mesh.faces
-half = rimline.load("shape:knot:500000")
 path = rimline.camera_path(rimline.load("shape:box"), 3, visible=False)
 picture = np.random.default_rng(1).integers(0, 256, (4000, 4000, 4), dtype=np.uint8).view(rimline.Picture)
 calls = {
     "load": lambda: rimline.load("shape:knot:500000", subdivide=3),
     "mesh": lambda: rimline.Mesh(vertices, faces),
-    "index": lambda: half.build_index(),
+    "index": lambda: mesh.build_index(),
     "lines": lambda: rimline.LineDrawer(mesh),
     "field": lambda: rimline.TangentialField(mesh, tolerance=1e-3),
     "views": lambda: rimline.best_views(mesh, visible=False),
@@ -343,7 +342,8 @@ thread.join()
 
 @pytest.mark.parametrize(("name", "delay_s"), [
     ("load", 0.08), ("mesh", 0.08), ("index", 0.08), ("lines", 0.08), ("field", 0.08), ("views", 0.08),
-    ("light", 0.08), ("points", 0.08), ("sample", 0.08), ("save", 0.04), ("save", 0.6), ("load", 0.8), ("field", 0.32), ("light", 0.35),
+    ("light", 0.08), ("points", 0.08), ("sample", 0.08), ("save", 0.04), ("save", 0.6),
+    ("load", 0.8), ("index", 0.3), ("index", 0.6), ("field", 0.32), ("light", 0.35),
     ("render", 0.02), ("render", 0.7), ("render", 1.5), ("render", 2.5)])
 def test_ctrl_c_ends_long_calls_at_once(name, delay_s):
     if name == "render":
