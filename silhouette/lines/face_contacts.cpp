@@ -182,11 +182,12 @@ std::span<const FaceContacts::Touch> FaceContacts::touches_of(std::uint32_t vert
     return {range.begin(), range.end()};
 }
 
-std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh) {
+std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh, const std::stop_token& stop) {
     std::vector<std::uint8_t> is_flat(mesh.face_count());
     const std::span<const glm::vec3> p = mesh.positions();
     tbb::parallel_for(
         tbb::blocked_range<std::uint32_t>(0, mesh.face_count(), 4096), [&](const auto& run) {
+            LongCall{stop, {}}.checkpoint(0.0);
             for (std::uint32_t f = run.begin(); f < run.end(); ++f) {
                 const Triangle& t = mesh.triangles()[f];
                 is_flat[f] = first_normal_sign(p[index(t[0])], p[index(t[1])], p[index(t[2])]) == 0;

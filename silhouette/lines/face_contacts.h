@@ -13,6 +13,7 @@
 #include <compare>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/mesh/face_tree.h"
@@ -54,8 +55,8 @@ struct FaceContacts {
     std::span<const Touch> touches_of(std::uint32_t vertex) const noexcept;
 };
 
-/// For each face, whether its three corners lie on one line, exactly. O(n) on all threads of oneTBB.
-std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh);
+/// For each face, whether its three corners lie on one line, exactly. O(n) on all threads of oneTBB. Throws Error{cancelled}.
+std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh, const std::stop_token& stop = {});
 
 /// O(n log n + pairs of faces whose boxes overlap) on all threads of oneTBB. The result does not depend on
 /// their number. `tree` is that of `mesh`, and `is_flat` what find_flat_faces() says of it. Throws Error{cancelled}.

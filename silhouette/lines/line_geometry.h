@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/lines/face_contacts.h"
@@ -39,8 +40,8 @@ public:
     std::span<const EdgeId> special_edges() const noexcept { return special_edges_; }
 
 private:
-    void find_bends();
-    void find_slivers();
+    void find_bends(const std::stop_token& stop);
+    void find_slivers(const std::stop_token& stop);
     void find_special_edges(std::span<const std::uint8_t> is_flat);
 
     const Mesh& mesh_;

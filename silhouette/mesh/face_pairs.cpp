@@ -86,7 +86,7 @@ private:
 // By place among the blocks of the tree.
 class FaceBlocks {
 public:
-    FaceBlocks(const Mesh& mesh, const FaceTree& tree) {
+    FaceBlocks(const Mesh& mesh, const FaceTree& tree, const std::stop_token& stop) {
         const std::size_t count = (mesh.face_count() + FaceBlock::k_faces - 1) / FaceBlock::k_faces;
         blocks_ = std::make_unique_for_overwrite<FaceBlock[]>(std::max(count, std::size_t{1}));
         // A power of two that makes the mesh about as large as 1, so that no product leaves the range of floats. The
@@ -96,6 +96,7 @@ public:
                 ? static_cast<float>(std::exp2(std::min(-std::ilogb(mesh.radius()), 127)))
                 : 1.0f;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& run) {
+            LongCall{stop, {}}.checkpoint(0.0);
             for (std::size_t i = run.begin(); i < run.end(); ++i)
                 fill(mesh, tree.order().subspan(i * FaceBlock::k_faces), scale, blocks_[i]);
         });
@@ -160,7 +161,7 @@ struct Search {
 
 bool each_near_face_pair(const Mesh& mesh, const FaceTree& tree, const TakeFacePairs& take,
                          const LongCall& call, std::uint64_t max_pairs) {
-    const FaceBlocks blocks(mesh, tree);
+    const FaceBlocks blocks(mesh, tree, call.stop);
     FaceTree::NodePairs walk(tree, k_pair_task_faces);
     tbb::enumerable_thread_specific<Search> searches;
     std::atomic<std::uint64_t> all_pairs = 0;

@@ -343,7 +343,7 @@ thread.join()
 @pytest.mark.parametrize(("name", "delay_s"), [
     ("load", 0.08), ("mesh", 0.08), ("index", 0.08), ("lines", 0.08), ("field", 0.08), ("views", 0.08),
     ("light", 0.08), ("points", 0.08), ("sample", 0.08), ("save", 0.04), ("save", 0.6),
-    ("load", 0.8), ("index", 0.3), ("index", 0.6), ("field", 0.32), ("light", 0.35),
+    ("load", 0.8), ("index", 0.3), ("index", 0.6), ("lines", 0.6), ("field", 0.32), ("light", 0.35),
     ("render", 0.02), ("render", 0.7), ("render", 1.5), ("render", 2.5)])
 def test_ctrl_c_ends_long_calls_at_once(name, delay_s):
     if name == "render":
