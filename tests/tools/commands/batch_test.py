@@ -189,16 +189,21 @@ def test_killed_batches_lose_nothing_and_double_nothing():
     with tempfile.TemporaryDirectory() as folder:
         root, out = models(folder, 24), f"{folder}/out"
         arguments = ["batch", "--json", str(root), "-o", out, "--jobs", "2", "--", "draw", "-o", "{out}/{path}.svg"]
-        for wait in (0.05, 0.1, 0.15, 0.2, 0.1, 0.05):
+        manifest = pathlib.Path(out, "manifest.jsonl")
+        for wait_s in (0.05, 0.1, 0.15, 0.2, 0.1, 0.05, None):  # None: until a model is done.
             process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            time.sleep(wait)
+            if wait_s is None:
+                while process.poll() is None and not (manifest.exists() and b"\n" in manifest.read_bytes()):
+                    time.sleep(0.01)
+            else:
+                time.sleep(wait_s)
             process.send_signal(signal.SIGKILL)
             process.wait()
             for path in pathlib.Path(out).rglob("*.svg"):
                 assert path.read_text().endswith("</svg>\n"), f"{path} is not whole"
         told = json.loads(run(*arguments).stdout)
         assert told["done"] + told["skipped"] == 24 and told["failed"] == 0 and told["skipped"] > 0
-        lines = entries(f"{out}/manifest.jsonl")
+        lines = entries(manifest)
         assert len({line["input"] for line in lines}) == len(lines) == 24
         assert sorted(path.stem for path in pathlib.Path(out).rglob("*.svg")) == sorted(f"m{i}" for i in range(24))
         assert not list(pathlib.Path(out).rglob(".*.part"))
