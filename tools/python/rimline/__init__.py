@@ -180,7 +180,7 @@ def _refuse_copies(self: Any, protocol: Any = None) -> Any:
 # Python's own way would make objects without their C++ part.
 for _value in vars(_rimline).values():
     if isinstance(_value, type) and not issubclass(_value, BaseException):
-        _value.__reduce__ = _value.__reduce_ex__ = _refuse_copies  # type: ignore[method-assign,assignment]
+        _value.__reduce__ = _value.__reduce_ex__ = _refuse_copies  # type: ignore[assignment]
 
 
 def _forget_renderer() -> None:
