@@ -123,32 +123,30 @@ private:
 };
 
 // How much of the mesh's area is seen at a low angle, for each direction: 1 along a face, 0 at 30 degrees to it. The
-// mean over all directions is a quarter for any mesh.
+// mean over all directions is a quarter for any mesh. The mesh has a plane.
 std::vector<double> shares_at_low_angles(const Mesh& mesh, std::span<const glm::dvec3> directions) {
     constexpr float k_low_sin = 0.5f;
-    struct Area {
-        glm::vec3 normal;
-        float area;
-    };
-    std::vector<Area> areas;
+    std::vector<float> areas;  // By face, in squares of the radius.
+    areas.reserve(mesh.face_count());
     double total = 0.0;
     for (const Triangle& t : mesh.triangles()) {
         const auto corner = [&](int i) { return glm::dvec3(mesh.positions()[index(t[i])]); };
         const glm::dvec3 across = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
         const double area = glm::length(across) / (mesh.radius() * mesh.radius());
-        if (!(area > 0.0)) continue;
-        areas.push_back({glm::vec3(glm::normalize(across)), static_cast<float>(area)});
+        areas.push_back(static_cast<float>(area));
         total += area;
     }
-    std::vector<double> shares(directions.size(), 0.0);
-    if (total == 0.0) return shares;
+    std::vector<double> shares(directions.size());
     tbb::parallel_for(std::size_t{0}, directions.size(), [&](std::size_t i) {
         const glm::vec3 towards(directions[i]);
-        for (const auto& [normal, area] : areas) {
-            const float sine = std::abs(glm::dot(normal, towards));
-            shares[i] += double{area * std::max(0.0f, 1.0f - sine / k_low_sin)};
+        double low = 0.0;
+        for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+            const Plane& plane = mesh.planes()[f];
+            const float sine =
+                std::abs(plane.nx * towards.x + plane.ny * towards.y + plane.nz * towards.z);
+            low += double{areas[f] * std::max(0.0f, 1.0f - sine / k_low_sin)};
         }
-        shares[i] /= total;
+        shares[i] = low / total;
     });
     return shares;
 }

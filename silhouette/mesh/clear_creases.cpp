@@ -97,14 +97,15 @@ private:
     }
 
     bool is_clear(const Crease& crease) const {
-        const float flat = std::max(k_flat_bend_rad, k_flat_share * crease.bend_rad);
         return std::ranges::all_of(mesh_.faces_of(crease.edge), [&](FaceId face) {
-            return std::ranges::any_of(mesh_.edges_of(face),
-                                       [&](EdgeId other) {
-                                           return other != crease.edge &&
-                                                  bend_of(mesh_, other) < double{flat};
-                                       }) ||
-                   bends_one_way(face);
+            return goes_on_flat(face, crease) || bends_one_way(face);
+        });
+    }
+
+    bool goes_on_flat(FaceId face, const Crease& crease) const {
+        const double flat = std::max(k_flat_bend_rad, k_flat_share * crease.bend_rad);
+        return std::ranges::any_of(mesh_.edges_of(face), [&](EdgeId other) {
+            return other != crease.edge && bend_of(mesh_, other) < flat;
         });
     }
 

@@ -6,8 +6,8 @@
 // crease that stands out differs in two ways:
 //
 //   clear   The face on either side goes on flat: another edge of it hardly bends. Or it is a face of a polyhedron:
-//           it bends the same way at all edges. Of the creases of scans, a quarter of the length is clear; of those
-//           of machine parts, all.
+//           it bends the same way at all edges. Of the creases of scans, a fifth to a half of the length is clear; of
+//           those of machine parts, all.
 //   strong  Edges that go on straight into each other form a chain that is long, or short and sharp: the sum over
 //           its edges of length * (bend / 30 degrees)^2 is at least 15% of the mesh's radius.
 //

@@ -89,7 +89,7 @@ std::vector<glm::vec3> face_normals(const Mesh& mesh, const std::stop_token& sto
     return normals;
 }
 
-// Whether the angle between two unit normals is at most a limit in [0, pi], without an arc cosine.
+// Whether the angle between two vectors is at most a limit in [0, pi], without an arc cosine.
 class BendTest {
 public:
     explicit BendTest(double angle_rad)
@@ -208,27 +208,32 @@ Shading group_corners(const Mesh& mesh, std::span<const glm::vec3> own, double c
             own_angles[c] = angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
         return own_angles;
     });
-    const auto for_each_corner = [&](auto&& visit) {
+    const auto add_up = [&](std::uint32_t count) {
+        sums.assign(count, glm::dvec3(0.0));
         for_each_in_order(face_count, stop, [&](std::uint32_t f) {
             if (!mesh.planes()[f].has_normal()) return;
             for (std::uint32_t c = 0; c < 3; ++c)
-                visit(groups.group(3 * f + c), angles[f][c], glm::dvec3(own[f]));
-        });
-    };
-    const auto add_up = [&](std::uint32_t count) {
-        sums.assign(count, glm::dvec3(0.0));
-        for_each_corner([&](std::uint32_t group, double angle, const glm::dvec3& normal) {
-            sums[group] += angle * normal;
+                sums[groups.group(3 * f + c)] += angles[f][c] * glm::dvec3(own[f]);
         });
     };
     add_up(groups.number());
-    std::vector<bool> is_tip(sums.size());
-    for_each_corner([&](std::uint32_t group, double, const glm::dvec3& normal) {
-        const glm::dvec3& sum = sums[group];
-        if (glm::dot(sum, sum) > k_min_sum * k_min_sum && !bend.within(normal, glm::normalize(sum)))
-            is_tip[group] = true;
+    // By face, whether it is turned from the mean of its corner's group.
+    std::vector<std::array<bool, 3>> is_turned;
+    fill(is_turned, face_count, stop, [&](std::uint32_t f) {
+        std::array<bool, 3> corners{};
+        for (std::uint32_t c = 0; mesh.planes()[f].has_normal() && c < 3; ++c) {
+            const glm::dvec3& sum = sums[groups.group(3 * f + c)];
+            corners[c] = glm::dot(sum, sum) > k_min_sum * k_min_sum && !bend.within(own[f], sum);
+        }
+        return corners;
     });
-    if (std::ranges::find(is_tip, true) != is_tip.end()) add_up(groups.split(is_tip));
+    std::vector<bool> is_tip(sums.size());
+    bool has_tips = false;
+    for_each_in_order(3 * face_count, stop, [&](std::uint32_t corner) {
+        if (!is_turned[corner / 3][corner % 3]) return;
+        is_tip[groups.group(corner)] = has_tips = true;
+    });
+    if (has_tips) add_up(groups.split(is_tip));
     return shading;
 }
 
