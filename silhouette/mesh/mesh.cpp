@@ -140,7 +140,11 @@ Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call)
 }
 
 void Mesh::weld(const MeshSource& source, Welding welding, const std::stop_token& stop) {
-    file_vertex_count_ = size32(source.positions.size());
+    const auto pause_at = [&](std::size_t i) {
+        if (i % k_faces_a_checkpoint == 0) LongCall{stop, {}}.checkpoint(0.0);
+    };
+    const std::uint32_t source_vertices = size32(source.positions.size());
+    file_vertex_count_ = source_vertices;
     for (const glm::vec3& p : source.positions)
         RIMLINE_CHECK(std::abs(p.x) <= k_max_coordinate && std::abs(p.y) <= k_max_coordinate &&
                       std::abs(p.z) <= k_max_coordinate);
@@ -148,26 +152,31 @@ void Mesh::weld(const MeshSource& source, Welding welding, const std::stop_token
     if (welding == Welding::equal_positions) {
         first = first_equal_positions<float>(source.positions, stop);
     } else {
-        first.resize(source.positions.size());
+        first.resize(source_vertices);
         std::iota(first.begin(), first.end(), 0u);
     }
     constexpr std::uint32_t k_unused = 0xffffffffu;
-    std::vector<std::uint32_t> vertex_of(source.positions.size(), k_unused);
-    for (const auto& triangle : source.triangles)
-        for (const std::uint32_t corner : triangle) {
-            RIMLINE_CHECK(corner < source.positions.size());
+    std::vector<std::uint32_t> vertex_of(source_vertices, k_unused);
+    for (std::size_t f = 0; f < source.triangles.size(); ++f) {
+        pause_at(f);
+        for (const std::uint32_t corner : source.triangles[f]) {
+            RIMLINE_CHECK(corner < source_vertices);
             vertex_of[first[corner]] = 0;
         }
-    for (std::uint32_t i = 0; i < vertex_of.size(); ++i) {
+    }
+    for (std::uint32_t i = 0; i < source_vertices; ++i) {
+        pause_at(i);
         if (vertex_of[i] == k_unused) continue;
         vertex_of[i] = size32(positions_.size());
         positions_.push_back(source.positions[i]);
         file_vertex_.push_back(i);
     }
     triangles_.reserve(source.triangles.size());
-    for (const auto& t : source.triangles)
+    for (const auto& t : source.triangles) {
+        pause_at(triangles_.size());
         triangles_.push_back({VertexId{vertex_of[first[t[0]]]}, VertexId{vertex_of[first[t[1]]]},
                               VertexId{vertex_of[first[t[2]]]}});
+    }
 }
 
 void Mesh::build_edges(const LongCall& call) {
