@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <numbers>
 
 #include "silhouette/mesh/angle_between.h"
@@ -150,20 +151,23 @@ public:
           candidate_of_(points.size(), k_none) {}
 
     void find_candidates(const CallPart& part) {
-        std::vector<Sectors> all(points_.size());
+        std::mutex mutex;
         each_point(size(), part, [&](std::uint32_t first, std::uint32_t last) {
             Neighborhood around;
+            std::vector<Candidate> here;
             for (std::uint32_t p = first; p < last; ++p) {
                 if (found_.labels[p] != PointLabel::interior || found_.fans[p].gaps != 0) continue;
                 around.assign(points_, p, neighbors_.of(p));
-                all[p] = divide(around, found_.fans[p], found_.normals[p]);
+                const Sectors sectors = divide(around, found_.fans[p], found_.normals[p]);
+                if (sectors.count > 0) here.push_back({p, sectors});
             }
+            if (here.empty()) return;
+            const std::scoped_lock lock(mutex);
+            candidates_.insert(candidates_.end(), here.begin(), here.end());
         });
-        for (std::uint32_t p = 0; p < size(); ++p)
-            if (all[p].count > 0) {
-                candidate_of_[p] = static_cast<std::uint32_t>(candidates_.size());
-                candidates_.push_back({p, all[p]});
-            }
+        std::ranges::sort(candidates_, {}, &Candidate::point);
+        for (std::uint32_t c = 0; c < candidates_.size(); ++c)
+            candidate_of_[candidates_[c].point] = c;
     }
 
     bool accept() {

@@ -139,20 +139,23 @@ private:
     std::uint32_t k_;
     TreeBuildPoints source_;
     PointTree tree_;
-    std::vector<std::uint32_t> nearest_;
-    std::vector<Near> farthest_;
+    UnsetVector<std::uint32_t> nearest_;
+    UnsetVector<Near> farthest_;
 };
 
 // For each point the points that have it among their k nearest, without those among its own k nearest.
 class Followers {
 public:
     // is_returned[i], bit n: the n-th nearest of i has i among its own.
-    Followers(const Search& search, std::span<const std::uint64_t> is_returned)
+    Followers(const Search& search, std::span<const std::uint64_t> is_returned,
+              const std::stop_token& stop)
         : begin_(is_returned.size() + 1, 0) {
         const auto each = [&](auto&& body) {
-            for (std::uint32_t i = 0; i < is_returned.size(); ++i)
+            for (std::uint32_t i = 0; i < is_returned.size(); ++i) {
+                if (i % k_checkpoint_points == 0) LongCall{stop, {}}.checkpoint(0.0);
                 for (std::size_t n = 0; n < search.of(i).size(); ++n)
                     if ((is_returned[i] >> n & 1u) == 0) body(search.of(i)[n], i);
+            }
         };
         each([&](std::uint32_t point, std::uint32_t) { ++begin_[point]; });
         std::exclusive_scan(begin_.begin(), begin_.end(), begin_.begin(), std::uint64_t{0});
@@ -168,7 +171,7 @@ public:
 
 private:
     std::vector<std::uint64_t> begin_;
-    std::vector<std::uint32_t> numbers_;
+    UnsetVector<std::uint32_t> numbers_;
 };
 
 }  // namespace
@@ -194,7 +197,7 @@ NeighborLists::NeighborLists(std::span<const glm::dvec3> points, std::uint32_t k
             is_mutual_[i] = is_returned[i] != 0;
         }
     });
-    const Followers followers(search, is_returned);
+    const Followers followers(search, is_returned, call.stop);
 
     const std::uint32_t max_count = std::min(k_max_neighbors, count - 1);
     for (std::uint32_t i = 0; i < count; ++i) {

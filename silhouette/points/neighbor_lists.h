@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "silhouette/error.h"
+#include "silhouette/unset_vector.h"
 
 namespace rimline {
 
@@ -44,7 +45,7 @@ public:
 private:
     std::uint32_t k_;
     std::vector<std::uint64_t> begin_;
-    std::vector<std::uint32_t> lists_;
+    UnsetVector<std::uint32_t> lists_;
     std::vector<std::uint8_t> is_mutual_;
     std::vector<std::uint8_t> is_row_;
 };

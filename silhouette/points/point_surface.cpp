@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "silhouette/gradual_resize.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/neighbor_lists.h"
 #include "silhouette/points/outliers.h"
@@ -89,32 +90,48 @@ PointSurface::PointSurface(std::span<const glm::dvec3> positions,
     const UmbrellaSet& umbrellas = found.umbrellas;
     umbrella_begin_.push_back(0);
     ring_begin_.push_back(0);
-    const auto add = [&](std::uint32_t i, const Fan& fan, const glm::dvec3& normal) {
-        const auto list = found.neighbors.of(i);
-        if (rings_.size() > k_max_ring_points - fan.size)
-            throw Error(ErrorCode::too_large, "2^32 points of rings or more");
-        for (std::size_t j = 0; j < fan.size; ++j)
-            rings_.push_back(PointId{numbers[list[fan.ring[j]]]});
-        gaps_.push_back(fan.gaps);
-        normals_.push_back(normal);
-        ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
+    // Calls visit(fan, normal) for each umbrella of a point.
+    const auto each_fan = [&](std::uint32_t i, auto&& visit) {
+        if (umbrellas.fans[i].size > 0) visit(umbrellas.fans[i], umbrellas.normals[i]);
+        for (const auto& supplement : std::ranges::equal_range(umbrellas.supplements, i, {},
+                                                               &UmbrellaSet::Supplement::point))
+            visit(supplement.fan, supplement.normal);
     };
+    const std::size_t count = umbrellas.fans.size() + umbrellas.supplements.size();
+    umbrella_begin_.reserve(std::size_t{size()} + 1);
+    ring_begin_.reserve(count + 1);
+    gaps_.reserve(count);
+    normals_.reserve(count);
     for (std::uint32_t point = 0; point < size(); ++point) {
-        if (point % k_checkpoint_points == 0) call.checkpoint(0.95 + 0.03 * point / size());
+        if (point % k_checkpoint_points == 0) call.checkpoint(0.95 + 0.02 * point / size());
         if (const std::uint32_t i = place[point]; i != k_not_ordered) {
             labels_[point] = umbrellas.labels[i];
             reasons_[point] = umbrellas.reasons[i];
-            if (umbrellas.fans[i].size > 0) {
+            if (umbrellas.fans[i].size > 0)
                 scales_[point] = umbrellas.scales[i] * found.ordered.unit;
-                add(i, umbrellas.fans[i], umbrellas.normals[i]);
-            }
-            const auto further = std::ranges::equal_range(umbrellas.supplements, i, {},
-                                                          &UmbrellaSet::Supplement::point);
-            for (const auto& supplement : further) add(i, supplement.fan, supplement.normal);
+            each_fan(i, [&](const Fan& fan, const glm::dvec3& normal) {
+                if (ring_begin_.back() > k_max_ring_points - fan.size)
+                    throw Error(ErrorCode::too_large, "2^32 points of rings or more");
+                gaps_.push_back(fan.gaps);
+                normals_.push_back(normal);
+                ring_begin_.push_back(ring_begin_.back() + fan.size);
+            });
         }
         ++counts_[static_cast<std::size_t>(labels_[point])];
         umbrella_begin_.push_back(static_cast<std::uint32_t>(gaps_.size()));
     }
+    resize_gradually(rings_, ring_begin_.back(), call.stop);
+    each_point(size(), {call, 0.97, 0.98}, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t point = first; point < last; ++point) {
+            const std::uint32_t i = place[point];
+            if (i == k_not_ordered) continue;
+            PointId* out = rings_.data() + ring_begin_[umbrella_begin_[point]];
+            each_fan(i, [&](const Fan& fan, const glm::dvec3&) {
+                for (std::size_t j = 0; j < fan.size; ++j)
+                    *out++ = PointId{numbers[found.neighbors.of(i)[fan.ring[j]]]};
+            });
+        }
+    });
     count_inconsistent_edges(call);
 }
 

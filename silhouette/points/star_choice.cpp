@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "silhouette/gradual_resize.h"
 #include "silhouette/points/each_point.h"
 
 namespace rimline {
@@ -51,10 +52,11 @@ struct Choice {
 // Chooses the stars of all points.
 class Chooser {
 public:
-    Chooser(std::span<const glm::dvec3> points, const NeighborLists& neighbors, double gap_ratio)
+    Chooser(std::span<const glm::dvec3> points, const NeighborLists& neighbors, double gap_ratio,
+            const std::stop_token& stop)
         : points_(points), neighbors_(neighbors), gap_ratio_(gap_ratio) {
-        stars_.fans.resize(points.size());
-        stars_.normals.assign(points.size(), glm::dvec3(0.0));
+        resize_gradually(stars_.fans, points.size(), stop);
+        resize_gradually(stars_.normals, points.size(), stop, glm::dvec3(0.0));
         stars_.scales.assign(points.size(), 0.0);
         stars_.reasons.assign(points.size(), UndecidedReason::none);
         stars_.is_clean.assign(points.size(), 0);
@@ -273,7 +275,7 @@ double Stars::excess(const Neighborhood& around, std::uint32_t point, const Fan&
 
 Stars choose_stars(std::span<const glm::dvec3> points, const NeighborLists& neighbors,
                    double gap_ratio, const LongCall& call) {
-    Chooser chooser(points, neighbors, gap_ratio);
+    Chooser chooser(points, neighbors, gap_ratio, call.stop);
     chooser.fit({call, 0.0, 0.6});
     for (int round = 0; round < k_rounds; ++round)
         chooser.improve({call, 0.6 + 0.35 * round / k_rounds, 0.6 + 0.35 * (round + 1) / k_rounds});

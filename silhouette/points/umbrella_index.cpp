@@ -37,8 +37,8 @@ HomogeneousPoint UmbrellaIndex::direction(const glm::dvec3& v) const noexcept {
 
 std::uint64_t UmbrellaIndex::size_bytes() const noexcept {
     return reserved_bytes(positions_, patch_of_, patches_, shapes_, targets_, sides_, specials_,
-                          special_planes_, planes_) +
-           tree_->size_bytes();
+                          special_planes_) +
+           std::uint64_t{4} * patches_.back().first_plane * sizeof(float) + tree_->size_bytes();
 }
 
 std::uint32_t UmbrellaIndex::find_spoke(std::uint32_t from, std::uint32_t to) const noexcept {
@@ -69,7 +69,7 @@ std::uint32_t UmbrellaIndex::evaluate(std::uint32_t block, const HomogeneousPoin
     const std::uint32_t first = patches_[first_patch].first_plane;
     const std::uint32_t count = patches_[last_patch].first_plane - first;
     RIMLINE_CHECK(front.size() >= count);
-    const float* const nx = planes_.data() + std::size_t{4} * first;
+    const float* const nx = planes_.get() + std::size_t{4} * first;
     const float* const ny = nx + count;
     const float* const nz = ny + count;
     const float* const d = nz + count;

@@ -177,7 +177,7 @@ private:
     std::vector<Special> specials_;  // By spoke; one more than there are.
     std::vector<std::uint32_t> special_planes_;
     // Block after block. Of each block all nx, all ny, all nz, all d.
-    std::vector<float> planes_;
+    std::unique_ptr<float[]> planes_;
     std::uint32_t max_planes_ = 0;
     double max_distance_ = 1.0;  // At least the maximum |dO|.
     std::unique_ptr<const BlockTree> tree_;

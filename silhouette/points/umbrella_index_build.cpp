@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "silhouette/gradual_resize.h"
 #include "silhouette/hough/block_set.h"
 #include "silhouette/hough/hough_point.h"
 #include "silhouette/hough/octree_order.h"
@@ -176,9 +177,10 @@ private:
             planes += own_planes;
         }
         index_.shapes_.assign(points.size(), UmbrellaIndex::Shape::plain);
-        index_.targets_.resize(spokes);
-        index_.sides_.resize(spokes);
-        index_.planes_.resize(4 * planes);
+        resize_gradually(index_.targets_, spokes, call_.stop);
+        resize_gradually(index_.sides_, spokes, call_.stop);
+        // Zeroing them would touch their pages on one thread.
+        index_.planes_ = std::make_unique_for_overwrite<float[]>(4 * planes);
     }
 
     void fill_patches() {
@@ -209,7 +211,7 @@ private:
         const auto [begin, end] = index_.patches_of(block);
         const std::uint32_t first = index_.planes_of(begin).first;
         const std::uint32_t count = index_.planes_of(end - 1).last - first;
-        float* out = index_.planes_.data() + std::size_t{4} * first;
+        float* out = index_.planes_.get() + std::size_t{4} * first;
         const BlockSpace space{index_.patch_center_, index_.max_distance_};
         BlockBounds bounds;
         for (std::uint32_t i = begin; i < end; ++i) {
