@@ -8,6 +8,7 @@
 #include "silhouette/hough/interleaved_bits.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/stoppable_sort.h"
+#include "silhouette/unset_vector.h"
 
 namespace rimline {
 
@@ -68,8 +69,8 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions, const std::sto
         std::uint64_t code;
         std::uint32_t number;
     };
-    std::vector<glm::dvec3> units(positions.size());
-    std::vector<Entry> entries(positions.size());
+    UnsetVector<glm::dvec3> units(positions.size());
+    UnsetVector<Entry> entries(positions.size());
     const auto count = static_cast<std::uint32_t>(positions.size());
     each_point(count, {call}, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i) {
