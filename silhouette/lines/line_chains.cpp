@@ -252,36 +252,34 @@ void LineChains::rotate_to_change(const LineOptions& options) {
     points_.swap(rotated_);
 }
 
+// Only hidden pieces change. Short visible pieces between hidden ones may be the outline, where the chain goes to and
+// fro: each stretch of it is seen from one of them.
 void LineChains::bridge(bool is_closed, double gap) {
-    for (const bool makes_visible : {true, false}) {
-        const auto changes = [&](std::size_t i) {
-            const Piece& piece = pieces_[i];
-            const bool has_before = i > 0 || is_closed,
-                       has_after = i + 1 < pieces_.size() || is_closed;
-            if (piece.is_covered || (piece.count > 0) != makes_visible || piece.length > gap ||
-                !has_before || !has_after || pieces_.size() < 2)
-                return false;
-            const Piece& before = pieces_[i > 0 ? i - 1 : pieces_.size() - 1];
-            const Piece& after = pieces_[i + 1 < pieces_.size() ? i + 1 : 0];
-            return !before.is_covered && !after.is_covered && (before.count > 0) != makes_visible &&
-                   (after.count > 0) != makes_visible;
-        };
-        for (std::size_t i = 0; i < pieces_.size(); ++i)
-            if (changes(i)) pieces_[i].count = makes_visible ? 0 : 1;
-        std::size_t kept = 0;
-        for (std::size_t i = 1; i < pieces_.size(); ++i) {
-            Piece& last = pieces_[kept];
-            const Piece& piece = pieces_[i];
-            if (last.is_covered == piece.is_covered && (last.count > 0) == (piece.count > 0)) {
-                last.last = piece.last;
-                last.length += piece.length;
-                last.count = std::min(last.count, piece.count);
-            } else {
-                pieces_[++kept] = piece;
-            }
+    const auto is_bridged = [&](std::size_t i) {
+        const Piece& piece = pieces_[i];
+        const bool has_before = i > 0 || is_closed, has_after = i + 1 < pieces_.size() || is_closed;
+        if (piece.is_covered || piece.count == 0 || piece.length > gap || !has_before ||
+            !has_after || pieces_.size() < 2)
+            return false;
+        const Piece& before = pieces_[i > 0 ? i - 1 : pieces_.size() - 1];
+        const Piece& after = pieces_[i + 1 < pieces_.size() ? i + 1 : 0];
+        return !before.is_covered && !after.is_covered && before.count == 0 && after.count == 0;
+    };
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        if (is_bridged(i)) pieces_[i].count = 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 1; i < pieces_.size(); ++i) {
+        Piece& last = pieces_[kept];
+        const Piece& piece = pieces_[i];
+        if (last.is_covered == piece.is_covered && (last.count > 0) == (piece.count > 0)) {
+            last.last = piece.last;
+            last.length += piece.length;
+            last.count = std::min(last.count, piece.count);
+        } else {
+            pieces_[++kept] = piece;
         }
-        if (!pieces_.empty()) pieces_.resize(kept + 1);
     }
+    if (!pieces_.empty()) pieces_.resize(kept + 1);
 }
 
 void LineChains::add_chain(LineKind kind, bool is_closed, const LineOptions& options,

@@ -121,11 +121,14 @@ MeshSource slab(double faces) {
 void place_knot_on_pedestal(MeshSource& scene, double pedestal_faces, double knot_faces) {
     constexpr double k_x = -0.2;
     constexpr double k_z = 0.3;
-    constexpr std::array<ProfilePoint, 10> k_profile{{{0.66, 0.00},
+    // Two rings at either end of the wall: the shading of the bends ends there.
+    constexpr std::array<ProfilePoint, 12> k_profile{{{0.66, 0.00},
                                                       {0.66, 0.11},
                                                       {0.61, 0.16},
                                                       {0.55, 0.18},
                                                       {0.53, 0.22},
+                                                      {0.53, 0.24},
+                                                      {0.53, 0.66},
                                                       {0.53, 0.68},
                                                       {0.55, 0.72},
                                                       {0.60, 0.74},
@@ -164,7 +167,7 @@ void place_ring_and_block(MeshSource& scene, double ring_faces) {
 
 MeshSource make_scene(std::uint32_t faces) {
     MeshSource scene = slab(0.06 * faces);
-    place_knot_on_pedestal(scene, 0.08 * faces, 0.44 * faces);
+    place_knot_on_pedestal(scene, 0.096 * faces, 0.424 * faces);
     place(scene, make_sphere(static_cast<std::uint32_t>(0.16 * faces)),
           {.scale = glm::dvec3(0.44), .x = 0.85, .z = -0.65});
     place_ring_and_block(scene, 0.14 * faces);
