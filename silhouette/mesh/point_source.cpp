@@ -9,6 +9,7 @@ PointSource points_of(MeshSource mesh) {
     source.positions.assign(mesh.positions.begin(), mesh.positions.end());
     source.triangles = std::move(mesh.triangles);
     source.up = mesh.up;
+    source.is_up_known = mesh.is_up_known;
     source.files = std::move(mesh.files);
     return source;
 }

@@ -42,6 +42,7 @@ struct PointSource {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     /// The up axis of the file format.
     UpAxis up = UpAxis::y;
+    bool is_up_known = false;  ///< As MeshSource::is_up_known.
     /// The files that the file refers to, as in MeshSource.
     std::vector<std::filesystem::path> files = {};
 };

@@ -30,7 +30,7 @@ glm::vec3 unit_or_zero(const glm::vec3& v) {
 
 }  // namespace
 
-PointCloud::PointCloud(PointSource source) : up_(source.up) {
+PointCloud::PointCloud(PointSource source) : up_(source.up), is_up_known_(source.is_up_known) {
     const std::size_t count = source.positions.size();
     if (count > 0xfffffff0u)
         throw Error(ErrorCode::too_large, "the cloud has more than 2^32 points");

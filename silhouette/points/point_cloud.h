@@ -50,6 +50,7 @@ public:
     std::vector<std::uint32_t> mesh_border_points() const;
 
     UpAxis up() const noexcept { return up_; }
+    bool is_up_known() const noexcept { return is_up_known_; }  ///< As MeshSource::is_up_known.
     /// The center of the bounding box, and the maximum distance from it to a point. Zero for an empty cloud.
     const glm::dvec3& center() const noexcept { return center_; }
     double radius() const noexcept { return radius_; }
@@ -68,6 +69,7 @@ private:
     std::uint32_t dropped_count_ = 0;
     std::uint32_t unused_count_ = 0;
     UpAxis up_ = UpAxis::y;
+    bool is_up_known_ = false;
     glm::dvec3 center_{0.0};
     double radius_ = 0.0;
 };

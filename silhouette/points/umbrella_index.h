@@ -62,6 +62,9 @@ public:
     glm::vec3 to_index(const glm::dvec3& position) const noexcept {
         return glm::vec3((position - center_) * scale_);
     }
+    glm::dvec3 from_index(const glm::dvec3& position) const noexcept {
+        return position / scale_ + center_;
+    }
     /// A length in the index divided by the same length in positions; a power of two.
     double scale() const noexcept { return scale_; }
 

@@ -70,10 +70,10 @@ public:
 
     void build() {
         call_.checkpoint(0.0);
-        choose_units();
         std::vector<std::uint32_t> points;
         for (std::uint32_t p = 0; p < surface_.size(); ++p)
             if (surface_.umbrellas_of(PointId{p}).size() > 0) points.push_back(p);
+        choose_units(points);
         place_origin(points);
         put_in_order(points);
         count_parts(points);
@@ -87,8 +87,12 @@ private:
         return index_.to_index(surface_.positions()[index(point)]);
     }
 
-    void choose_units() {
-        const Box box = box_of(surface_.positions());
+    // By the points that have umbrellas: a stray one far away would cost the others their precision.
+    void choose_units(std::span<const std::uint32_t> points) {
+        std::vector<glm::dvec3> positions;
+        positions.reserve(points.size());
+        for (const std::uint32_t p : points) positions.push_back(surface_.positions()[p]);
+        const Box box = positions.empty() ? box_of(surface_.positions()) : box_of(positions);
         index_.center_ = box.center();
         const glm::dvec3 half = 0.5 * box.high - 0.5 * box.low;
         const double size = std::max({half.x, half.y, half.z});

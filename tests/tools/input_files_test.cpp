@@ -59,6 +59,6 @@ TEST_CASE("numbered pictures are not removed where the model refers to one") {
         write_bytes(folder / name, "texture");
     declare_inputs(std::array{folder / "frame_0001.png"});
     const OutputFolder frames(folder / "", "frames");
-    CHECK_THROWS_AS(frames.remove_numbered("frame_"), UsageError);
+    CHECK_THROWS_AS(frames.remove_numbered("frame_", 4), UsageError);
     CHECK(folder.entry_count() == 2);
 }

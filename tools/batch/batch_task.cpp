@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 4> k_output_options{"-o", "--output", "--save-scene",
                                                            "--export"};
 
+constexpr std::array<std::string_view, 4> k_batch_places{"{stem}", "{name}", "{path}", "{out}"};
+
 using BatchPlaces = std::vector<std::pair<std::string, std::string>>;
 
 // The text with each place that is named in it filled, from left to right: what is filled in is not looked at again.
@@ -53,6 +55,16 @@ std::string output_in(const std::string& word, const std::string& before) {
 }
 
 }  // namespace
+
+std::string unknown_batch_place(const std::string& text) {
+    for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
+        const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", at + 1);
+        if (end == std::string::npos || text[end] != '}' || end == at + 1) continue;
+        const std::string place = text.substr(at, end + 1 - at);
+        if (std::ranges::find(k_batch_places, place) == k_batch_places.end()) return place;
+    }
+    return {};
+}
 
 BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string>& subcommand,
                           const std::string& folder) {

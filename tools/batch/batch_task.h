@@ -22,6 +22,9 @@ struct BatchTask {
     std::vector<std::string> found_outputs() const;
 };
 
+/// A word in braces in `text` that stands for nothing, with its braces. Empty if there is none.
+std::string unknown_batch_place(const std::string& text);
+
 /// `subcommand` is its name and its options, in which {stem}, {name} and {path} stand for the model and {out} for
 /// `folder`.
 BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string>& subcommand,

@@ -21,6 +21,7 @@
 #include "tools/batch/batch_process.h"
 #include "tools/batch/batch_task.h"
 #include "tools/command.h"
+#include "tools/options/exact_text.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/output_file.h"
@@ -145,9 +146,11 @@ public:
         context.times.end("reading models");
         if (is_dry_)
             return print_dry(context, tasks, left, known > 0 ? known_ms / double(known) : 0.0);
+        std::optional<OutputFile> page;
+        if (!page_.empty()) page.emplace(page_);
         run_all(left, manifest, context);
         context.times.end("running");
-        if (!page_.empty()) write_page(tasks, manifest);
+        if (page) write_page(tasks, manifest, *page);
         return print_result(context, tasks);
     }
 
@@ -174,7 +177,10 @@ private:
         }
         done_ -= left_;
         context.times.end("merging manifests");
-        if (!page_.empty()) write_page(tasks, manifest);
+        if (!page_.empty()) {
+            OutputFile page(page_);
+            write_page(tasks, manifest, page);
+        }
         return print_result(context, tasks);
     }
 
@@ -196,6 +202,10 @@ private:
         for (const std::string& word : rest_)
             if (word == "--help" || word == "-h")
                 throw UsageError("rimline " + rest_.front() + " --help describes its options");
+        for (const std::string& word : rest_)
+            if (const std::string place = unknown_batch_place(word); !place.empty())
+                throw UsageError(place + " in '" + word +
+                                 "': expected {stem}, {name}, {path} or {out}");
     }
 
     std::vector<BatchTask> make_tasks(const Context& context) const {
@@ -203,6 +213,7 @@ private:
         std::vector<BatchTask> tasks;
         std::map<std::string, const BatchInput*> of_output;
         std::vector<BatchInput> inputs = find_batch_inputs(sources_, progress.call());
+        if (inputs.empty()) throw Error(ErrorCode::bad_input, "no model among what was given");
         std::erase_if(inputs, [&](const BatchInput& input) { return !shard_.contains(input); });
         for (const BatchInput& input : inputs)
             tasks.push_back(make_batch_task(input, rest_, folder_));
@@ -337,7 +348,8 @@ private:
     }
 
     // Of all that the manifest has of these models.
-    void write_page(const std::vector<BatchTask>& tasks, const BatchManifest& manifest) const {
+    void write_page(const std::vector<BatchTask>& tasks, const BatchManifest& manifest,
+                    OutputFile& file) const {
         std::vector<BatchPageItem> items;
         for (const BatchTask& task : tasks) {
             const BatchEntry* entry = manifest.find(task.key);
@@ -345,7 +357,6 @@ private:
             items.push_back({task.input.model, entry->outputs,
                              entry->status == "ok" ? "" : entry->status + ": " + entry->error});
         }
-        OutputFile file(page_);
         file.write(batch_page(items, fs::absolute(page_).parent_path()));
         file.commit();
     }
@@ -363,8 +374,14 @@ private:
                                  {"commands", std::move(commands)}});
             return ExitStatus::success;
         }
-        for (const BatchTask* task : left)
-            std::printf("rimline %s\n", printable_text(task->command).c_str());
+        for (const BatchTask* task : left) {
+            std::string command = "rimline";
+            for (const std::string& word : task->arguments) {
+                command += ' ';
+                command += quoted_for_shell(word);
+            }
+            std::printf("%s\n", printable_text(command).c_str());
+        }
         std::fprintf(stderr, "%zu of %zu models left to do", left.size(), tasks.size());
         if (mean_ms > 0.0)
             std::fprintf(stderr, ", about %.0f s by the times of those done", estimate_s);

@@ -1,5 +1,6 @@
 // rimline convert: a model as GLB, with the classes of its edges.
 
+#include <algorithm>
 #include <cstdio>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
@@ -12,10 +13,13 @@
 #include "silhouette/mesh/edge_visibility.h"
 #include "silhouette/mesh/formats/glb_writer.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/mesh/upright.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
+#include "tools/options/up_option.h"
+#include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
 
@@ -46,7 +50,11 @@ public:
                        "which are exact")
             ->check(CLI::IsMember({"bytes", "floats"}))
             ->capture_default_str();
+        add_up_or_auto(app, up_, is_up_auto_);
         app.footer(
+            "The file's up is y, as glTF wants it: a model that stands along another axis is "
+            "turned "
+            "there.\n"
             "The classes are those of EXT_mesh_primitive_edge_visibility. Hard edges are always "
             "drawn: borders,\n"
             "creases, and edges of three faces or more. Silhouette edges are drawn where one face "
@@ -59,6 +67,9 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        if (up_ &&
+            std::ranges::find(k_axis_directions, glm::dvec3(*up_)) == k_axis_directions.end())
+            throw UsageError("--up: of a file only an axis can be up: x, y, z, -x, -y or -z");
         check_output(context, output_);
         OutputFile file(output_, model_.model);
         MeshSource source = model_.load(context);
@@ -75,9 +86,11 @@ public:
                 edges = edge_visibility_of_codes(mesh, codes);
             context.times.end("classes of edges");
             context.checkpoint();
+            chosen_up_ = choose_up(mesh, up_, is_up_auto_);
             bytes = glb_bytes(mesh, {.edges = edges,
                                      .normals = normals_ == "bytes" ? SilhouetteNormals::bytes
-                                                                    : SilhouetteNormals::floats});
+                                                                    : SilhouetteNormals::floats,
+                                     .up = chosen_up_.up});
         });
         context.checkpoint();
         file.write(bytes);
@@ -116,6 +129,8 @@ private:
                                  {"vertices", mesh.vertex_count()},
                                  {"faces", mesh.face_count()},
                                  {"edge_visibility", std::move(classes)},
+                                 {"up", json_vector(chosen_up_.up)},
+                                 {"up_from", up_source_name(chosen_up_.source)},
                                  {"bytes", bytes},
                                  {"output", output_}});
             return;
@@ -126,6 +141,7 @@ private:
         if (!edges.empty())
             std::printf("  edges       %u hidden, %u silhouette, %u hard\n", counts.hidden,
                         counts.silhouette, counts.hard);
+        print_up(chosen_up_);
     }
 
     ModelArgument model_;
@@ -133,6 +149,9 @@ private:
     bool finds_edges_ = false;
     std::optional<double> crease_degrees_;
     std::string normals_ = "bytes";
+    std::optional<glm::vec3> up_;
+    bool is_up_auto_ = false;
+    ChosenUp chosen_up_;
 };
 
 }  // namespace

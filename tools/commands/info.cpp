@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,27 +28,23 @@ struct Extent {
     std::uint32_t vertices;
     glm::dvec3 center;
     double radius;
-    Bounds bounds;
+    glm::dvec3 low, high;
 };
 
 Extent extent_of(const Mesh& mesh) {
-    return {mesh.vertex_count(), mesh.center(), mesh.radius(), mesh.bounds()};
+    return {mesh.vertex_count(), mesh.center(), mesh.radius(), glm::dvec3(mesh.bounds().low),
+            glm::dvec3(mesh.bounds().high)};
 }
 
-Extent extent_of(std::vector<glm::vec3> points) {
-    if (points.empty()) return {};
-    const auto key = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
-    std::sort(points.begin(), points.end(),
-              [&](const auto& a, const auto& b) { return key(a) < key(b); });
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    Extent extent{static_cast<std::uint32_t>(points.size()), {}, 0.0, {points[0], points[0]}};
-    for (const glm::vec3& p : points) {
-        extent.bounds.low = glm::min(extent.bounds.low, p);
-        extent.bounds.high = glm::max(extent.bounds.high, p);
+// In double: surveys lie far from the origin of their coordinates.
+Extent extent_of(const PointCloud& cloud) {
+    if (cloud.size() == 0) return {};
+    Extent extent{cloud.size(), cloud.center(), cloud.radius(), cloud.positions()[0],
+                  cloud.positions()[0]};
+    for (const glm::dvec3& p : cloud.positions()) {
+        extent.low = glm::min(extent.low, p);
+        extent.high = glm::max(extent.high, p);
     }
-    extent.center = 0.5 * (glm::dvec3(extent.bounds.low) + glm::dvec3(extent.bounds.high));
-    for (const glm::vec3& p : points)
-        extent.radius = std::max(extent.radius, glm::distance(glm::dvec3(p), extent.center));
     return extent;
 }
 
@@ -81,6 +76,7 @@ struct UsedMaterials {
 
 // What a file of points has.
 struct CloudFacts {
+    Extent extent;
     double spacing;  // The median distance of a point to its nearest; 0 for one point.
     bool has_normals, has_colors, has_intensities;
 };
@@ -101,10 +97,8 @@ void print_place(const Extent& extent) {
     std::printf("  center      %.9g,%.9g,%.9g\n", extent.center.x, extent.center.y,
                 extent.center.z);
     std::printf("  radius      %.9g\n", extent.radius);
-    std::printf("  bounds      %.9g,%.9g,%.9g to %.9g,%.9g,%.9g\n", double{extent.bounds.low.x},
-                double{extent.bounds.low.y}, double{extent.bounds.low.z},
-                double{extent.bounds.high.x}, double{extent.bounds.high.y},
-                double{extent.bounds.high.z});
+    std::printf("  bounds      %.9g,%.9g,%.9g to %.9g,%.9g,%.9g\n", extent.low.x, extent.low.y,
+                extent.low.z, extent.high.x, extent.high.y, extent.high.z);
 }
 
 // What the file says of the edges of its mesh; nothing if it says nothing.
@@ -164,8 +158,7 @@ public:
         std::optional<CloudFacts> cloud;
         if (source.triangles.empty()) cloud = cloud_facts(source, context);
         const Mesh mesh = make_mesh(model_.model, source, context);
-        const Extent extent =
-            source.triangles.empty() ? extent_of(source.positions) : extent_of(mesh);
+        const Extent extent = cloud ? cloud->extent : extent_of(mesh);
         const std::optional<EdgeVisibilityCounts> drawn = edge_classes(source, mesh);
         context.times.end("measuring");
         if (!context.json) {
@@ -206,7 +199,7 @@ public:
                     {"oriented", mesh.is_oriented()},
                     {"center", list(extent.center)},
                     {"radius", extent.radius},
-                    {"bounds", {list(extent.bounds.low), list(extent.bounds.high)}},
+                    {"bounds", {list(extent.low), list(extent.high)}},
                     {"up", mesh.up() == UpAxis::z ? "z" : "y"},
                     {"materials", materials.count},
                     {"textures", materials.textures}});
@@ -227,7 +220,8 @@ private:
         Progress progress(context, "measuring the distances of points");
         return about_model(model_.model, [&] {
             const PointCloud cloud(std::move(points));
-            return CloudFacts{.spacing = median_spacing(cloud, progress.call()),
+            return CloudFacts{.extent = extent_of(cloud),
+                              .spacing = median_spacing(cloud, progress.call()),
                               .has_normals = !cloud.normals().empty(),
                               .has_colors = !cloud.colors().empty(),
                               .has_intensities = !cloud.intensities().empty()};

@@ -171,7 +171,7 @@ private:
     bool needs_index() const { return has_silhouette() || turn_frames_ > 0; }
 
     CloudAnalysis analyze(const Context& context, const PointSurfaceOptions& options,
-                          std::optional<OutputFile>& drawing) const {
+                          std::optional<OutputFile>& drawing) {
         PointCloud cloud = cloud_.load(context);
         const auto name_errors = [&](auto&& work) { return about_model(cloud_.model, work); };
         Clock::time_point start = Clock::now();
@@ -179,6 +179,7 @@ private:
         PointSurface surface = name_errors(
             [&] { return PointSurface(cloud.positions(), options, surface_progress.call()); });
         CloudAnalysis analysis(std::move(cloud), std::move(surface));
+        if (!output_.empty() || turn_frames_ > 0) analysis.up = settle_up(analysis.cloud, context);
         analysis.umbrellas_ms = ms_since(start);
         if (options.method == PointSurfaceOptions::Method::robust)
             analysis.hole_limit = hole_limit(analysis.surface, options.gap_ratio);
@@ -192,6 +193,22 @@ private:
         if (!analysis.cloud.triangles().empty()) analysis.truth = compare_borders(analysis);
         context.checkpoint();
         return analysis;
+    }
+
+    // Only faces say along which axis a model stands.
+    ChosenUp settle_up(const PointCloud& cloud, const Context& context) {
+        if (picture_.up) return {glm::dvec3(*picture_.up), ChosenUp::Source::option};
+        ChosenUp chosen{direction_of(cloud.up()),
+                        cloud.is_up_known() ? ChosenUp::Source::format : ChosenUp::Source::assumed};
+        if (!cloud.triangles().empty() && (picture_.is_up_auto || !cloud.is_up_known())) {
+            MeshSource source{.positions = {}, .triangles = {}};
+            source.positions.assign(cloud.positions().begin(), cloud.positions().end());
+            source.triangles.assign(cloud.triangles().begin(), cloud.triangles().end());
+            Progress progress(context, "joining the faces of " + cloud_.model);
+            chosen = choose_up(Mesh(source, Welding::none, progress.call()), {}, true);
+        }
+        picture_.up = glm::vec3(chosen.up);
+        return chosen;
     }
 
     void analyze_silhouette(const Context& context, CloudAnalysis& analysis,
@@ -243,9 +260,8 @@ private:
 
     PointTurn turn(const Context& context, const CloudAnalysis& analysis,
                    const UmbrellaIndex& umbrellas) const {
-        const glm::dvec3 up =
-            picture_.up ? glm::dvec3(*picture_.up) : direction_of(analysis.cloud.up());
-        return measure_turn(umbrellas, up, turn_frames_, turn_step_deg_, verify_, context);
+        return measure_turn(umbrellas, analysis.up->up, turn_frames_, turn_step_deg_, verify_,
+                            context);
     }
 
     CloudArgument cloud_;

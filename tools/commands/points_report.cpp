@@ -95,6 +95,7 @@ void print_object(const Context& context, const PointsReport& report) {
                           {"worst_us", turn->worst_us},   {"changed_points", turn->changed_points}};
         if (analysis.is_verified) result["verified"] = turn->differences == 0;
     }
+    if (analysis.up) result["up_from"] = up_source_name(analysis.up->source);
     if (!report.export_file.empty()) result["export"] = report.export_file;
     if (const std::optional<PointsPictureReport>& picture = analysis.picture) {
         nlohmann::ordered_json messages = nullptr;
@@ -104,6 +105,11 @@ void print_object(const Context& context, const PointsReport& report) {
         result["driver"] = picture->driver;
         result["validation_messages"] = std::move(messages);
         result["picture_ms"] = picture->ms;
+        result["eye"] = json_vector(picture->eye);
+        result["target"] = json_vector(picture->target);
+        result["up"] = json_vector(picture->up);
+        if (picture->fov_deg) result["fov"] = *picture->fov_deg;
+        if (picture->ortho_height) result["ortho"] = *picture->ortho_height;
     }
     if (!report.without_lists) add_lists(analysis, result);
     print_json(context, std::move(result));
@@ -159,6 +165,7 @@ void print_summary(const PointsReport& report) {
     if (analysis.picture)
         std::printf("  picture     %.1f ms on %s\n", analysis.picture->ms,
                     analysis.picture->device.c_str());
+    if (analysis.up) print_up(*analysis.up);
     for (const std::string& written : {report.export_file, report.picture_file})
         if (!written.empty()) std::printf("  written to  %s\n", written.c_str());
 }

@@ -13,6 +13,7 @@
 #include "silhouette/points/point_silhouette.h"
 #include "silhouette/points/point_surface.h"
 #include "tools/commands/point_turn.h"
+#include "tools/options/up_option.h"
 #include "tools/output/points_picture.h"
 
 namespace rimline::tools {
@@ -52,6 +53,7 @@ struct CloudAnalysis {
     /// Smaller holes are not told from the spacing of the points. Not set: the method has no such limit, or no
     /// point has an umbrella.
     std::optional<HoleLimit> hole_limit;
+    std::optional<ChosenUp> up;   ///< Of the picture and the turn.
     bool has_silhouette = false;  ///< The silhouette of one viewpoint was requested.
     bool is_verified = false;     ///< Every frame of the turn was compared.
     double umbrellas_ms = 0.0;

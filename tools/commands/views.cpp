@@ -114,7 +114,7 @@ private:
             if (cell_size(columns) != picture_.size)
                 smaller = draw_views(renderer, scene, views_, cell_size(columns), context);
             context.checkpoint();
-            folder.remove_numbered("view_");
+            folder.remove_numbered("view_", 1);
             for (std::size_t i = 0; i < pictures.size(); ++i)
                 write(folder, "view_" + std::to_string(i + 1) + ".png", pictures[i]);
             write(folder, "contact_sheet.png",

@@ -28,7 +28,7 @@ fs::path FrameSequence::file(std::uint32_t frame) const {
 }
 
 void FrameSequence::put(const Picture& picture, std::uint32_t number) {
-    if (number == 0) folder_.remove_numbered("frame_");
+    if (number == 0) folder_.remove_numbered("frame_", 4);
     OutputFile output(file(number));
     write_png(output, picture);
 }

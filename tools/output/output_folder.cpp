@@ -31,7 +31,7 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
     if (access(path_.c_str(), W_OK | X_OK) != 0) fail(std::generic_category().message(errno));
 }
 
-void OutputFolder::remove_numbered(const std::string& prefix) const {
+void OutputFolder::remove_numbered(const std::string& prefix, std::size_t min_digits) const {
     constexpr std::string_view k_ending = ".png";
     std::vector<fs::path> old;
     std::error_code error;
@@ -42,7 +42,8 @@ void OutputFolder::remove_numbered(const std::string& prefix) const {
             continue;
         const std::string_view digits = std::string_view(name).substr(
             prefix.size(), name.size() - prefix.size() - k_ending.size());
-        if (digits.find_first_not_of("0123456789") == std::string_view::npos)
+        if (digits.size() >= min_digits &&
+            digits.find_first_not_of("0123456789") == std::string_view::npos)
             old.push_back(entry.path());
     }
     for (const fs::path& file : old) check_is_no_input(file);

@@ -43,6 +43,8 @@ public:
     }
 
     const HomogeneousPoint& silhouette_point() const { return point_; }
+    /// In the coordinates of the umbrellas.
+    const Camera& camera() const { return scene_.camera; }
     /// The scene of a cloud that drawn() or compared() returned. `cloud` must outlive it.
     SplatScene scene_of(const SplatCloud& cloud) const {
         SplatScene scene = scene_;
@@ -177,8 +179,16 @@ PointsPictureReport draw_points(const PointsPicture& picture, OutputFile& file) 
         write_png(file, make_contact_sheet(pictures, k_columns, k_gap,
                                            picture.options.background.value_or(k_cloud_paper)));
     }
+    const bool is_orthographic = drawing.camera().is_orthographic();
     return {
         .silhouette_point = drawing.silhouette_point(),
+        .eye = picture.umbrellas.from_index(drawing.camera().eye),
+        .target = picture.umbrellas.from_index(drawing.camera().target),
+        .up = drawing.camera().up,
+        .fov_deg = is_orthographic ? std::nullopt : std::optional(drawing.camera().fov_y_deg),
+        .ortho_height = is_orthographic ? std::optional(drawing.camera().ortho_height /
+                                                        picture.umbrellas.scale())
+                                        : std::nullopt,
         .device = device.device.facts().name,
         .driver = device.device.facts().driver,
         .validation_messages = device.instance.validation_message_count(),

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -27,6 +29,20 @@ constexpr std::uint32_t k_max_short_vertices = 0xffff;
 
 static_assert(std::endian::native == std::endian::little);
 
+// The matrix of a node, column by column, that turns an axis to y. Of zeros and ones, so that no coordinate is rounded.
+GlbJson turned_to_y(const glm::dvec3& up) {
+    // The direction that is turned to z; x follows from both.
+    const glm::dvec3 front = up.y < 0.0    ? glm::dvec3(0.0, 0.0, -1.0)
+                             : up.x != 0.0 ? glm::dvec3(0.0, 0.0, 1.0)
+                                           : glm::dvec3(0.0, -up.z, 0.0);
+    const glm::dmat3 rows(glm::cross(up, front), up, front);
+    GlbJson matrix = GlbJson::array();
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            matrix.push_back(column < 3 && row < 3 ? int(rows[row][column]) : int(column == row));
+    return matrix;
+}
+
 class GlbWriter {
 public:
     GlbWriter(const Mesh& mesh, const GlbOptions& options)
@@ -42,8 +58,7 @@ public:
         document_["scene"] = 0;
         document_["scenes"] = GlbJson::array({GlbJson{{"nodes", GlbJson::array({0})}}});
         GlbJson node{{"mesh", 0}};
-        if (mesh_.up() == UpAxis::z)  // Of zeros and ones, so that no coordinate is rounded.
-            node["matrix"] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+        if (options_.up != glm::dvec3(0.0, 1.0, 0.0)) node["matrix"] = turned_to_y(options_.up);
         document_["nodes"] = GlbJson::array({node});
         document_["meshes"] = GlbJson::array({GlbJson{{"primitives", primitives}}});
         if (!materials_.empty()) document_["materials"] = materials_;

@@ -5,8 +5,7 @@
 // draw such edges.
 //
 // A primitive for each material, each with the faces of it in their order; faces without a material are one, too.
-// All share the welded vertices. A mesh whose up axis is z gets a node that turns it to glTF's, y. Each edge has
-// its class at one of its faces, the first as they are written, also if its other faces are in other primitives.
+// All share the welded vertices. Each edge has its class at one of its faces, the first as they are written, also if its other faces are in other primitives.
 //
 // Viewers decide on which silhouettes an edge is by two normals. As signed bytes they are wrong by up to half a
 // degree (docs/results/edges.md has what that does); as floats they are as our own.
@@ -31,6 +30,8 @@ struct GlbOptions {
     /// The class of each edge of the mesh. Empty: the file says nothing about edges.
     std::span<const EdgeVisibility> edges = {};
     SilhouetteNormals normals = SilhouetteNormals::bytes;
+    /// The mesh's up direction, along an axis: where it is not y, a node turns it to glTF's, which is y.
+    glm::dvec3 up{0.0, 1.0, 0.0};
 };
 
 /// The bytes of the file. Base colors of materials are kept, colors of corners and textures are not. `mesh` must

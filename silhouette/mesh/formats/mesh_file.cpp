@@ -1,6 +1,8 @@
 #include "silhouette/mesh/formats/mesh_file.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <new>
 #include <utility>
 
@@ -38,6 +40,20 @@ MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call
 
 namespace {
 
+// Floats have 24 bits: fewer than 8 of them are left for the shape.
+void warn_of_lost_shape(const SourceFile& file, MeshSource& source) {
+    glm::dvec3 low(source.positions.front()), high(low);
+    for (const glm::vec3& position : source.positions) {
+        low = glm::min(low, glm::dvec3(position));
+        high = glm::max(high, glm::dvec3(position));
+    }
+    if (glm::length(high - low) * 0x1p16 < glm::length(0.5 * (low + high)))
+        add_warning(source.warnings,
+                    file.name +
+                        ": lies so far from the origin that single precision loses "
+                        "its shape; subtract an offset from its coordinates");
+}
+
 MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, const LongCall& call) {
     const SourceFile& file = known.file;
     MeshSource source = read_mesh(known, BadPoints::refuse, call);
@@ -49,6 +65,7 @@ MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, con
                                 "; a model with faces is needed");
     if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
     drop_unused_materials(source);
+    if (!source.triangles.empty()) warn_of_lost_shape(file, source);
     call.checkpoint(1.0);
     return source;
 }

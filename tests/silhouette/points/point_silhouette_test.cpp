@@ -278,6 +278,22 @@ TEST_CASE("silhouette points do not depend on where a cloud lies and how large i
         }
 }
 
+TEST_CASE("a stray point far away costs a silhouette nothing") {
+    std::vector<glm::dvec3> points = tests::make_sphere(2000);
+    const glm::dvec3 eye(2.0, 1.5, -1.0);
+    const PointSurface surface(points);
+    const UmbrellaIndex index(surface);
+    const PointSilhouette alone(index, index.viewpoint(eye));
+    CHECK(alone.consensus_edges().size() > 50);
+    points.push_back({1e7, 0.0, 0.0});
+    const PointSurface with_stray(points);
+    const PointId stray{static_cast<std::uint32_t>(points.size() - 1)};
+    REQUIRE(with_stray.umbrellas_of(stray).size() == 0);
+    const UmbrellaIndex other_index(with_stray);
+    const PointSilhouette other(other_index, other_index.viewpoint(eye));
+    CHECK(other.consensus_edges() == alone.consensus_edges());
+}
+
 TEST_CASE("an index tells how far it is, and stops where it is asked to") {
     const PointSurface surface(tests::make_sphere(20000));
     std::vector<double> shares;

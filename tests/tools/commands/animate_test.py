@@ -281,10 +281,13 @@ def test_frames_of_an_older_run_are_not_left_among_new_ones():
         succeed("animate", "shape:box", "--frames", "5", *SMALL, "-o", output)
         with open(os.path.join(output, "notes.txt"), "w"):
             pass
+        own = os.path.join(output, "frame_12.png")  # Frames have four digits.
+        open(own, "w").close()
         # Nothing is lost before there is a new frame.
         fail(1, "animate", "gone.obj", "-o", output)
-        assert len(os.listdir(output)) == 6
+        assert len(os.listdir(output)) == 7
         succeed("animate", "shape:box", "--frames", "2", *SMALL, "-o", output)
+        os.remove(own)
         assert sorted(os.listdir(output)) == ["frame_0000.png", "frame_0001.png", "notes.txt"]
         succeed("views", "shape:knot:2000", "-k", "3", *SMALL, "-o", output)
         succeed("views", "shape:knot:2000", "-k", "2", *SMALL, "-o", output)

@@ -146,6 +146,13 @@ def test_wrong_command_lines_are_usage_errors():
     with tempfile.TemporaryDirectory() as folder:
         root, out = str(models(folder)), f"{folder}/out"
         assert "no subcommand" in fail(2, "batch", root)
+        assert "{steem}" in fail(2, "batch", root, "-o", out, "--", "draw", "-o", "{out}/{steem}.svg")
+        os.mkdir(f"{folder}/empty")
+        assert "no model" in fail(1, "batch", f"{folder}/empty", "-o", out, "--", "info")
+        # Before the work.
+        assert "none" in fail(1, "batch", root, "-o", out, "--page", f"{folder}/none/a.html", "--", "draw", "-o",
+                              "{out}/{stem}.svg")
+        assert not os.path.exists(f"{out}/m0.svg")
         assert "no subcommand" in fail(2, "batch", root, "--")
         assert "not 'bench'" in fail(2, "batch", root, "--", "bench")
         assert "not 'batch'" in fail(2, "batch", root, "--", "batch")
@@ -169,6 +176,10 @@ def test_a_dry_run_does_nothing_and_estimates():
         result = run("batch", str(root), "-o", out, "--dry-run", "--", "draw", "-o", "{out}/{path}.svg")
         assert result.returncode == 0 and not os.path.exists(out)
         assert f"rimline draw {root}/more/m1.obj -o {out}/more/m1.svg\n" in result.stdout
+        os.rename(root / "m0.obj", root / "m 0.obj")
+        told = run("batch", str(root), "-o", out, "--dry-run", "--", "info")
+        assert f"rimline info '{root}/m 0.obj'\n" in told.stdout
+        os.rename(root / "m 0.obj", root / "m0.obj")
         assert result.stdout.count("\n") == 5 and "5 of 5 models left to do" in result.stderr
         succeed(str(root / "more"), "-o", out, "--", "info")
         told = succeed(str(root), "-o", out, "--dry-run", "--", "info")

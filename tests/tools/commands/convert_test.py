@@ -111,6 +111,23 @@ def counts_of(classes):
     return {"hidden": found.count(HIDDEN), "silhouette": found.count(SILHOUETTE), "hard": found.count(HARD)}
 
 
+def test_convert_turns_models_to_stand_on_y():
+    with tempfile.TemporaryDirectory() as folder:
+        lying, path = os.path.join(folder, "pyramid.obj"), os.path.join(folder, "a.glb")
+        with open(lying, "w") as file:
+            file.write("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 2\n"
+                       "f 1 3 2\nf 1 4 3\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n")
+        for options, up, source, bounds in (((), [0, 0, 1], "mesh", [[-1, 0, -1], [1, 2, 1]]),
+                                            (("--up", "y"), [0, 1, 0], "option", [[-1, -1, 0], [1, 1, 2]]),
+                                            (("--up", "-x"), [-1, 0, 0], "option", None)):
+            found = succeed("convert", lying, "-o", path, *options)
+            assert found["up"] == up and found["up_from"] == source
+            read = succeed("info", path)["bounds"]
+            assert bounds is None or read == bounds
+            assert sorted(high - low for low, high in zip(*read)) == [2, 2, 2]
+        fail(2, "convert", lying, "-o", path, "--up", "1,1,0")
+
+
 def test_convert_writes_the_class_of_every_edge():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.glb")

@@ -37,6 +37,15 @@ def test_info_takes_every_point_of_a_cloud_as_used():
         assert path in fail(1, "silhouette", path, "--from", "1,2,3")
 
 
+def test_info_measures_clouds_far_from_the_origin():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "survey.xyz")
+        open(path, "w").write("500000.25 5400000 300\n500001.125 5400000 300\n500000.25 5400000.5 300\n")
+        found = succeed("info", path)
+        assert found["bounds"] == [[500000.25, 5400000, 300], [500001.125, 5400000.5, 300]]
+        assert math.isclose(found["radius"], math.hypot(0.4375, 0.25), rel_tol=1e-9)
+
+
 def test_info_tells_what_a_cloud_is():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "cloud.ply")

@@ -164,6 +164,51 @@ def test_points_draw_clouds():
         fail(1, "points", cloud, "-o", os.path.join(folder, "none", "a.png"))
 
 
+def test_points_draw_models_upright_and_say_from_where():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output, lying = os.path.join(folder, "a.png"), os.path.join(folder, "pyramid.obj")
+        a, b, c, d, top = (-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0), (0, 0, 2)
+        faces = [(a, c, b), (a, d, c), (a, b, top), (b, c, top), (c, d, top), (d, a, top)]
+        for _ in range(4):
+            parted = []
+            for p, q, r in faces:
+                pq, qr, rp = ([(x + y) / 2 for x, y in zip(*ends)] for ends in ((p, q), (q, r), (r, p)))
+                parted += [(p, pq, rp), (pq, q, qr), (rp, qr, r), (pq, qr, rp)]
+            faces = parted
+        with open(lying, "w") as file:
+            for x, y, z in sum(map(list, faces), []):
+                file.write(f"v {x} {y} {z}\n")
+            for i in range(len(faces)):
+                file.write(f"f {3 * i + 1} {3 * i + 2} {3 * i + 3}\n")
+        options = ("--as-points", "-o", output, "--size", "96x64", "--no-lists")
+        found = succeed("points", lying, *options)
+        assert found["up"] == [0, 0, 1] and found["up_from"] == "mesh"
+        assert succeed("points", lying, "--up", "y", *options)["up"] == [0, 1, 0]
+        assert succeed("points", "shape:knot:4000", *options)["up_from"] == "format"
+        # The camera that is told shows the same.
+        rows = png_rows(output)
+        again = succeed("points", "shape:knot:4000", *options)
+        given = [",".join(map(repr, again[key])) for key in ("eye", "target")]
+        told = succeed("points", "shape:knot:4000", "--eye", given[0], "--target", given[1], "--fov", repr(again["fov"]),
+                       *options)
+        assert told["silhouette_points"] == again["silhouette_points"] and len(png_rows(output)) == len(rows)
+        for key in ("eye", "target"):
+            assert all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(told[key], again[key])), key
+
+
+def test_points_on_no_surface_do_not_widen_the_picture():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output, cloud = os.path.join(folder, "a.png"), os.path.join(folder, "a.xyz")
+        points = [f"{math.cos(i * 2.4) * math.sqrt(1 - z * z)} {math.sin(i * 2.4) * math.sqrt(1 - z * z)} {z}"
+                  for i in range(3000) for z in [(i + 0.5) / 1500 - 1]]
+        open(cloud, "w").write("\n".join([*points, "100 0 0"]) + "\n")
+        found = succeed("points", cloud, "--drop-outliers", "-o", output, "--size", "96x64", "--no-lists")
+        assert found["reasons"] == {"it lies on no surface": 1}
+        assert all(abs(x) < 20 for x in found["eye"]), found["eye"]
+
+
 def test_points_draw_lines_along_creases():
     have_device()
     with tempfile.TemporaryDirectory() as folder:

@@ -1,11 +1,13 @@
 #include "silhouette/mesh/formats/glb_writer.h"
 
+#include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "silhouette/mesh/upright.h"
 #include "tests/silhouette/mesh/formats/sample_files.h"
 
 using namespace rimline;
@@ -109,19 +111,36 @@ TEST_CASE("GLB: without classes, and where all edges are hidden, there is no ext
     }
 }
 
-TEST_CASE("GLB: a mesh that stands on z is turned to stand on y") {
-    MeshSource source = make_built_in_shape("knot", 500);
-    source.up = UpAxis::z;
-    const Mesh mesh(source);
-    const MeshSource read = read_text("a.glb", glb_bytes(mesh, {}));
-    CHECK(read.up == UpAxis::y);
-    REQUIRE(read.positions.size() == mesh.vertex_count());
-    bool are_turned = true;
-    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-        const glm::vec3 p = mesh.positions()[v];
-        are_turned &= read.positions[v] == glm::vec3(p.x, p.z, -p.y);
+TEST_CASE("GLB: a mesh that stands along any axis is turned to stand on y") {
+    const Mesh mesh(make_built_in_shape("knot", 500));
+    const auto volume = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        return glm::dot(a, glm::cross(b, c));
+    };
+    for (const glm::dvec3& up : k_axis_directions) {
+        CAPTURE(up.x);
+        CAPTURE(up.y);
+        CAPTURE(up.z);
+        const MeshSource read = read_text("a.glb", glb_bytes(mesh, {.up = up}));
+        CHECK(read.up == UpAxis::y);
+        REQUIRE(read.positions.size() == mesh.vertex_count());
+        bool are_turned = true, are_mirrored = false;
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+            const glm::dvec3 p(mesh.positions()[v]), q(read.positions[v]);
+            are_turned &=
+                q.y == glm::dot(p, up) && glm::dot(p, p) == doctest::Approx(glm::dot(q, q));
+            if (v < 2) continue;
+            const double before =
+                volume(p, glm::dvec3(mesh.positions()[v - 1]), glm::dvec3(mesh.positions()[v - 2]));
+            const double after =
+                volume(q, glm::dvec3(read.positions[v - 1]), glm::dvec3(read.positions[v - 2]));
+            are_mirrored |= std::abs(after - before) > 1e-9;
+        }
+        CHECK(are_turned);
+        CHECK(!are_mirrored);
+        if (up == glm::dvec3(0, 0, 1))
+            CHECK(read.positions[7] ==
+                  glm::vec3(mesh.positions()[7].x, mesh.positions()[7].z, -mesh.positions()[7].y));
     }
-    CHECK(are_turned);
 }
 
 TEST_CASE("GLB: the normals of an edge are those of its faces, and never zero") {

@@ -107,6 +107,16 @@ TEST_CASE("Files that are missing, folders, pipes, empty or unknown are refused 
     CHECK(has(error_of("a.obj", "# nothing\n"), "no points"));
 }
 
+TEST_CASE("A model so far away that floats lose its shape is read with a warning") {
+    const auto warnings_at = [](const std::string& x) {
+        return read_text("a.obj", "v " + x + " 0 0\nv " + x + ".5 0 0\nv " + x + " 1 0\nf 1 2 3\n")
+            .warnings;
+    };
+    CHECK(warnings_at("50000").empty());
+    REQUIRE(warnings_at("500000").size() == 1);
+    CHECK(has(warnings_at("500000").front(), "single precision"));
+}
+
 TEST_CASE("A file that may not be read is refused with the reason") {
     const ScratchFolder folder;
     const std::filesystem::path path = folder.write("a.obj", sample_obj());
