@@ -44,7 +44,7 @@ struct RendererOptions {
     /// each silhouette point of a mesh of 10 million faces. A mesh that deforms counts with its silhouettes,
     /// its moved positions and normals, and the data that finds them (deforming_mesh.h).
     std::uint64_t stream_memory_bytes = std::uint64_t{1} << 30;
-    /// Limit of memory reserved by all trackers together (SilhouetteTracker::size_bytes()): about 80 bytes
+    /// Limit of memory reserved by all trackers together (SilhouetteTracker::size_bytes()): about 70 bytes
     /// a face for each silhouette point. Most of it is not touched before a large move.
     std::uint64_t tracker_memory_bytes = std::uint64_t{16} << 30;
     /// Moves the trackers. Several renderers may share one; it must outlive them. Null: the renderer makes

@@ -7,11 +7,14 @@
 
 namespace rimline {
 
-const Mesh& SceneInstance::mesh() const noexcept { return deforming ? *deforming : octree->mesh(); }
+const Mesh& SceneInstance::mesh() const noexcept {
+    RIMLINE_CHECK(deforming != nullptr || octree != nullptr);
+    return deforming ? *deforming : octree->mesh();
+}
 
 BoundingSphere SceneInstance::bounds() const {
     if (deforming) return bounding_sphere(*deforming, deformation);
-    return {octree->mesh().center(), octree->mesh().radius()};
+    return {mesh().center(), mesh().radius()};
 }
 
 SceneBounds bounds_of(const Scene& scene) {

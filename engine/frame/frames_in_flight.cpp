@@ -192,6 +192,7 @@ void FramesInFlight::forget_recorded() noexcept {
 }
 
 void FramesInFlight::submit(const Scene& scene, VkExtent2D size) {
+    RIMLINE_CHECK(size.width > 0 && size.height > 0);
     RIMLINE_CHECK(queued_.size() < frames_.size());
     const std::uint32_t slot = ring_slot();
     Frame& frame = free_frame(slot);

@@ -500,6 +500,7 @@ PointsOfInterest find_points_of_interest(const TangentialField& field, const Sea
                                          const InterestOptions& options, const LongCall& call) {
     check(domain);
     RIMLINE_CHECK(options.lattice >= 2 && options.lattice <= 1024);
+    RIMLINE_CHECK(!options.mirror_axis || (*options.mirror_axis >= 0 && *options.mirror_axis <= 2));
     RIMLINE_CHECK(options.tolerance > 0.0 && options.weighed_tolerance > 0.0);
     RIMLINE_CHECK(!options.steady || (options.weigh && domain.inner_radius > 0.0));
     RIMLINE_CHECK(options.climbs >= 1 && options.weigh_batch >= 1 && options.weighed_stride >= 1);

@@ -31,6 +31,9 @@ public:
     /// `octree` and its mesh must outlive this object. O(faces log faces). Throws Error{cancelled}.
     RayRatios(const HoughOctree& octree, const Options& options, const LongCall& call = {});
     explicit RayRatios(const HoughOctree& octree) : RayRatios(octree, {}) {}
+    RayRatios(HoughOctree&&, const Options&,
+              const LongCall& = {}) = delete;  // A temporary would dangle.
+    explicit RayRatios(HoughOctree&&) = delete;
     ~RayRatios();
 
     /// One ratio for each viewpoint, in order; 0 where there is no line. Viewpoints are in the mesh's coordinates, within

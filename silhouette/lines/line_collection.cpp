@@ -77,6 +77,9 @@ void LineCollection::find_creases(float angle_rad, const LineGeometry& surface) 
 void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptions& options,
                              LineFrame& frame) {
     const Mesh& mesh = frame.surface->mesh();
+    RIMLINE_CHECK(options.shown_creases.empty() ||
+                  options.shown_creases.size() == mesh.edge_count());
+    for (const EdgeId edge : silhouette) RIMLINE_CHECK(index(edge) < mesh.edge_count());
     stamps_.resize(mesh.edge_count());
     ++frame_number_;
     frame.lines.clear();

@@ -22,6 +22,7 @@ class LineDrawer {
 public:
     /// `surface` must outlive the drawer. One thread at a time.
     explicit LineDrawer(const LineSurface& surface);
+    explicit LineDrawer(LineSurface&&) = delete;  // A temporary would dangle.
     ~LineDrawer();
     LineDrawer(LineDrawer&&) noexcept;
     LineDrawer& operator=(LineDrawer&&) noexcept;

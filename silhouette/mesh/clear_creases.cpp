@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "silhouette/mesh/edge_convexity.h"
@@ -15,7 +17,7 @@ namespace {
 
 constexpr double k_degree = std::numbers::pi / 180.0;
 constexpr double k_strong_bend_rad = 30.0 * k_degree;
-constexpr double k_min_strength = 0.15;  // Of the mesh's radius.
+constexpr double k_min_strength = 0.15;  // Of the radius of the part.
 constexpr double k_min_clear_share = 0.7;
 // An edge of a face hardly bends where it bends by less than this, or than this share of the crease's bend.
 constexpr float k_flat_bend_rad = 3.0f * static_cast<float>(k_degree);
@@ -23,11 +25,55 @@ constexpr float k_flat_share = 0.125f;
 // Cosine of 135 degrees between the ways of two edges out of a vertex: one goes on into the other.
 constexpr double k_max_cos_of_ways = -0.7071067811865476;
 
+// The radius of the part of a mesh that a vertex belongs to: of what edges connect, as Mesh::radius() of the whole.
+class PartRadii {
+public:
+    explicit PartRadii(const Mesh& mesh) : whole_(mesh.radius()) {
+        if (mesh.component_count() <= 1) return;
+        part_.resize(mesh.vertex_count());
+        std::iota(part_.begin(), part_.end(), 0u);
+        for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+            const auto [a, b] = mesh.edge(EdgeId{e}).vertices;
+            const std::uint32_t from = root(index(a)), to = root(index(b));
+            part_[std::max(from, to)] = std::min(from, to);
+        }
+        for (std::uint32_t v = 0; v < part_.size(); ++v) part_[v] = root(v);
+        std::vector<Bounds> bounds(part_.size());
+        for (std::uint32_t v = 0; v < part_.size(); ++v) {
+            const glm::vec3 p = mesh.positions()[v];
+            Bounds& of_part = bounds[part_[v]];
+            // The first vertex of a part is its root.
+            of_part = part_[v] == v ? Bounds{p, p}
+                                    : Bounds{glm::min(of_part.low, p), glm::max(of_part.high, p)};
+        }
+        radii_.assign(part_.size(), 0.0);
+        for (std::uint32_t v = 0; v < part_.size(); ++v) {
+            const Bounds& of_part = bounds[part_[v]];
+            const glm::dvec3 center = 0.5 * (glm::dvec3(of_part.low) + glm::dvec3(of_part.high));
+            double& radius = radii_[part_[v]];
+            radius = std::max(radius, glm::distance(glm::dvec3(mesh.positions()[v]), center));
+        }
+    }
+    double of(VertexId v) const { return part_.empty() ? whole_ : radii_[part_[index(v)]]; }
+
+private:
+    // With path halving.
+    std::uint32_t root(std::uint32_t v) {
+        while (part_[v] != v) v = part_[v] = part_[part_[v]];
+        return v;
+    }
+
+    double whole_;
+    std::vector<std::uint32_t>
+        part_;  // Of each vertex, the first vertex of its part. Empty: there is one part.
+    std::vector<double> radii_;  // Of that vertex.
+};
+
 // The chains of creases. End 2 * i + k is that of crease i at its edge's vertex k.
 class CreaseChains {
 public:
     CreaseChains(const Mesh& mesh, std::span<const Crease> creases)
-        : mesh_(mesh), creases_(creases), next_(2 * creases.size(), k_no_end) {
+        : mesh_(mesh), creases_(creases), radii_(mesh), next_(2 * creases.size(), k_no_end) {
         link();
     }
 
@@ -126,11 +172,13 @@ private:
             strength += own * bend * bend;
             if (is_clear(creases_[i])) clear += own;
         }
-        return strength >= k_min_strength * mesh_.radius() && clear >= k_min_clear_share * length;
+        const double radius = radii_.of(edge_of(2 * chain.front()).vertices[0]);
+        return strength >= k_min_strength * radius && clear >= k_min_clear_share * length;
     }
 
     const Mesh& mesh_;
     std::span<const Crease> creases_;
+    PartRadii radii_;
     std::vector<std::uint32_t> next_;  // Of each end: the end at which the chain goes on.
 };
 

@@ -1,5 +1,6 @@
 #include "tools/python/arrays.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rimline::python {
@@ -169,7 +170,11 @@ glm::dvec3 vector_of(py::handle value, const char* name) {
 }
 
 glm::dvec3 direction_of(py::handle value, const char* name) {
-    const glm::dvec3 direction = vector_of(value, name);
+    glm::dvec3 direction = vector_of(value, name);
+    const double largest =
+        std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    // A small one would lose components, which count as zero below k_min_point_component.
+    if (largest > 0.0 && largest < 0x1p-20) direction *= std::exp2(-std::ilogb(largest));
     if (HomogeneousPoint::direction(glm::vec3(direction)).xyz() == glm::vec3(0.0f))
         throw py::value_error(std::string(name) + ": expected a direction, which is not zero");
     return direction;

@@ -163,7 +163,9 @@ public:
     }
 
     // None where nothing came within `timeout_s`.
-    py::object take(double timeout_s) {
+    py::object take(const py::object& timeout) {
+        const double timeout_s = number_of(timeout, "timeout");
+        if (!(timeout_s >= 0.0)) throw py::value_error("timeout: expected 0 seconds or more");
         using Clock = std::chrono::steady_clock;
         const Clock::time_point start = Clock::now();
         py::object change = changes_.take();

@@ -8,12 +8,17 @@
 #include <glm/geometric.hpp>
 #include <stop_token>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 
 namespace rimline {
 namespace {
+
+// A temporary would dangle.
+static_assert(!std::is_constructible_v<RayRatios, HoughOctree>);
+static_assert(!std::is_constructible_v<RayRatios, HoughOctree, RayRatios::Options>);
 
 // In the plane z = height, facing z.
 MeshSource plate(float height, float half = 1.0f) {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,10 @@ namespace rimline {
 namespace {
 
 using Contacts = LineSurface::Contacts;
+
+// Temporaries would dangle.
+static_assert(!std::is_constructible_v<LineSurface, Mesh>);
+static_assert(!std::is_constructible_v<LineDrawer, LineSurface>);
 
 // The shares that the construction of a surface reports.
 std::vector<double> progress_of_surface(const Mesh& mesh, Contacts contacts) {

@@ -74,6 +74,20 @@ TEST_CASE("all edges of polyhedra stand out") {
     CHECK(clear_creases_of(Mesh(tests::octahedron()), 30.0).size() == 12);
 }
 
+TEST_CASE("edges of a part stand out however far the other parts lie") {
+    const MeshSource box = make_built_in_shape("box");
+    for (const float apart : {4.0f, 300.0f, 30000.0f}) {
+        CAPTURE(apart);
+        MeshSource source = box;
+        const auto first = static_cast<std::uint32_t>(box.positions.size());
+        for (const glm::vec3& p : box.positions)
+            source.positions.push_back(p + glm::vec3(apart, 0.0f, 0.0f));
+        for (const auto& t : box.triangles)
+            source.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        CHECK(clear_creases_of(Mesh(source), 30.0).size() == 24);
+    }
+}
+
 TEST_CASE("a ridge through a field stands out, whatever the field is made of") {
     for (const int n : {4, 40}) {
         CAPTURE(n);

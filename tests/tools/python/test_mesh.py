@@ -114,6 +114,13 @@ def test_wrong_points_are_errors(knot, eye):
         rimline.Tracker(knot, eye)
 
 
+def test_a_direction_is_one_however_short(knot):
+    expected = knot.front_faces(direction=(2, 0.8, 0.1))
+    for power in (-10, -60, -100, -300):
+        found = knot.front_faces(direction=(2 * 2.0**power, 0.8 * 2.0**power, 0.1 * 2.0**power))
+        assert (found == expected).all(), power
+
+
 def test_a_point_is_an_eye_or_a_direction(knot):
     with pytest.raises(TypeError, match="either eye or direction"):
         knot.silhouette((1, 2, 3), direction=(1, 2, 3))
@@ -275,6 +282,22 @@ def test_progress_is_reported_to_functions_and_bars():
 
     with pytest.raises(Failure):
         rimline.load("shape:knot:300000", subdivide=1, progress=fail)
+
+
+@pytest.mark.parametrize("call", [lambda **options: rimline.draw(rimline.load("shape:knot:20000"), **options),
+                                  lambda **options: rimline.camera_path(rimline.load("shape:knot:4000"), 3,
+                                                                        visible=False, **options)],
+                         ids=["draw", "camera_path"])
+def test_progress_of_two_steps_is_one(call):
+    shares = []
+    call(progress=shares.append)
+    assert shares == sorted(set(shares)) and shares[-1] == 1.0
+    with pytest.raises(TypeError, match="progress"):
+        call(progress=3)
+    tqdm = pytest.importorskip("tqdm")
+    with tqdm.tqdm(total=100, file=open("/dev/null", "w")) as bar:
+        call(progress=bar)
+        assert bar.n == pytest.approx(100)
 
 
 @pytest.mark.parametrize("call", [lambda: rimline.load("shape:knot:500000").build_index(),

@@ -174,6 +174,9 @@ def test_a_service_follows_points_in_order(knot):
                 state[2] = change.sequence
                 assert apply(change, state[0], state[1]) == set(knot.silhouette(eye).ids.tolist())
         assert trackers[0].take() is None
+        for timeout, error in ((float("nan"), ValueError), (-1, ValueError), ("1", TypeError), (None, TypeError)):
+            with pytest.raises(error, match="timeout"):
+                trackers[0].take(timeout)
         assert trackers[0].remove() and not trackers[0].remove()
         with pytest.raises(rimline.CancelledError):
             trackers[0].post((1, 2, 3))

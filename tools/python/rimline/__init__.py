@@ -206,9 +206,51 @@ def render(scene: Scene | Mesh, *, progress: Any = None, **options: Any) -> Pict
     return _renderer().render(scene, progress=progress, **options)
 
 
+class _Parts:
+    """One `progress` for calls that follow each other."""
+
+    def __init__(self, progress: Any) -> None:
+        self._progress = progress
+        self._shown = 0.0
+        self._closes = progress is True
+        if progress is True:
+            from tqdm.auto import tqdm
+
+            self._progress = tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}")
+
+    def __enter__(self) -> _Parts:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._closes:
+            self._progress.close()
+
+    def part(self, begin: float, end: float) -> Any:
+        """For a call that takes the share from `begin` to `end`."""
+        progress = self._progress
+        is_bar = hasattr(progress, "update") and hasattr(progress, "n")
+        if not is_bar and not callable(progress):
+            return progress  # None, or what the call refuses.
+        if is_bar and progress.total is None:
+            progress.total = 1.0
+
+        def show(share: float) -> None:
+            reached = begin + (end - begin) * share
+            if reached <= self._shown:
+                return
+            if is_bar:
+                progress.update(progress.total * (reached - self._shown))
+            else:
+                progress(reached)
+            self._shown = reached
+
+        return show
+
+
 def draw(mesh: Mesh, *, progress: Any = None, **options: Any) -> LineDrawing:
     """The lines of a mesh from a camera, with the options of LineDrawer.draw()."""
-    return LineDrawer(mesh, progress=progress).draw(progress=progress, **options)
+    with _Parts(progress) as parts:
+        return LineDrawer(mesh, progress=parts.part(0.0, 0.5)).draw(progress=parts.part(0.5, 1.0), **options)
 
 
 def best_views(
@@ -248,7 +290,9 @@ def camera_path(
     if not isinstance(views, Iterable):
         if not isinstance(views, SupportsIndex):
             raise TypeError(f"views: expected an integer, views or points, not {type(views).__name__}")
-        views = best_views(mesh, views, up=up, progress=progress, **options)
-    elif options:
+        with _Parts(progress) as parts:
+            found = best_views(mesh, views, up=up, progress=parts.part(0.0, 0.7), **options)
+            return CameraPath(mesh, [view.eye for view in found], up=up, progress=parts.part(0.7, 1.0))
+    if options:
         raise TypeError(f"unexpected keyword argument '{next(iter(options))}'")
     return CameraPath(mesh, [view.eye if isinstance(view, View) else view for view in views], up=up, progress=progress)
