@@ -18,6 +18,7 @@ share.
 
 from __future__ import annotations
 
+import importlib
 import operator
 import os
 import threading
@@ -214,9 +215,8 @@ class _Parts:
         self._shown = 0.0
         self._closes = progress is True
         if progress is True:
-            from tqdm.auto import tqdm
-
-            self._progress = tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}")
+            bars = importlib.import_module("tqdm.auto")  # Which has no types.
+            self._progress = bars.tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}")
 
     def __enter__(self) -> _Parts:
         return self
@@ -292,7 +292,8 @@ def camera_path(
             raise TypeError(f"views: expected an integer, views or points, not {type(views).__name__}")
         with _Parts(progress) as parts:
             found = best_views(mesh, views, up=up, progress=parts.part(0.0, 0.7), **options)
-            return CameraPath(mesh, [view.eye for view in found], up=up, progress=parts.part(0.7, 1.0))
+            eyes: list[Any] = [view.eye for view in found]
+            return CameraPath(mesh, eyes, up=up, progress=parts.part(0.7, 1.0))
     if options:
         raise TypeError(f"unexpected keyword argument '{next(iter(options))}'")
     return CameraPath(mesh, [view.eye if isinstance(view, View) else view for view in views], up=up, progress=progress)
