@@ -6,9 +6,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <numeric>
 #include <span>
 
+#include "silhouette/mesh/disjoint_sets.h"
 #include "silhouette/mesh/edge_convexity.h"
 
 namespace rimline {
@@ -30,43 +30,32 @@ class PartRadii {
 public:
     explicit PartRadii(const Mesh& mesh) : whole_(mesh.radius()) {
         if (mesh.component_count() <= 1) return;
-        part_.resize(mesh.vertex_count());
-        std::iota(part_.begin(), part_.end(), 0u);
-        for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
-            const auto [a, b] = mesh.edge(EdgeId{e}).vertices;
-            const std::uint32_t from = root(index(a)), to = root(index(b));
-            part_[std::max(from, to)] = std::min(from, to);
-        }
-        for (std::uint32_t v = 0; v < part_.size(); ++v) part_[v] = root(v);
-        std::vector<Bounds> bounds(part_.size());
+        DisjointSets parts(mesh.vertex_count());
+        for (const Edge& edge : mesh.edges())
+            parts.join(index(edge.vertices[0]), index(edge.vertices[1]));
+        part_ = parts.take_numbers();
+        const std::span<const glm::vec3> positions = mesh.positions();
+        std::vector<Bounds> bounds;
         for (std::uint32_t v = 0; v < part_.size(); ++v) {
-            const glm::vec3 p = mesh.positions()[v];
-            Bounds& of_part = bounds[part_[v]];
-            // The first vertex of a part is its root.
-            of_part = part_[v] == v ? Bounds{p, p}
-                                    : Bounds{glm::min(of_part.low, p), glm::max(of_part.high, p)};
+            const glm::vec3& p = positions[v];
+            if (part_[v] == bounds.size()) bounds.push_back({p, p});  // The first of its part.
+            Bounds& own = bounds[part_[v]];
+            own = {glm::min(own.low, p), glm::max(own.high, p)};
         }
-        radii_.assign(part_.size(), 0.0);
+        radii_.assign(bounds.size(), 0.0);
         for (std::uint32_t v = 0; v < part_.size(); ++v) {
-            const Bounds& of_part = bounds[part_[v]];
-            const glm::dvec3 center = 0.5 * (glm::dvec3(of_part.low) + glm::dvec3(of_part.high));
+            const Bounds& own = bounds[part_[v]];
+            const glm::dvec3 center = 0.5 * (glm::dvec3(own.low) + glm::dvec3(own.high));
             double& radius = radii_[part_[v]];
-            radius = std::max(radius, glm::distance(glm::dvec3(mesh.positions()[v]), center));
+            radius = std::max(radius, glm::distance(glm::dvec3(positions[v]), center));
         }
     }
     double of(VertexId v) const { return part_.empty() ? whole_ : radii_[part_[index(v)]]; }
 
 private:
-    // With path halving.
-    std::uint32_t root(std::uint32_t v) {
-        while (part_[v] != v) v = part_[v] = part_[part_[v]];
-        return v;
-    }
-
     double whole_;
-    std::vector<std::uint32_t>
-        part_;  // Of each vertex, the first vertex of its part. Empty: there is one part.
-    std::vector<double> radii_;  // Of that vertex.
+    std::vector<std::uint32_t> part_;  // Of each vertex. Empty: there is one part.
+    std::vector<double> radii_;
 };
 
 // The chains of creases. End 2 * i + k is that of crease i at its edge's vertex k.

@@ -9,8 +9,8 @@
 //           it bends the same way at all edges. Of the creases of scans, a fifth to a half of the length is clear; of
 //           those of machine parts, all.
 //   strong  Edges that go on straight into each other form a chain that is long, or short and sharp: the sum over
-//           its edges of length * (bend / 30 degrees)^2 is at least 15% of the radius of the part of the
-//           mesh that edges connect with it: a small house in a large scene has its edges.
+//           its edges of length * (bend / 30 degrees)^2 is at least 15% of the radius of the part of the mesh that
+//           edges connect with it: a small house in a large scene has its edges.
 //
 // A chain stands out when it is strong and at least 70% of its length is clear.
 

@@ -13,6 +13,7 @@
 
 #include "silhouette/error.h"
 #include "silhouette/mesh/angle_between.h"
+#include "silhouette/mesh/disjoint_sets.h"
 
 namespace rimline {
 
@@ -114,49 +115,33 @@ private:
     double cos_, sin_;
 };
 
-// Corners, numbered 3 * face + corner, in groups that share a normal.
+// Of corners, numbered 3 * face + corner, the groups that share a normal.
 class CornerGroups {
 public:
-    explicit CornerGroups(std::uint32_t corner_count) : parent_(corner_count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
+    explicit CornerGroups(DisjointSets sets) : group_(sets.take_numbers()) {
+        for (const std::uint32_t group : group_) count_ = std::max(count_, group + 1);
     }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-    /// Replaces the tree by group numbers 0, 1, 2, ... Returns their count. Do not join afterwards.
-    std::uint32_t number() {
-        std::uint32_t count = 0;
-        // A parent is never greater than its child, so its group number is already set.
-        for (std::uint32_t c = 0; c < parent_.size(); ++c)
-            parent_[c] = parent_[c] == c ? count++ : parent_[parent_[c]];
-        return count;
-    }
-    /// Makes each corner of the groups with a flag a group of its own. Returns the count of groups.
-    std::uint32_t split(const std::vector<bool>& flags) {
+    std::uint32_t group(std::uint32_t corner) const { return group_[corner]; }
+    std::uint32_t count() const { return count_; }
+    /// Makes each corner of the groups with a flag a group of its own.
+    void split(const std::vector<bool>& flags) {
         std::vector<std::uint32_t> numbers(flags.size(), k_no_number);
-        std::uint32_t count = 0;
-        for (std::uint32_t& group : parent_) {
+        count_ = 0;
+        for (std::uint32_t& group : group_) {
             if (!flags[group] && numbers[group] != k_no_number) {
                 group = numbers[group];
                 continue;
             }
-            numbers[group] = count;
-            group = count++;
+            numbers[group] = count_;
+            group = count_++;
         }
-        return count;
     }
-    std::uint32_t group(std::uint32_t corner) const { return parent_[corner]; }
 
 private:
     static constexpr std::uint32_t k_no_number = 0xffffffffu;
 
-    std::uint32_t root(std::uint32_t c) {
-        while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-        return c;
-    }
-    std::vector<std::uint32_t> parent_;
+    std::vector<std::uint32_t> group_;
+    std::uint32_t count_ = 0;
 };
 
 std::uint32_t corner_at(const Mesh& mesh, FaceId face, VertexId vertex) {
@@ -175,7 +160,7 @@ constexpr double k_min_sum = 1e-6;
 
 CornerGroups join_corners(const Mesh& mesh, std::span<const glm::vec3> normals,
                           const BendTest& bend, const std::stop_token& stop) {
-    CornerGroups groups(3 * mesh.face_count());
+    DisjointSets corners(std::size_t{3} * mesh.face_count());
     const Mesh::EdgeRange regular = mesh.edges_of_class(EdgeClass::regular);
     std::vector<std::uint8_t> is_smooth;
     fill(is_smooth, regular.size(), stop, [&](std::uint32_t i) -> std::uint8_t {
@@ -186,9 +171,9 @@ CornerGroups join_corners(const Mesh& mesh, std::span<const glm::vec3> normals,
         if (is_smooth[i] == 0) return;
         const auto& [vertices, faces] = mesh.edges()[regular.first + i];
         for (const VertexId vertex : vertices)
-            groups.join(corner_at(mesh, faces[0], vertex), corner_at(mesh, faces[1], vertex));
+            corners.join(corner_at(mesh, faces[0], vertex), corner_at(mesh, faces[1], vertex));
     });
-    return groups;
+    return CornerGroups(std::move(corners));
 }
 
 Shading group_corners(const Mesh& mesh, std::span<const glm::vec3> own, double crease,
@@ -208,15 +193,15 @@ Shading group_corners(const Mesh& mesh, std::span<const glm::vec3> own, double c
             own_angles[c] = angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]);
         return own_angles;
     });
-    const auto add_up = [&](std::uint32_t count) {
-        sums.assign(count, glm::dvec3(0.0));
+    const auto add_up = [&] {
+        sums.assign(groups.count(), glm::dvec3(0.0));
         for_each_in_order(face_count, stop, [&](std::uint32_t f) {
             if (!mesh.planes()[f].has_normal()) return;
             for (std::uint32_t c = 0; c < 3; ++c)
                 sums[groups.group(3 * f + c)] += angles[f][c] * glm::dvec3(own[f]);
         });
     };
-    add_up(groups.number());
+    add_up();
     // By face, whether it is turned from the mean of its corner's group.
     std::vector<std::array<bool, 3>> is_turned;
     fill(is_turned, face_count, stop, [&](std::uint32_t f) {
@@ -233,7 +218,10 @@ Shading group_corners(const Mesh& mesh, std::span<const glm::vec3> own, double c
         if (!is_turned[corner / 3][corner % 3]) return;
         is_tip[groups.group(corner)] = has_tips = true;
     });
-    if (has_tips) add_up(groups.split(is_tip));
+    if (has_tips) {
+        groups.split(is_tip);
+        add_up();
+    }
     return shading;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "silhouette/gradual_resize.h"
+#include "silhouette/mesh/disjoint_sets.h"
 #include "silhouette/mesh/equal_positions.h"
 
 namespace rimline {
@@ -88,29 +89,6 @@ void for_each_edge(const SortedHalfEdges& sorted, const LongCall& call, Visit&& 
         }
     }
 }
-
-// Union-find over faces, with path halving.
-class FaceSets {
-public:
-    explicit FaceSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    /// Returns true if two sets became one.
-    bool join(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        if (a == b) return false;
-        parent_[std::max(a, b)] = std::min(a, b);
-        return true;
-    }
-
-private:
-    std::uint32_t root(std::uint32_t f) {
-        while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-        return f;
-    }
-    std::vector<std::uint32_t> parent_;
-};
 
 }  // namespace
 
@@ -200,7 +178,7 @@ void Mesh::build_edges(const LongCall& call) {
     std::uint32_t joined_faces = 0;
     std::uint32_t faces_with_edges = 0;
     for (const Triangle& t : triangles_) faces_with_edges += !has_equal_corners(t);
-    FaceSets sets(triangles_.size());
+    DisjointSets sets(triangles_.size());
     bool all_even = true;
     std::array<std::uint32_t, 4> next{class_begin_[0], class_begin_[1], class_begin_[2],
                                       class_begin_[3]};

@@ -20,20 +20,18 @@ constexpr std::array<std::string_view, 4> k_output_options{"-o", "--output", "--
 
 constexpr std::array<std::string_view, 4> k_batch_places{"{stem}", "{name}", "{path}", "{out}"};
 
-using BatchPlaces = std::vector<std::pair<std::string, std::string>>;
-
-// The text with each place that is named in it filled, from left to right: what is filled in is not looked at again.
-std::string filled(const std::string& text, const BatchPlaces& places) {
+// The text with each place in it filled, from left to right: what is filled in is not looked at again.
+std::string filled(const std::string& text, const std::array<std::string, 4>& values) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
-        const auto found = std::ranges::find_if(places, [&](const auto& place) {
-            return text.compare(at, place.first.size(), place.first) == 0;
+        const auto found = std::ranges::find_if(k_batch_places, [&](std::string_view place) {
+            return text.compare(at, place.size(), place) == 0;
         });
-        if (found == places.end()) {
+        if (found == k_batch_places.end()) {
             result += text[at++];
         } else {
-            result += found->second;
-            at += found->first.size();
+            result += values[static_cast<std::size_t>(found - k_batch_places.begin())];
+            at += found->size();
         }
     }
     return result;
@@ -75,12 +73,10 @@ BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string
                    .outputs = {}};
     // A name is no option.
     if (input.model.starts_with('-')) task.arguments.back() = "./" + input.model;
-    const BatchPlaces places{{"{stem}", input.stem()},
-                             {"{name}", input.file()},
-                             {"{path}", input.path()},
-                             {"{out}", folder}};
+    // By k_batch_places.
+    const std::array<std::string, 4> values{input.stem(), input.file(), input.path(), folder};
     for (std::size_t i = 1; i < subcommand.size(); ++i) {
-        task.arguments.push_back(filled(subcommand[i], places));
+        task.arguments.push_back(filled(subcommand[i], values));
         std::string output = output_in(task.arguments.back(), subcommand[i - 1]);
         if (!output.empty()) task.outputs.push_back(std::move(output));
     }

@@ -199,13 +199,13 @@ private:
         if (std::ranges::find(k_batch_commands, rest_.front()) == k_batch_commands.end())
             throw UsageError("after -- comes a subcommand that takes a model, not '" +
                              rest_.front() + "'");
-        for (const std::string& word : rest_)
+        for (const std::string& word : rest_) {
             if (word == "--help" || word == "-h")
                 throw UsageError("rimline " + rest_.front() + " --help describes its options");
-        for (const std::string& word : rest_)
             if (const std::string place = unknown_batch_place(word); !place.empty())
                 throw UsageError(place + " in '" + word +
                                  "': expected {stem}, {name}, {path} or {out}");
+        }
     }
 
     std::vector<BatchTask> make_tasks(const Context& context) const {

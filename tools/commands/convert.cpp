@@ -52,9 +52,8 @@ public:
             ->capture_default_str();
         add_up_or_auto(app, up_, is_up_auto_);
         app.footer(
-            "The file's up is y, as glTF wants it: a model that stands along another axis is "
-            "turned "
-            "there.\n"
+            "In the file y is up, as glTF wants it: a model that stands along another axis is "
+            "turned.\n"
             "The classes are those of EXT_mesh_primitive_edge_visibility. Hard edges are always "
             "drawn: borders,\n"
             "creases, and edges of three faces or more. Silhouette edges are drawn where one face "

@@ -179,7 +179,6 @@ private:
         PointSurface surface = name_errors(
             [&] { return PointSurface(cloud.positions(), options, surface_progress.call()); });
         CloudAnalysis analysis(std::move(cloud), std::move(surface));
-        if (!output_.empty() || turn_frames_ > 0) analysis.up = settle_up(analysis.cloud, context);
         analysis.umbrellas_ms = ms_since(start);
         if (options.method == PointSurfaceOptions::Method::robust)
             analysis.hole_limit = hole_limit(analysis.surface, options.gap_ratio);
@@ -189,6 +188,10 @@ private:
         analysis.weights = feature_weights(analysis.surface, feature_progress.call());
         analysis.features_ms = ms_since(start);
         context.times.end("features");
+        if (!output_.empty() || turn_frames_ > 0) {
+            analysis.up = settle_up(analysis.cloud, context);
+            context.times.end("up direction");
+        }
         if (needs_index()) name_errors([&] { analyze_silhouette(context, analysis, drawing); });
         if (!analysis.cloud.triangles().empty()) analysis.truth = compare_borders(analysis);
         context.checkpoint();

@@ -95,7 +95,10 @@ void print_object(const Context& context, const PointsReport& report) {
                           {"worst_us", turn->worst_us},   {"changed_points", turn->changed_points}};
         if (analysis.is_verified) result["verified"] = turn->differences == 0;
     }
-    if (analysis.up) result["up_from"] = up_source_name(analysis.up->source);
+    if (analysis.up) {
+        result["up"] = json_vector(analysis.up->up);
+        result["up_from"] = up_source_name(analysis.up->source);
+    }
     if (!report.export_file.empty()) result["export"] = report.export_file;
     if (const std::optional<PointsPictureReport>& picture = analysis.picture) {
         nlohmann::ordered_json messages = nullptr;
@@ -107,7 +110,6 @@ void print_object(const Context& context, const PointsReport& report) {
         result["picture_ms"] = picture->ms;
         result["eye"] = json_vector(picture->eye);
         result["target"] = json_vector(picture->target);
-        result["up"] = json_vector(picture->up);
         if (picture->fov_deg) result["fov"] = *picture->fov_deg;
         if (picture->ortho_height) result["ortho"] = *picture->ortho_height;
     }

@@ -14,6 +14,7 @@
 #include "silhouette/error.h"
 #include "silhouette/mesh/any_perpendicular.h"
 #include "silhouette/mesh/homogeneous_point.h"
+#include "silhouette/mesh/rounded_to_float.h"
 #include "tools/options/exact_text.h"
 #include "tools/options/option_types.h"
 #include "tools/options/up_option.h"
@@ -51,9 +52,8 @@ void append_positions(MeshSource& all, const PlacedSource& placed) {
         low = glm::min(low, there);
         high = glm::max(high, there);
     }
-    // Floats have 24 bits: fewer than 8 of them are left for the shape.
     const double extent = glm::length(high - low), distance = glm::length(placed.at);
-    if (!placed.source->positions.empty() && extent * 0x1p16 < distance)
+    if (!placed.source->positions.empty() && floats_lose_shape(extent, distance))
         all.warnings.push_back(placed.name +
                                ": lies so far from the origin of the scene that "
                                "single precision loses its shape; place the models "

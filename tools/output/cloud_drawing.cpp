@@ -61,12 +61,9 @@ CloudDrawing::CloudDrawing(const PointCloud& cloud, const PointSurface& surface,
 }
 
 void CloudDrawing::add_extents() {
-    const auto is_stray = [&](std::uint32_t p) {
-        return surface_->reason(PointId{p}) == UndecidedReason::outlier;
-    };
     for (std::uint32_t p = 0; p < surface_->size(); ++p) {
         // A point on no surface may lie far from all others: the picture does not go out to it.
-        if (is_stray(p) && surface_->size() > 1) continue;
+        if (surface_->reason(PointId{p}) == UndecidedReason::outlier) continue;
         if (look_ == CloudLook::dots) {
             extents_.push_back(glm::vec3(position(p)));
             continue;

@@ -184,7 +184,6 @@ PointsPictureReport draw_points(const PointsPicture& picture, OutputFile& file) 
         .silhouette_point = drawing.silhouette_point(),
         .eye = picture.umbrellas.from_index(drawing.camera().eye),
         .target = picture.umbrellas.from_index(drawing.camera().target),
-        .up = drawing.camera().up,
         .fov_deg = is_orthographic ? std::nullopt : std::optional(drawing.camera().fov_y_deg),
         .ortho_height = is_orthographic ? std::optional(drawing.camera().ortho_height /
                                                         picture.umbrellas.scale())

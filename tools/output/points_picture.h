@@ -44,7 +44,7 @@ struct PointsPicture {
 struct PointsPictureReport {
     HomogeneousPoint silhouette_point;  ///< Of the silhouette that was drawn.
     // The camera, in the cloud's coordinates. One of the last two is set.
-    glm::dvec3 eye, target, up;
+    glm::dvec3 eye, target;
     std::optional<double> fov_deg, ortho_height;
     std::string device, driver;
     std::optional<std::uint32_t> validation_messages;

@@ -5,7 +5,8 @@
 // draw such edges.
 //
 // A primitive for each material, each with the faces of it in their order; faces without a material are one, too.
-// All share the welded vertices. Each edge has its class at one of its faces, the first as they are written, also if its other faces are in other primitives.
+// All share the welded vertices. Each edge has its class at one of its faces, the first as they are written, also
+// if its other faces are in other primitives.
 //
 // Viewers decide on which silhouettes an edge is by two normals. As signed bytes they are wrong by up to half a
 // degree (docs/results/edges.md has what that does); as floats they are as our own.

@@ -9,6 +9,7 @@
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/file_format.h"
 #include "silhouette/mesh/formats/readers.h"
+#include "silhouette/mesh/rounded_to_float.h"
 
 namespace rimline {
 
@@ -40,14 +41,13 @@ MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call
 
 namespace {
 
-// Floats have 24 bits: fewer than 8 of them are left for the shape.
 void warn_of_lost_shape(const SourceFile& file, MeshSource& source) {
     glm::dvec3 low(source.positions.front()), high(low);
     for (const glm::vec3& position : source.positions) {
         low = glm::min(low, glm::dvec3(position));
         high = glm::max(high, glm::dvec3(position));
     }
-    if (glm::length(high - low) * 0x1p16 < glm::length(0.5 * (low + high)))
+    if (floats_lose_shape(glm::length(high - low), glm::length(0.5 * (low + high))))
         add_warning(source.warnings,
                     file.name +
                         ": lies so far from the origin that single precision loses "

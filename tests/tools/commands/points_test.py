@@ -187,12 +187,14 @@ def test_points_draw_models_upright_and_say_from_where():
         assert succeed("points", lying, "--up", "y", *options)["up"] == [0, 1, 0]
         assert succeed("points", "shape:knot:4000", *options)["up_from"] == "format"
         # The camera that is told shows the same.
-        rows = png_rows(output)
         again = succeed("points", "shape:knot:4000", *options)
+        rows = png_rows(output)
         given = [",".join(map(repr, again[key])) for key in ("eye", "target")]
         told = succeed("points", "shape:knot:4000", "--eye", given[0], "--target", given[1], "--fov", repr(again["fov"]),
                        *options)
-        assert told["silhouette_points"] == again["silhouette_points"] and len(png_rows(output)) == len(rows)
+        assert told["silhouette_points"] == again["silhouette_points"]
+        one, other = sum(rows, []), sum(png_rows(output), [])
+        assert sum(max(abs(a - b) for a, b in zip(p, q)) > 40 for p, q in zip(one, other)) < 0.01 * len(one)
         for key in ("eye", "target"):
             assert all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(told[key], again[key])), key
 
