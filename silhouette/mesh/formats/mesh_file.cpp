@@ -47,7 +47,8 @@ void warn_of_lost_shape(const SourceFile& file, MeshSource& source) {
         low = glm::min(low, glm::dvec3(position));
         high = glm::max(high, glm::dvec3(position));
     }
-    if (floats_lose_shape(glm::length(high - low), glm::length(0.5 * (low + high))))
+    const double extent = glm::length(high - low);
+    if (extent > 0.0 && floats_lose_shape(extent, glm::length(0.5 * (low + high))))
         add_warning(source.warnings,
                     file.name +
                         ": lies so far from the origin that single precision loses "

@@ -166,7 +166,7 @@ def test_pictures_are_called_as_pictures():
 
 def test_places_far_from_the_origin_are_printed_apart_from_each_other():
     with tempfile.TemporaryDirectory() as folder:
-        far = [tuple(c + 3e6 for c in corner) for corner in TRIANGLE]
+        far = [tuple(100 * c + 3e6 for c in corner) for corner in TRIANGLE]
         one = os.path.join(folder, "far.obj")
         with open(one, "w") as file:
             file.writelines("v %.9g %.9g %.9g\n" % corner for corner in far)
