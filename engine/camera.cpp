@@ -15,7 +15,7 @@ namespace rimline {
 
 namespace {
 
-// How far a rotation's rows may be from unit vectors at right angles: matrices of floats are within 1e-6.
+// How far the product of a rotation and its transpose may be from 1: for matrices of floats it is within 1e-6.
 constexpr double k_rotation_tolerance = 1e-4;
 
 // Distance from the viewer of a perspective projection's plane of depth 0 or 1; negative or infinite for none.
@@ -94,15 +94,17 @@ Projection projection_of(const glm::dmat4& matrix) {
     return projection;
 }
 
+bool is_rotation(const glm::dmat3& matrix) noexcept {
+    const glm::dmat3 error = matrix * glm::transpose(matrix) - glm::dmat3(1.0);
+    for (int column = 0; column < 3; ++column)
+        if (!(glm::length(error[column]) <= k_rotation_tolerance)) return false;
+    return glm::determinant(matrix) > 0.0;
+}
+
 Camera camera_of(const glm::dmat4& view, const glm::dmat4& projection) {
     const glm::dmat3 rotation(view);
-    const glm::dmat3 error = rotation * glm::transpose(rotation) - glm::dmat3(1.0);
-    for (int column = 0; column < 3; ++column)
-        if (!(glm::length(error[column]) <= k_rotation_tolerance))
-            throw Error(ErrorCode::bad_input,
-                        "the view matrix is not a rotation and a translation");
-    if (!(glm::determinant(rotation) > 0.0) || view[0][3] != 0.0 || view[1][3] != 0.0 ||
-        view[2][3] != 0.0 || view[3][3] != 1.0)
+    if (!is_rotation(rotation) || view[0][3] != 0.0 || view[1][3] != 0.0 || view[2][3] != 0.0 ||
+        view[3][3] != 1.0)
         throw Error(ErrorCode::bad_input, "the view matrix is not a rotation and a translation");
     const glm::dmat3 axes = glm::transpose(rotation);
     Camera camera{.eye = -(axes * glm::dvec3(view[3])), .up = axes[1]};

@@ -27,9 +27,10 @@ struct Projection {
 
 struct Camera {
     glm::dvec3 eye{0.0, 0.0, 1.0};
-    glm::dvec3 target{0.0};
+    glm::dvec3 target{0.0};  ///< Not the eye.
     glm::dvec3 up{0.0, 1.0, 0.0};
-    double fov_y_deg = 40.0;    ///< Vertical field of view of a perspective camera.
+    double fov_y_deg =
+        40.0;  ///< Vertical field of view of a perspective camera: between 0 and 180.
     double ortho_height = 0.0;  ///< Greater than 0: orthographic, with this picture height.
 
     /// Instead of fov_y_deg and ortho_height: the projection of another renderer (projection_of()), of any depth
@@ -45,6 +46,9 @@ struct Camera {
 /// the viewer at the origin and looking along -z. The far plane may be at infinity. Throws Error{bad_input} for
 /// a matrix that mirrors, turns or skews the picture, or that has no near plane before the viewer.
 Projection projection_of(const glm::dmat4& matrix);
+
+/// Whether a matrix is a rotation, as near as floats give it: orthonormal within 1e-4, without reflection.
+bool is_rotation(const glm::dmat3& matrix) noexcept;
 
 /// The camera of a view matrix (from the world into the camera's axes, a rotation and a translation) and a
 /// matrix that projection_of() takes. Throws as that, and Error{bad_input} where `view` is something else.

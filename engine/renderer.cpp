@@ -1,11 +1,12 @@
 #include "engine/renderer.h"
 
 #include "engine/frame/frames_in_flight.h"
+#include "engine/frame/scene_check.h"
 
 namespace rimline {
 
 Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
-    : frames_(std::make_unique<FramesInFlight>(context, options)) {}
+    : frames_(std::make_unique<FramesInFlight>(context, checked(options))) {}
 
 Renderer::~Renderer() = default;
 

@@ -23,7 +23,7 @@ enum class OutlineMethod : std::uint8_t {
 struct Outline {
     OutlineMethod method = OutlineMethod::lines;
     /// Of OutlineMethod::sobel: the least step of depth, beyond the slope of the surface, as a share of the height
-    /// that the picture shows at this distance; and the least bend between normals, in degrees from 0 to 180, where
+    /// that the picture shows at this distance, not negative; and the least bend between normals, in degrees from 0 to 180, where
     /// none is found. Chosen on the Stanford bunny (`rimline bench engine --image-space`).
     float depth_step = 0.004f;
     float normal_step_deg = 40.0f;
@@ -36,7 +36,7 @@ struct RendererOptions {
     /// Frames that may be recorded or submitted and not yet done, at least 1. Each takes its own ring slot of
     /// every stream.
     std::uint32_t frames_in_flight = 2;
-    /// Shading is smooth across edges that bend by at most this angle.
+    /// Shading is smooth across edges that bend by at most this angle: not negative.
     float crease_angle_rad = 0.7f;
     /// Does not change the pixels, except as SideStage says.
     SideStage shadow_sides = SideStage::vertex;

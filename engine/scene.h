@@ -20,7 +20,7 @@ class Mesh;
 struct PictureLines;
 
 // Cameras and lights must lie within k_max_coordinate of the origin, in the coordinates of every
-// instance.
+// instance. Renderer stops the program where a number is outside of the limits that are said here.
 
 /// The colors of an instance, in linear light.
 struct Material {
@@ -55,7 +55,7 @@ struct SceneInstance {
     /// the CPU computes the positions of a wave, and in each frame, for each light, face bits and a bound:
     /// about 50 ns a face.
     bool has_deep_shadows = false;
-    glm::dmat3 rotation{1.0};  ///< Orthonormal, without reflection.
+    glm::dmat3 rotation{1.0};  ///< Without scale and reflection (is_rotation(), camera.h).
     glm::dvec3 translation{0.0};
     Material material;
     /// False: its color is not drawn, because another renderer has drawn it, or nobody does. It hides what lies
@@ -85,7 +85,7 @@ struct SceneInstance {
 };
 
 struct Light {
-    /// A position, or a direction from the scene towards the light.
+    /// A position, or a direction from the scene towards the light: of any length but 0.
     glm::dvec3 vector{0.0, 1.0, 0.0};
     bool directional = true;
     /// Its share in the light of a fully lit surface, greater than 0. Not set: 1 by the number of lights. If
@@ -142,7 +142,7 @@ struct Scene {
     ShadowMethod shadow_method = ShadowMethod::automatic;
     ShadowForm shadow_form = ShadowForm::automatic;
     bool lines = true;
-    float line_width_px = 2.5f;
+    float line_width_px = 2.5f;  ///< Not negative.
     float hidden_line_strength =
         0.0f;  ///< Opacity of hidden lines: 0 omits them, 1 draws them like visible lines.
     /// Lengths of the dashes of hidden lines and of the gaps between them. A gap of 0: solid lines. Neither

@@ -60,7 +60,9 @@ struct SplatRenderer::State {
               {.color = k_surface_format, .depth_stencil = k_depth_stencil_format, .samples = 1}),
           composite_pass(context),
           strokes(frames_in_flight),
-          uploads(context) {}
+          uploads(context) {
+        RIMLINE_CHECK(frames_in_flight > 0);
+    }
 
     bool has_targets_for(VkExtent2D size) const;
     bool has(const SplatCloud* cloud) const;

@@ -45,7 +45,7 @@ struct SplatRendererOptions {
     /// Pixels drawn for each pixel along each side, as in RendererOptions, on every device with one sample each:
     /// discs and strokes end where a pixel is discarded, and more samples leave such edges as they are. 0: 2.
     std::uint32_t scale = 0;
-    std::uint32_t frames_in_flight = 2;
+    std::uint32_t frames_in_flight = 2;  ///< At least 1, as in RendererOptions.
 };
 
 class SplatRenderer {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/frame/draw_list_builder.h"
+#include "engine/frame/scene_check.h"
 #include "engine/frame/scene_data.h"
 #include "engine/picture_readback.h"
 #include "engine/vulkan/commands.h"
@@ -99,6 +100,7 @@ void FramesInFlight::prepare_picture(VkExtent2D size) {
 
 // Makes everything that a frame needs before its recording begins, but silhouettes.
 void FramesInFlight::prepare_scene(const Scene& scene, const PictureTarget& target) {
+    check_scene(scene);
     prepare_targets(scene, target);
     passes_.prepare(scene, target);
     InstanceStates::Frames numbers{.recorded = recorded_};
@@ -170,6 +172,7 @@ void FramesInFlight::record_silhouettes(Commands commands, RecordedFrame& frame)
 
 FrameReport FramesInFlight::record(VkCommandBuffer commands, VkCommandBuffer picture,
                                    const Scene& scene, const PictureTarget& target) {
+    check_scene(scene);
     Frame& frame = free_frame(ring_slot());
     RIMLINE_CHECK(passes_.has_targets_for(scene, target) && passes_.is_prepared(scene, target) &&
                   instances_.is_prepared(scene));

@@ -312,6 +312,7 @@ Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, boo
         const MeshSource source =
             load_drawn_model(model.model, model.subdivide, context, textures, model.format);
         Mesh mesh = make_mesh(model.model, source, context);
+        check_has_extent(model.model, mesh);
         up_ = settle_up(mesh, picture.up, picture.is_up_auto);
         return mesh;
     }
@@ -320,7 +321,9 @@ Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, boo
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
     context.times.end("reading");
-    return make_mesh(name_, source, context);
+    Mesh mesh = make_mesh(name_, source, context);
+    check_has_extent(name_, mesh);
+    return mesh;
 }
 
 nlohmann::ordered_json ModelList::json() const {

@@ -70,12 +70,19 @@ public:
             }
     }
 
-    void dot(const glm::dvec3& at, Color color) {
+    // One of `count` dots, that are the larger the fewer they are: at least a pixel.
+    void dot(const glm::dvec3& at, Color color, std::size_t count) {
         const glm::dvec3 p = to_pixels(at);
         if (std::abs(p.x) > 1e6 || std::abs(p.y) > 1e6) return;
-        const int x = static_cast<int>(std::floor(p.x));
-        const int y = static_cast<int>(std::floor(p.y));
-        if (x >= 0 && y >= 0 && x < side_ && y < side_) set(x, y, p.z, color);
+        const int center_x = static_cast<int>(std::floor(p.x));
+        const int center_y = static_cast<int>(std::floor(p.y));
+        const double radius = side_ * std::min(0.007, 0.1 / std::sqrt(static_cast<double>(count)));
+        const int reach = static_cast<int>(radius);
+        for (int y = center_y - reach; y <= center_y + reach; ++y)
+            for (int x = center_x - reach; x <= center_x + reach; ++x)
+                if (x >= 0 && y >= 0 && x < side_ && y < side_ &&
+                    std::hypot(x - center_x, y - center_y) <= std::max(0.5, radius))
+                    set(x, y, p.z, color);
     }
 
     // Ignores the depth buffer.
@@ -179,7 +186,7 @@ Canvas draw_groups(const HoughOctree& octree, const glm::dvec3& towards_viewer,
         model.triangle(corners, shaded(group_color(group), light));
         const glm::dvec3 at = view(hough_point(plane, octree.origins()[group]).position / radius);
         const double nearness = 0.5 + 0.5 * at.z / hough_extent;
-        hough.dot(at, shaded(group_color(group), 0.55 + 0.45 * nearness));
+        hough.dot(at, shaded(group_color(group), 0.55 + 0.45 * nearness), lengths.size());
     }
     for (std::size_t i = 0; i < octree.origins().size(); ++i)
         model.marker(view(to_unit(octree.origins()[i])), group_color(i), std::to_string(i + 1));

@@ -156,18 +156,24 @@ public:
         draw_with_halo(segments, 0.9 * layout_.scale, 1.0);
     }
 
-    // The greatest value: in the plot, and its name beside the title.
-    void mark_greatest() {
+    // The title, and the greatest value: marked in the plot, and named beside the title. Narrow plots leave out the
+    // words that have no room.
+    void write_title_and_greatest() {
         const auto best = static_cast<std::size_t>(std::ranges::max_element(slice_.values) -
                                                    slice_.values.begin());
         const glm::dvec2 p = to_pixels(slice_.frame.to_model(slice_.grid.points()[best]));
         draw_mark(p);
         const int scale = layout_.scale;
+        const int top = layout_.top - 12 * scale;
+        const int gap = 8 * scale;
+        const int title_end = layout_.left + Canvas::text_width(slice_.title, scale);
+        if (title_end + gap > layout_.bar_left()) return;
+        canvas_.write(layout_.left, top, slice_.title, k_slice_ink, scale);
         const std::string words = "greatest";
-        const int right = layout_.left + layout_.side;
-        const int left = right - Canvas::text_width(words, scale);
-        draw_mark({left - 8.0 * scale, layout_.top - 8.5 * scale});
-        canvas_.write(left, layout_.top - 12 * scale, words, k_slice_ink, scale);
+        const int left = layout_.left + layout_.side - Canvas::text_width(words, scale);
+        if (title_end + 2 * gap > left - gap) return;
+        draw_mark({static_cast<double>(left - gap), layout_.top - 8.5 * scale});
+        canvas_.write(left, top, words, k_slice_ink, scale);
     }
 
 private:
@@ -244,9 +250,7 @@ Canvas draw_slice(const SlicePicture& slice, const LongCall& call) {
     plot.draw_cut();
     plot.draw_axes();
     plot.draw_color_bar(least, greatest);
-    plot.mark_greatest();
-    canvas.write(layout.left, layout.top - 12 * layout.scale, slice.title, k_slice_ink,
-                 layout.scale);
+    plot.write_title_and_greatest();
     return canvas;
 }
 

@@ -11,6 +11,7 @@
 #include "tests/silhouette/lines/against_oracle.h"
 #include "tests/silhouette/lines/difficult_meshes.h"
 #include "tests/silhouette/mesh/random.h"
+#include "tests/stops.h"
 
 namespace rimline {
 namespace {
@@ -271,6 +272,22 @@ TEST_CASE("a drawing can be cancelled") {
         CHECK_THROWS_AS(drawer.draw(view, silhouette, {}, call), Error);
     }
     CHECK(!drawer.draw(view, silhouette).chains.empty());
+}
+
+TEST_CASE("edges that the mesh does not have stop the program") {
+    const Mesh mesh(make_built_in_shape("box", 12));
+    const LineSurface surface(mesh);
+    LineDrawer drawer(surface);
+    const LineView view = tests::view_of(mesh, {1, 2, 3}, false);
+    const std::vector<EdgeId> silhouette = brute_force_silhouette(mesh, view.point());
+    const std::vector<EdgeId> wrong{EdgeId{mesh.edge_count()}};
+    CHECK(tests::stops([&] { drawer.draw(view, wrong); }));
+    const std::vector<std::uint8_t> all(mesh.edge_count(), 1), too_few(mesh.edge_count() - 1, 1);
+    LineOptions options;
+    options.shown_creases = all;
+    CHECK_FALSE(tests::stops([&] { drawer.draw(view, silhouette, options); }));
+    options.shown_creases = too_few;
+    CHECK(tests::stops([&] { drawer.draw(view, silhouette, options); }));
 }
 
 }  // namespace

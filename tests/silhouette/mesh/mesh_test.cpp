@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <stop_token>
 #include <tuple>
@@ -10,6 +11,7 @@
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/mesh/small_meshes.h"
+#include "tests/stops.h"
 
 namespace rimline {
 namespace {
@@ -302,6 +304,19 @@ TEST_CASE("the up axis is the source's") {
     CHECK(Mesh(source).up() == UpAxis::y);
     source.up = UpAxis::z;
     CHECK(Mesh(source).up() == UpAxis::z);
+}
+
+TEST_CASE("a source whose arrays do not fit together stops the program") {
+    const auto stops_with = [](const std::function<void(MeshSource&)>& change) {
+        MeshSource source = tests::tetrahedron();
+        change(source);
+        return tests::stops([&] { Mesh mesh(source); });
+    };
+    CHECK_FALSE(stops_with([](MeshSource& s) { s.edge_codes.resize(s.triangles.size()); }));
+    CHECK(stops_with([](MeshSource& s) { s.edge_codes.resize(s.triangles.size() - 1); }));
+    CHECK(stops_with([](MeshSource& s) { s.triangles[0][1] = 4; }));
+    CHECK(stops_with([](MeshSource& s) { s.positions[0].x = std::nanf(""); }));
+    CHECK(stops_with([](MeshSource& s) { s.materials.materials.resize(2); }));
 }
 
 TEST_CASE("a mesh being made tells how far it is, and stops at any of its checkpoints") {

@@ -2,7 +2,7 @@
 import os
 import tempfile
 
-from program import fail, have_methods, is_count, is_vector, png_size, run, succeed
+from program import fail, have_methods, is_count, is_vector, png_rows, png_size, run, succeed
 
 
 def test_origins_are_given_or_chosen():
@@ -10,6 +10,10 @@ def test_origins_are_given_or_chosen():
         output = os.path.join(folder, "groups.png")
         found = succeed("origins", "shape:knot:4000", "-k", "3", "-o", output)
         assert png_size(output) == (1400, 700)
+        # Of few faces, the Hough points are dots that can be seen: the six planes of a box.
+        succeed("origins", "shape:box", "-o", output)
+        hough = [pixel for row in png_rows(output) for pixel in row[701:]]
+    assert sum(max(pixel) - min(pixel) > 60 for pixel in hough) > 6 * 30
     assert len(found["origins"]) == 3 and all(map(is_vector, found["origins"]))
     assert sum(found["groups"]) == 4000 or sum(found["groups"]) > 3000
     assert is_count(found["sfo_edges"]) and found["box_checks"] > 0 and found["ms"] > 0

@@ -10,7 +10,7 @@ import time
 import zlib
 
 from program import (LIT_PICTURE, PROGRAM, camera_arguments, drawn_again, driver_ms, fail, fail_for_memory, have_device, is_count,
-                     is_vector, lit_share, model, png_rows, png_size, read_file, run, skip, succeed)
+                     is_vector, lit_share, model, png_rows, png_size, read_file, run, skip, succeed, write_faces)
 
 
 def check_render(result, output, size):
@@ -520,6 +520,10 @@ def test_render_leaves_nothing_behind_when_it_fails():
         fail_for_memory("render", "shape:box", "-o", output)
         assert os.listdir(folder) == []
         fail(1, "render", "shape:box", "-o", os.path.join(folder, "gone", "a.png"))
+        point = write_faces(os.path.join(folder, "point.obj"), ((1, 2, 3),) * 3)
+        for models in ([point], [point, point]):
+            assert "its radius is 0" in fail(1, "render", *models, "-o", output)
+        os.remove(point)
         for options in (["--eye", "0,0,0", "--target", "0,0,0"], ["--style", "oil"], ["--ortho", "0"], ["--crease", "9"],
                         ["--size", "0x5"], ["--sun", "0,0,0"], ["--shadows", "on"]):
             fail(2, "render", "shape:box", "-o", output, *options)

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 #include <vector>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
@@ -72,4 +73,30 @@ TEST_CASE("the model is where the axes say, and its values are under it") {
     REQUIRE(dark.size() >= 2);
     CHECK(std::abs(dark.front() - side / 3) <= 2);
     CHECK(std::abs(dark.back() - 2 * side / 3) <= 2);
+}
+
+TEST_CASE("narrow plots leave out words that have no room") {
+    const Mesh mesh(make_built_in_shape("sphere", 200));
+    const std::string title = "origins, y = 0.673";
+    const int left = 44, top = 20;
+    const int title_end = left + Canvas::text_width(title, 1);
+    // Whether dark pixels lie above the plot, in columns from `begin` to before `end`.
+    const auto has_words = [&](int side, int begin, int end) {
+        const SliceGrid grid(2, 0.0, 0.0, 2.0, side);
+        std::vector<double> values(grid.points().size(), 1.0);
+        values[values.size() / 2] = 2.0;
+        const Canvas canvas = draw_slice({mesh, unit_frame(mesh), grid, values, title, "votes"});
+        for (int y = 0; y < top; ++y)
+            for (int x = begin; x < end; ++x)
+                if (canvas.picture().rgba[4 * (std::size_t(y) * canvas.width() + std::size_t(x))] <
+                    60)
+                    return true;
+        return false;
+    };
+    CHECK_FALSE(has_words(64, left, left + 64));
+    CHECK(has_words(128, left, title_end));
+    CHECK_FALSE(has_words(128, title_end, left + 128));
+    CHECK(has_words(250, left, title_end));
+    CHECK_FALSE(has_words(250, title_end, title_end + 8));
+    CHECK(has_words(250, title_end + 8, left + 250));
 }
